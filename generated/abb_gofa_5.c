@@ -19,6 +19,8 @@ static const double measure[6] = {
     0.6802721088435373, 0.6802721088435373, 0.6802721088435373, 0.6802721088435373,
     0.6802721088435373, 0.6802721088435373,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     abb_gofa_5_fk(d->q, P);
     abb_gofa_5_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.4700000000000002;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.4700000000000002;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.4700000000000002;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.4700000000000002;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3395,50 +3394,32 @@ static const double highest[6] = {
 void abb_gofa_5_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3;
-    const double v6 = v4 * c3 + x2_y * s3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
     const double z3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
     const double z4_x = s1 * c4 + x3_x * s4;
     const double y5_y = c1 * c4 - x3_y * s4;
     const double z4_z = x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v5 * s5;
-    const double x5_y = x4_y * c5 - v6 * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double v7 = v5 * c5 + x4_x * s5;
-    const double v8 = v6 * c5 + x4_y * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v5 * s5, x5_y = x4_y * c5 - v6 * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5;
     const double T31_ = z3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T13_ = x5_x * c6 - z4_x * s6;
-    const double T23_ = x5_y * c6 + y5_y * s6;
-    const double T33_ = x5_z * c6 - z4_z * s6;
-    const double T12_ = z4_x * c6 + x5_x * s6;
-    const double T32_ = z4_z * c6 + x5_z * s6;
-    const double T14_ = x2_x * a2 + x3_x * a3 - v5 * d4 + x5_x * a5 - v7 * d6;
-    const double T24_ = x2_y * a2 + x3_y * a3 - v6 * d4 + x5_y * a5 - v8 * d6;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + x5_z * a5 + T31_ * d6;
-    const double T22_ = x5_y * s6 - y5_y * c6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T13_ = x5_x * c6 - z4_x * s6, T23_ = x5_y * c6 + y5_y * s6,
+        T33_ = x5_z * c6 - z4_z * s6, T12_ = z4_x * c6 + x5_x * s6, T32_ = z4_z * c6 + x5_z * s6,
+        T14_ = x2_x * a2 + x3_x * a3 - v5 * d4 + x5_x * a5 - v7 * d6,
+        T24_ = x2_y * a2 + x3_y * a3 - v6 * d4 + x5_y * a5 - v8 * d6,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + x5_z * a5 + T31_ * d6,
+        T22_ = x5_y * s6 - y5_y * c6;
     T[0] = -v7; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = -v8; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3449,71 +3430,39 @@ void abb_gofa_5_fk(const double q[6], double T[16])
 void abb_gofa_5_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3;
-    const double v6 = v4 * c3 + x2_y * s3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
     const double J64 = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p3_x - v5 * d4;
-    const double p4_y = p3_y - v6 * d4;
-    const double p4_z = p3_z + J64 * d4;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
+    const double p4_x = p3_x - v5 * d4, p4_y = p3_y - v6 * d4, p4_z = p3_z + J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double v7 = v5 * c5 + x4_x * s5;
-    const double v8 = v6 * c5 + x4_y * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5;
     const double J66 = J64 * c5 - x4_z * s5;
-    const double p5_x = p4_x + (x4_x * c5 - v5 * s5) * a5;
-    const double p5_y = p4_y + (x4_y * c5 - v6 * s5) * a5;
-    const double p5_z = p4_z + (x4_z * c5 + J64 * s5) * a5;
+    const double p5_x = p4_x + (x4_x * c5 - v5 * s5) * a5, p5_y = p4_y + (x4_y * c5 - v6 * s5) * a5,
+        p5_z = p4_z + (x4_z * c5 + J64 * s5) * a5;
     const double J21 = p5_x - v7 * d6;
-    const double v9 = p5_y - v8 * d6;
-    const double v10 = p5_z + J66 * d6;
-    const double v11 = v10 - d1;
+    const double v9 = p5_y - v8 * d6, v10 = p5_z + J66 * d6, v11 = v10 - d1;
     const double J32 = s1 * v9 + c1 * J21;
     const double v12 = v10 - p2_z;
     const double J33 = s1 * (v9 - p2_y) + c1 * (J21 - p2_x);
-    const double v13 = J21 - p3_x;
-    const double v14 = v9 - p3_y;
-    const double v15 = v10 - p3_z;
-    const double J24 = J64 * v13 + v5 * v15;
-    const double J34 = v6 * v13 - v5 * v14;
-    const double v16 = J21 - p4_x;
-    const double v17 = v9 - p4_y;
-    const double v18 = v10 - p4_z;
-    const double J15 = J55 * v18 - J65 * v17;
-    const double J25 = J65 * v16 - J45 * v18;
-    const double J35 = J45 * v17 - J55 * v16;
-    const double v19 = J21 - p5_x;
-    const double v20 = v9 - p5_y;
-    const double v21 = v10 - p5_z;
-    const double J26 = J66 * v19 + v7 * v21;
-    const double J36 = v8 * v19 - v7 * v20;
+    const double v13 = J21 - p3_x, v14 = v9 - p3_y, v15 = v10 - p3_z;
+    const double J24 = J64 * v13 + v5 * v15, J34 = v6 * v13 - v5 * v14;
+    const double v16 = J21 - p4_x, v17 = v9 - p4_y, v18 = v10 - p4_z;
+    const double J15 = J55 * v18 - J65 * v17, J25 = J65 * v16 - J45 * v18,
+        J35 = J45 * v17 - J55 * v16;
+    const double v19 = J21 - p5_x, v20 = v9 - p5_y, v21 = v10 - p5_z;
+    const double J26 = J66 * v19 + v7 * v21, J36 = v8 * v19 - v7 * v20;
     J[0] = -v9; J[1] = -(c1 * v11); J[2] = -(c1 * v12); J[3] = -(v6 * v15 + J64 * v14); J[4] = J15;
     J[5] = -(v8 * v21 + J66 * v20);
     J[6] = J21; J[7] = -(s1 * v11); J[8] = -(s1 * v12); J[9] = J24; J[10] = J25; J[11] = J26;
@@ -3527,13 +3476,16 @@ void abb_gofa_5_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3593,11 +3545,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? ABB_GOFA_5_FREE_JOINT : ABB_GOFA_5_OK;
     }

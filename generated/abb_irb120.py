@@ -655,8 +655,8 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v25 <= m8 or (v24 <= m8 or
-        (v22 <= m8 or v23 <= m8)))))
+        longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v25 <= m8 or v24 <= m8 or v22
+        <= m8 or v23 <= m8
     )
 
     # angles, side by side
@@ -772,18 +772,18 @@ def _regular(pose, q, status):
     v53 = q3_pmp < low3 or high3 < q3_pmp
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
-    v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
-    v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
-    v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle2 < low4 or high4 < angle2))
-    outside_ppm = q5_ppm < low5 or high5 < q5_ppm or (v54 or (q4_ppm < low4 or high4 < q4_ppm))
-    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle3 < low4 or high4 < angle3))
-    outside_pmm = q5_pmm < low5 or high5 < q5_pmm or (v55 or (q4_pmm < low4 or high4 < q4_pmm))
-    outside_mpp = q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle4 < low4 or high4 < angle4))
-    outside_mpm = q5_mpm < low5 or high5 < q5_mpm or (v56 or (q4_mpm < low4 or high4 < q4_mpm))
-    outside_mmp = q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle5 < low4 or high4 < angle5))
-    outside_mmm = q5_mmm < low5 or high5 < q5_mmm or (v57 or (q4_mmm < low4 or high4 < q4_mmm))
+    v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
+    v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
+    v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
+    v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = q5_ppp < low5 or high5 < q5_ppp or v54 or angle2 < low4 or high4 < angle2
+    outside_ppm = q5_ppm < low5 or high5 < q5_ppm or v54 or q4_ppm < low4 or high4 < q4_ppm
+    outside_pmp = q5_pmp < low5 or high5 < q5_pmp or v55 or angle3 < low4 or high4 < angle3
+    outside_pmm = q5_pmm < low5 or high5 < q5_pmm or v55 or q4_pmm < low4 or high4 < q4_pmm
+    outside_mpp = q5_mpp < low5 or high5 < q5_mpp or v56 or angle4 < low4 or high4 < angle4
+    outside_mpm = q5_mpm < low5 or high5 < q5_mpm or v56 or q4_mpm < low4 or high4 < q4_mpm
+    outside_mmp = q5_mmp < low5 or high5 < q5_mmp or v57 or angle5 < low4 or high4 < angle5
+    outside_mmm = q5_mmm < low5 or high5 < q5_mmm or v57 or q4_mmm < low4 or high4 < q4_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1130,8 +1130,8 @@ def _in_tiles(T, q, status):
             v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
             doubt1 = (
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v25 <= m8 or (v24
-                <= m8 or (v22 <= m8 or v23 <= m8)))))
+                < longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v25 <= m8 or v24 <=
+                m8 or v22 <= m8 or v23 <= m8
             )
             work[272 + k] = t24
             work[288 + k] = v3
@@ -1254,34 +1254,18 @@ def _in_tiles(T, q, status):
             v53 = q3_pmp < low3 or high3 < q3_pmp
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
-            v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
-            v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
-            v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = (
-                q5_ppp < low5 or high5 < q5_ppp or (v54 or (angle2 < low4 or high4 < angle2))
-            )
-            outside_ppm = (
-                q5_ppm < low5 or high5 < q5_ppm or (v54 or (q4_ppm < low4 or high4 < q4_ppm))
-            )
-            outside_pmp = (
-                q5_pmp < low5 or high5 < q5_pmp or (v55 or (angle3 < low4 or high4 < angle3))
-            )
-            outside_pmm = (
-                q5_pmm < low5 or high5 < q5_pmm or (v55 or (q4_pmm < low4 or high4 < q4_pmm))
-            )
-            outside_mpp = (
-                q5_mpp < low5 or high5 < q5_mpp or (v56 or (angle4 < low4 or high4 < angle4))
-            )
-            outside_mpm = (
-                q5_mpm < low5 or high5 < q5_mpm or (v56 or (q4_mpm < low4 or high4 < q4_mpm))
-            )
-            outside_mmp = (
-                q5_mmp < low5 or high5 < q5_mmp or (v57 or (angle5 < low4 or high4 < angle5))
-            )
-            outside_mmm = (
-                q5_mmm < low5 or high5 < q5_mmm or (v57 or (q4_mmm < low4 or high4 < q4_mmm))
-            )
+            v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
+            v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
+            v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
+            v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = q5_ppp < low5 or high5 < q5_ppp or v54 or angle2 < low4 or high4 < angle2
+            outside_ppm = q5_ppm < low5 or high5 < q5_ppm or v54 or q4_ppm < low4 or high4 < q4_ppm
+            outside_pmp = q5_pmp < low5 or high5 < q5_pmp or v55 or angle3 < low4 or high4 < angle3
+            outside_pmm = q5_pmm < low5 or high5 < q5_pmm or v55 or q4_pmm < low4 or high4 < q4_pmm
+            outside_mpp = q5_mpp < low5 or high5 < q5_mpp or v56 or angle4 < low4 or high4 < angle4
+            outside_mpm = q5_mpm < low5 or high5 < q5_mpm or v56 or q4_mpm < low4 or high4 < q4_mpm
+            outside_mmp = q5_mmp < low5 or high5 < q5_mmp or v57 or angle5 < low4 or high4 < angle5
+            outside_mmm = q5_mmm < low5 or high5 < q5_mmm or v57 or q4_mmm < low4 or high4 < q4_mmm
             _992 = q1_ppp
             work[992 + k] = _992
             _1008 = q2_ppp

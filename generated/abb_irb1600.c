@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -335,52 +294,34 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void abb_irb1600_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
     const double v5 = s2 * c3 + c2 * s3;
-    const double z3_x = v2 * c3 + x2_x * s3;
-    const double z3_y = v3 * c3 + x2_y * s3;
-    const double z3_z = c2 * c3 - s2 * s3;
+    const double z3_x = v2 * c3 + x2_x * s3, z3_y = v3 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4;
     const double v7 = v5 * c4;
     const double z4_x = s1 * c4 + x3_x * s4;
     const double v8 = v5 * s4;
     const double z4_y = x3_y * s4 - c1 * c4;
     const double v9 = q[4] + offset5;
-    const double c5 = cos(v9);
-    const double s5 = sin(v9);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = z3_z * s5 - v7 * c5;
+    const double c5 = cos(v9), s5 = sin(v9);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = z3_z * s5 - v7 * c5;
     const double v10 = z3_z * c5 + v7 * s5;
-    const double T13_ = x4_x * s5 - z3_x * c5;
-    const double T23_ = x4_y * s5 - z3_y * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 - v8 * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + z3_x * d4 + T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + z3_y * d4 + T23_ * d6;
-    const double T34_ = d1 - s2 * a2 + z3_z * d4 - v10 * d6;
+    const double T13_ = x4_x * s5 - z3_x * c5, T23_ = x4_y * s5 - z3_y * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 - v8 * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T14_ = c1 * a1 + x2_x * a2 + z3_x * d4 + T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + z3_y * d4 + T23_ * d6,
+        T34_ = d1 - s2 * a2 + z3_z * d4 - v10 * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = -(v8 * c6 + x5_z * s6); T[10] = -v10; T[11] = T34_;
@@ -390,65 +331,38 @@ void abb_irb1600_fk(const double q[6], double T[16])
 
 void abb_irb1600_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
     const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
     const double v5 = s2 * c3 + c2 * s3;
-    const double J44 = v2 * c3 + x2_x * s3;
-    const double J54 = v3 * c3 + x2_y * s3;
-    const double J64 = c2 * c3 - s2 * s3;
+    const double J44 = v2 * c3 + x2_x * s3, J54 = v3 * c3 + x2_y * s3, J64 = c2 * c3 - s2 * s3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
+    const double c4 = cos(v6), s4 = sin(v6);
     const double J45 = s1 * c4 + x3_x * s4;
     const double v7 = v5 * s4;
-    const double p4_x = p2_x + J44 * d4;
-    const double p4_y = p2_y + J54 * d4;
-    const double p4_z = p2_z + J64 * d4;
+    const double p4_x = p2_x + J44 * d4, p4_y = p2_y + J54 * d4, p4_z = p2_z + J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
     const double v8 = q[4] + offset5;
-    const double c5 = cos(v8);
-    const double s5 = sin(v8);
+    const double c5 = cos(v8), s5 = sin(v8);
     const double v9 = J64 * c5 + v5 * c4 * s5;
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
-    const double J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5;
-    const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z - v9 * d6;
+    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
+        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J21 = p4_x + J46 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z - v9 * d6;
     const double v10 = p6_z - d1;
-    const double J12 = c1 * v10;
-    const double J22 = s1 * v10;
-    const double v11 = J21 - p2_x;
-    const double v12 = p6_y - p2_y;
-    const double v13 = p6_z - p2_z;
-    const double J13 = c1 * v13;
-    const double J23 = s1 * v13;
-    const double J14 = J54 * v13 - J64 * v12;
-    const double J24 = J64 * v11 - J44 * v13;
-    const double J34 = J44 * v12 - J54 * v11;
-    const double v14 = J21 - p4_x;
-    const double v15 = p6_y - p4_y;
-    const double v16 = p6_z - p4_z;
-    const double J15 = J55 * v16 + v7 * v15;
-    const double J35 = J45 * v15 - J55 * v14;
-    const double J16 = J56 * v16 + v9 * v15;
-    const double J36 = J46 * v15 - J56 * v14;
+    const double J12 = c1 * v10, J22 = s1 * v10;
+    const double v11 = J21 - p2_x, v12 = p6_y - p2_y, v13 = p6_z - p2_z;
+    const double J13 = c1 * v13, J23 = s1 * v13, J14 = J54 * v13 - J64 * v12,
+        J24 = J64 * v11 - J44 * v13, J34 = J44 * v12 - J54 * v11;
+    const double v14 = J21 - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z;
+    const double J15 = J55 * v16 + v7 * v15, J35 = J45 * v15 - J55 * v14,
+        J16 = J56 * v16 + v9 * v15, J36 = J46 * v15 - J56 * v14;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = -(v7 * v14 + J45 * v16);
     J[11] = -(v9 * v14 + J46 * v16);
@@ -463,13 +377,16 @@ void abb_irb1600_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -516,143 +433,117 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide wx = T14 - d6 * T13;
-    const wide Y1 = d6 * T23 - T24;
-    const wide v1 = wx * wx + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor1 = w1 * v2;
-    const wide v3 = wx * factor1;
-    const wide s1 = Y1 * factor1;
-    const wide angle1 = atan2_wide(Y1, -wx);
+    const wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt_wide(v1),
+        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = wx * factor1, s1 = Y1 * factor1,
+        angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v4 = a1 + w1, v5 = a1 - w1, v6 = Z1_3 * Z1_3;
-    const wide N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v7 = k1 * (N3_p - k2), v8 = k1 * (N3_m - k2);
+    const wide Z1_3 = T34 - d6 * T33 - d1, v4 = a1 + w1, v5 = a1 - w1, v6 = Z1_3 * Z1_3,
+        N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v7 = k1 * (N3_p - k2),
+        v8 = k1 * (N3_m - k2);
 
     /* theta2 */
-    const wide v9 = m4 + m3 * N3_p, v10 = m4 + m3 * N3_m, v11 = Z1_3 * v9, v12 = Z1_3 * v10;
-    const wide v13 = m3 * Z1_3, v14 = m3 * -Z1_3, v15 = v4 * v9, v16 = v5 * v10;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide v9 = m4 + m3 * N3_p, v10 = m4 + m3 * N3_m, v11 = Z1_3 * v9, v12 = Z1_3 * v10,
+        v13 = m3 * Z1_3, v14 = m3 * -Z1_3, v15 = v4 * v9, v16 = v5 * v10, factor2_p = 1.0 / N3_p,
+        factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v17 = m6 - m5 * N3_p, v18 = m6 - m5 * N3_m, v19 = T23 * s1 - T13 * v3;
-    const wide v20 = T33 * Z1_3, v21 = v20 - v4 * v19, v22 = v20 - v19 * -v5, v23 = Z1_3 * v17;
-    const wide v24 = Z1_3 * -v18, v25 = T33 * v17, v26 = T33 * v18, v27 = v19 * v23 + v4 * v25;
-    const wide v28 = v19 * v24 + v5 * v26;
-    const wide X4_pp = v27 + w3_p * (m5 * v21), X4_pm = v27 + w3_p * (m5 * -v21);
-    const wide X4_mp = v28 + w3_m * (m5 * v22), X4_mm = v28 + w3_m * (m5 * -v22);
-    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29, v31 = factor2_p * X4_pp;
-    const wide v32 = factor2_p * X4_pm, v33 = factor2_m * X4_mp, v34 = factor2_m * X4_mm;
-    const wide v35 = v30 + factor2_p * (X4_pp * v31), v36 = v30 + factor2_p * (X4_pm * v32);
-    const wide v37 = v30 + factor2_m * (X4_mp * v33), v38 = v30 + factor2_m * (X4_mm * v34);
+    const wide v17 = m6 - m5 * N3_p, v18 = m6 - m5 * N3_m, v19 = T23 * s1 - T13 * v3,
+        v20 = T33 * Z1_3, v21 = v20 - v4 * v19, v22 = v20 - v19 * -v5, v23 = Z1_3 * v17,
+        v24 = Z1_3 * -v18, v25 = T33 * v17, v26 = T33 * v18, v27 = v19 * v23 + v4 * v25,
+        v28 = v19 * v24 + v5 * v26, X4_pp = v27 + w3_p * (m5 * v21),
+        X4_pm = v27 + w3_p * (m5 * -v21), X4_mp = v28 + w3_m * (m5 * v22),
+        X4_mm = v28 + w3_m * (m5 * -v22), v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29,
+        v31 = factor2_p * X4_pp, v32 = factor2_p * X4_pm, v33 = factor2_m * X4_mp,
+        v34 = factor2_m * X4_mm, v35 = v30 + factor2_p * (X4_pp * v31),
+        v36 = v30 + factor2_p * (X4_pm * v32), v37 = v30 + factor2_m * (X4_mp * v33),
+        v38 = v30 + factor2_m * (X4_mm * v34);
 
     /* theta5 */
     const wide v39 = v19 * (v4 * -v17) + Z1_3 * v25, v40 = v19 * (v5 * v18) + Z1_3 * v26;
 
     /* theta6 */
-    const wide v41 = w1 * (v2 * (wx * T22 + Y1 * T12)), v42 = s1 * T22 - v3 * T12, v43 = Z1_3 * T32;
-    const wide v44 = v43 - v4 * v42, v45 = v43 - -v5 * v42, v46 = v23 * v42 + v4 * (v17 * T32);
-    const wide v47 = v24 * v42 + v5 * (v18 * T32), v48 = w1 * (v2 * (wx * T21 + Y1 * T11));
-    const wide v49 = s1 * T21 - v3 * T11, v50 = Z1_3 * T31, v51 = v50 - v4 * v49;
-    const wide v52 = v50 - -v5 * v49, v53 = v23 * v49 + v4 * (v17 * T31);
-    const wide v54 = v24 * v49 + v5 * (v18 * T31);
-    const wide v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48;
-    const wide v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48;
-    const wide v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52));
-    const wide v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52));
-    const wide angle2 = atan2_wide(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41);
-    const wide angle3 = atan2_wide(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41);
-    const wide angle4 = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45)));
-    const wide angle5 = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)));
-    const wide q6_ppm = angle2 - copysign_wide(all_wide(half_turn), v55) * h1;
-    const wide q6_pmm = angle3 - copysign_wide(all_wide(half_turn), v56) * h1;
-    const wide q6_mpm = angle4 - copysign_wide(all_wide(half_turn), v57) * h1;
-    const wide q6_mmm = angle5 - copysign_wide(all_wide(half_turn), v58) * h1;
+    const wide v41 = w1 * (v2 * (wx * T22 + Y1 * T12)), v42 = s1 * T22 - v3 * T12, v43 = Z1_3 * T32,
+        v44 = v43 - v4 * v42, v45 = v43 - -v5 * v42, v46 = v23 * v42 + v4 * (v17 * T32),
+        v47 = v24 * v42 + v5 * (v18 * T32), v48 = w1 * (v2 * (wx * T21 + Y1 * T11)),
+        v49 = s1 * T21 - v3 * T11, v50 = Z1_3 * T31, v51 = v50 - v4 * v49, v52 = v50 - -v5 * v49,
+        v53 = v23 * v49 + v4 * (v17 * T31), v54 = v24 * v49 + v5 * (v18 * T31),
+        v55 = v29 * (v53 + w3_p * (m5 * v51)) - X4_pp * v48,
+        v56 = v29 * (v53 + w3_p * (m5 * -v51)) - X4_pm * v48,
+        v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52)),
+        v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52)),
+        angle2 = atan2_wide(v55, v29 * (v46 + w3_p * (m5 * v44)) - X4_pp * v41),
+        angle3 = atan2_wide(v56, v29 * (v46 + w3_p * (m5 * -v44)) - X4_pm * v41),
+        angle4 = atan2_wide(v57, X4_mp * v41 - v29 * (v47 + w3_m * (m5 * v45))),
+        angle5 = atan2_wide(v58, X4_mm * v41 - v29 * (v47 + w3_m * (m5 * -v45)));
 
     /* joint values */
-    const wide v59 = w3_p * (m3 * v4);
-    const wide angle6 = atan2_wide(v59 - v11, -(v15 + w3_p * v13));
-    const wide v60 = angle6 - offset2;
-    const wide angle7 = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14));
-    const wide v61 = angle7 - offset2;
-    const wide angle8 = atan2_wide(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13));
-    const wide v62 = angle8 - offset2;
-    const wide angle9 = atan2_wide(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14));
-    const wide v63 = angle9 - offset2;
-    const wide q2_ppp = v60 - only_wide(half_turn < v60, m8);
-    const wide q2_pmp = v61 - only_wide(half_turn < v61, m8);
-    const wide q2_mpp = v62 - only_wide(half_turn < v62, m8);
-    const wide q2_mmp = v63 - only_wide(half_turn < v63, m8);
-    const wide angle10 = atan2_wide(v7, -(k1 * w3_p)), angle11 = atan2_wide(v8, -(k1 * w3_m));
-    const wide v64 = angle10 - offset3;
-    const wide v65 = h1 * copysign_wide(all_wide(half_turn), v7) - angle10 - offset3;
-    const wide v66 = angle11 - offset3;
-    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v8) - angle11 - offset3;
-    const wide q3_ppp = v64 + only_wide(v64 <= -half_turn, m8);
-    const wide q3_pmp = v65 + only_wide(v65 <= -half_turn, m8);
-    const wide q3_mpp = v66 + only_wide(v66 <= -half_turn, m8);
-    const wide q3_mmp = v67 + only_wide(v67 <= -half_turn, m8);
-    const wide angle12 = atan2_wide(-v29, -v31), angle13 = atan2_wide(-v29, -v32);
-    const wide angle14 = atan2_wide(v29, -v33), angle15 = atan2_wide(v29, -v34);
-    const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v29);
-    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v29), v70 = angle12 - offset4;
-    const wide v71 = angle12 - v68 - offset4, v72 = angle13 - offset4;
-    const wide v73 = angle13 - v68 - offset4, v74 = angle14 - offset4;
-    const wide v75 = angle14 - v69 - offset4, v76 = angle15 - offset4;
-    const wide v77 = angle15 - v69 - offset4;
-    const wide q4_ppp = v70 + only_wide(v70 <= -half_turn, m8);
-    const wide q4_ppm = v71 + only_wide(v71 <= -half_turn, m8);
-    const wide q4_pmp = v72 + only_wide(v72 <= -half_turn, m8);
-    const wide q4_pmm = v73 + only_wide(v73 <= -half_turn, m8);
-    const wide q4_mpp = v74 + only_wide(v74 <= -half_turn, m8);
-    const wide q4_mpm = v75 + only_wide(v75 <= -half_turn, m8);
-    const wide q4_mmp = v76 + only_wide(v76 <= -half_turn, m8);
-    const wide q4_mmm = v77 + only_wide(v77 <= -half_turn, m8);
-    const wide v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4));
-    const wide angle16 = atan2_wide(sqrt_wide(v35), factor2_p * (v39 - v78));
-    const wide angle17 = atan2_wide(sqrt_wide(v36), factor2_p * (v39 + v78));
-    const wide v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5));
-    const wide angle18 = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79));
-    const wide angle19 = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79));
-    const wide v80 = angle16 - offset5, v81 = offset5 + angle16, v82 = angle17 - offset5;
-    const wide v83 = offset5 + angle17, v84 = angle18 - offset5, v85 = offset5 + angle18;
-    const wide v86 = angle19 - offset5, v87 = offset5 + angle19;
-    const wide q5_ppp = v80 + only_wide(v80 <= -half_turn, m8);
-    const wide q5_ppm = only_wide(-v81 <= -half_turn, m8) - v81;
-    const wide q5_pmp = v82 + only_wide(v82 <= -half_turn, m8);
-    const wide q5_pmm = only_wide(-v83 <= -half_turn, m8) - v83;
-    const wide q5_mpp = v84 + only_wide(v84 <= -half_turn, m8);
-    const wide q5_mpm = only_wide(-v85 <= -half_turn, m8) - v85;
-    const wide q5_mmp = v86 + only_wide(v86 <= -half_turn, m8);
-    const wide q5_mmm = only_wide(-v87 <= -half_turn, m8) - v87;
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v38 <= m7) | ((v37 <= m7) |
-        ((v36 <= m7) | ((v1 <= m1) | (v35 <= m7))))))));
+    const wide v59 = w3_p * (m3 * v4), angle6 = atan2_wide(v59 - v11, -(v15 + w3_p * v13)),
+        v60 = angle6 - offset2, angle7 = atan2_wide(-(v11 + v59), -(v15 + w3_p * v14)),
+        v61 = angle7 - offset2, angle8 = atan2_wide(w3_m * (m3 * v5) - v12, -(v16 + w3_m * v13)),
+        v62 = angle8 - offset2, angle9 = atan2_wide(w3_m * (m3 * -v5) - v12, -(v16 + w3_m * v14)),
+        v63 = angle9 - offset2, q2_ppp = v60 - only_wide(half_turn < v60, m8),
+        q2_pmp = v61 - only_wide(half_turn < v61, m8),
+        q2_mpp = v62 - only_wide(half_turn < v62, m8),
+        q2_mmp = v63 - only_wide(half_turn < v63, m8), angle10 = atan2_wide(v7, -(k1 * w3_p)),
+        angle11 = atan2_wide(v8, -(k1 * w3_m)), v64 = angle10 - offset3,
+        v65 = h1 * copysign_wide(all_wide(half_turn), v7) - angle10 - offset3,
+        v66 = angle11 - offset3,
+        v67 = h1 * copysign_wide(all_wide(half_turn), v8) - angle11 - offset3,
+        q3_ppp = v64 + only_wide(v64 <= -half_turn, m8),
+        q3_pmp = v65 + only_wide(v65 <= -half_turn, m8),
+        q3_mpp = v66 + only_wide(v66 <= -half_turn, m8),
+        q3_mmp = v67 + only_wide(v67 <= -half_turn, m8), angle12 = atan2_wide(-v29, -v31),
+        angle13 = atan2_wide(-v29, -v32), angle14 = atan2_wide(v29, -v33),
+        angle15 = atan2_wide(v29, -v34), v68 = h1 * copysign_wide(all_wide(half_turn), -v29),
+        v69 = h1 * copysign_wide(all_wide(half_turn), v29), v70 = angle12 - offset4,
+        v71 = angle12 - v68 - offset4, v72 = angle13 - offset4, v73 = angle13 - v68 - offset4,
+        v74 = angle14 - offset4, v75 = angle14 - v69 - offset4, v76 = angle15 - offset4,
+        v77 = angle15 - v69 - offset4, v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4)),
+        angle16 = atan2_wide(sqrt_wide(v35), factor2_p * (v39 - v78)),
+        angle17 = atan2_wide(sqrt_wide(v36), factor2_p * (v39 + v78)),
+        v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5)),
+        angle18 = atan2_wide(sqrt_wide(v37), factor2_m * (v40 - v79)),
+        angle19 = atan2_wide(sqrt_wide(v38), factor2_m * (v40 + v79)), v80 = angle16 - offset5,
+        v81 = offset5 + angle16, v82 = angle17 - offset5, v83 = offset5 + angle17,
+        v84 = angle18 - offset5, v85 = offset5 + angle18, v86 = angle19 - offset5,
+        v87 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v38 <= m7) | (v37 <= m7) |
+        (v36 <= m7) | (v1 <= m1) | (v35 <= m7);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle2;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, m8);
+    q[4] = v80 + only_wide(v80 <= -half_turn, m8); q[5] = angle2;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, m8);
+    q[10] = only_wide(-v81 <= -half_turn, m8) - v81;
+    q[11] = angle2 - copysign_wide(all_wide(half_turn), v55) * h1;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle3;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v72 + only_wide(v72 <= -half_turn, m8);
+    q[16] = v82 + only_wide(v82 <= -half_turn, m8); q[17] = angle3;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v73 + only_wide(v73 <= -half_turn, m8);
+    q[22] = only_wide(-v83 <= -half_turn, m8) - v83;
+    q[23] = angle3 - copysign_wide(all_wide(half_turn), v56) * h1;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle4;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = v74 + only_wide(v74 <= -half_turn, m8);
+    q[28] = v84 + only_wide(v84 <= -half_turn, m8); q[29] = angle4;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = v75 + only_wide(v75 <= -half_turn, m8);
+    q[34] = only_wide(-v85 <= -half_turn, m8) - v85;
+    q[35] = angle4 - copysign_wide(all_wide(half_turn), v57) * h1;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle5;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = v76 + only_wide(v76 <= -half_turn, m8);
+    q[40] = v86 + only_wide(v86 <= -half_turn, m8); q[41] = angle5;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = v77 + only_wide(v77 <= -half_turn, m8);
+    q[46] = only_wide(-v87 <= -half_turn, m8) - v87;
+    q[47] = angle5 - copysign_wide(all_wide(half_turn), v58) * h1;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -672,37 +563,29 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double wx = T14 - d6 * T13;
-    const double Y1 = d6 * T23 - T24;
-    const double v1 = wx * wx + Y1 * Y1;
-    const double w1 = sqrt(v1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
-    const double v2 = 1.0 / v1;
-    const double factor1 = w1 * v2;
-    const double v3 = wx * factor1;
-    const double s1 = Y1 * factor1;
-    const double v4 = copysign(half_turn, Y1);
+    const double v2 = 1.0 / v1, factor1 = w1 * v2, v3 = wx * factor1, s1 = Y1 * factor1,
+        v4 = copysign(half_turn, Y1);
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v5 = a1 + e1 * w1;
     const double v6 = Z1_3 * Z1_3;
-    const four N3 = v6 + v5 * v5;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v7 = k1 * (N3 - k2);
+    const four N3 = v6 + v5 * v5, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+        v7 = k1 * (N3 - k2);
 
     /* theta2 */
-    const four v8 = m4 + m3 * N3, v9 = Z1_3 * v8, v10 = m3 * (e2 * Z1_3), v11 = v5 * v8;
-    const four factor2 = 1.0 / N3;
+    const four v8 = m4 + m3 * N3, v9 = Z1_3 * v8, v10 = m3 * (e2 * Z1_3), v11 = v5 * v8,
+        factor2 = 1.0 / N3;
 
     /* theta4 */
     const four v12 = m6 - m5 * N3;
     const double v13 = T23 * s1 - T13 * v3;
     const four v14 = e1 * v5;
     const double v15 = T33 * Z1_3;
-    const four v16 = v15 - v13 * v14, v17 = Z1_3 * (e1 * v12), v18 = T33 * v12;
-    const four v19 = v13 * v17 + v5 * v18;
-    const four X4 = v19 + w3 * (m5 * (e2 * v16));
+    const four v16 = v15 - v13 * v14, v17 = Z1_3 * (e1 * v12), v18 = T33 * v12,
+        v19 = v13 * v17 + v5 * v18, X4 = v19 + w3 * (m5 * (e2 * v16));
     const double v20 = w1 * (v2 * (T13 * Y1 + wx * T23)), v21 = v20 * v20;
     const four v22 = factor2 * X4, v23 = v21 + factor2 * (X4 * v22);
     const four_mask doubt3 = v23 <= m7;
@@ -711,40 +594,36 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v24 = v13 * (e1 * Z1_3) + T33 * v5, v25 = v13 * (v5 * (e1 * -v12)) + Z1_3 * v18;
 
     /* theta6 */
-    const double v26 = w1 * (v2 * (wx * T22 + Y1 * T12)), v27 = s1 * T22 - v3 * T12;
-    const double v28 = Z1_3 * T32;
+    const double v26 = w1 * (v2 * (wx * T22 + Y1 * T12)), v27 = s1 * T22 - v3 * T12,
+        v28 = Z1_3 * T32;
     const four v29 = v28 - v14 * v27, v30 = v17 * v27 + v5 * (v12 * T32);
-    const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11)), v32 = s1 * T21 - v3 * T11;
-    const double v33 = Z1_3 * T31;
-    const four v34 = v33 - v14 * v32, v35 = v17 * v32 + v5 * (v12 * T31);
-    const four v36 = e1 * (v20 * (v35 + w3 * (m5 * (e2 * v34))) - X4 * v31);
+    const double v31 = w1 * (v2 * (wx * T21 + Y1 * T11)), v32 = s1 * T21 - v3 * T11,
+        v33 = Z1_3 * T31;
+    const four v34 = v33 - v14 * v32, v35 = v17 * v32 + v5 * (v12 * T31),
+        v36 = e1 * (v20 * (v35 + w3 * (m5 * (e2 * v34))) - X4 * v31);
 
     /* joint values */
-    const four v38 = copysign_four(all_four(half_turn), v7), v39 = m2 * (1.0 - e2);
-    const four v41 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four v38 = copysign_four(all_four(half_turn), v7), v39 = m2 * (1.0 - e2),
+        v41 = h1 * copysign_four(all_four(half_turn), -(e1 * v20));
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26));
-    const four angle3 = atan2_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10));
-    const four angle5 = atan2_four(-(e1 * v20), -v22);
-    const four angle6 = atan2_four(sqrt_four(v23), factor2 * (v25 - w3 * (m5 * (e2 * v24))));
-    const four packed5 = atan2_four(__builtin_shufflevector(v7, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(-(k1 * w3), all_four(-wx), 0, 5, 2, 3));
-    const four angle4 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle2 - copysign_four(all_four(half_turn), v36) * h1;
-    const four v37 = angle3 - offset2;
-    const four q2_p = v37 - only_four(half_turn < v37, m8);
-    const four v40 = e2 * angle4 + v38 * v39 - offset3;
-    const four q3_p = v40 + only_four(v40 <= -half_turn, m8);
-    const four v42 = angle5 - offset4, v43 = angle5 - v41 - offset4;
-    const four q4_p = v42 + only_four(v42 <= -half_turn, m8);
-    const four q4_m = v43 + only_four(v43 <= -half_turn, m8);
-    const four v44 = angle6 - offset5, v45 = offset5 + angle6;
-    const four q5_p = v44 + only_four(v44 <= -half_turn, m8);
-    const four q5_m = only_four(-v45 <= -half_turn, m8) - v45;
-    const four q1_p = angle1 + v4 * (m2 * (e1 - 1.0)) + (w3 - w3);
+    const four angle2 = atan2_four(v36, e1 * (v20 * (v30 + w3 * (m5 * (e2 * v29))) - X4 * v26)),
+        angle3 = atan2_four(w3 * (m3 * (e2 * v5)) - v9, -(v11 + w3 * v10)),
+        angle5 = atan2_four(-(e1 * v20), -v22),
+        angle6 = atan2_four(sqrt_four(v23), factor2 * (v25 - w3 * (m5 * (e2 * v24)))),
+        packed5 = atan2_four(__builtin_shufflevector(v7, all_four(Y1), 0, 5, 2, 3),
+            __builtin_shufflevector(-(k1 * w3), all_four(-wx), 0, 5, 2, 3)),
+        angle4 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q6_m = angle2 - copysign_four(all_four(half_turn), v36) * h1, v37 = angle3 - offset2,
+        q2_p = v37 - only_four(half_turn < v37, m8), v40 = e2 * angle4 + v38 * v39 - offset3,
+        q3_p = v40 + only_four(v40 <= -half_turn, m8), v42 = angle5 - offset4,
+        v43 = angle5 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, m8),
+        q4_m = v43 + only_four(v43 <= -half_turn, m8), v44 = angle6 - offset5,
+        v45 = offset5 + angle6, q5_p = v44 + only_four(v44 <= -half_turn, m8),
+        q5_m = only_four(-v45 <= -half_turn, m8) - v45,
+        q1_p = angle1 + v4 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -843,8 +722,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -859,8 +738,7 @@ static void solve(
 
         /* theta2 */
         const double Y1_2 = a2 + d4 * s3;
-        const double v5 = Z1_3 * Y1_2;
-        const double v6 = v1 * Y1_2;
+        const double v5 = Z1_3 * Y1_2, v6 = v1 * Y1_2;
 
         /* theta4 */
         const double v10 = T13 * c1 + T23 * s1;
@@ -868,10 +746,8 @@ static void solve(
         const double v11 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T12 * s1 - T22 * c1;
-        const double v14 = T12 * c1 + T22 * s1;
-        const double v16 = T11 * s1 - T21 * c1;
-        const double v17 = T11 * c1 + T21 * s1;
+        const double v13 = T12 * s1 - T22 * c1, v14 = T12 * c1 + T22 * s1,
+            v16 = T11 * s1 - T21 * c1, v17 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -886,8 +762,8 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + v7 * v7);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : -(v7 * factor2);
-            const double s2 = free2 ? sin(v8) : S2 * factor2;
+            const double c2 = free2 ? cos(v8) : -(v7 * factor2),
+                s2 = free2 ? sin(v8) : S2 * factor2;
 
             /* theta4 */
             const double v9 = v3 * c2 + s3 * s2;
@@ -901,8 +777,7 @@ static void solve(
             const double c5 = T33 * v9 - s23 * v10;
 
             /* theta6 */
-            const double v15 = v9 * v14 + T32 * s23;
-            const double v18 = v9 * v17 + T31 * s23;
+            const double v15 = v9 * v14 + T32 * s23, v18 = v9 * v17 + T31 * s23;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -913,24 +788,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v12) : -(X4 * factor4);
-                const double s4 = free4 ? sin(v12) : Y4 * factor4;
+                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
+                    s4 = free4 ? sin(v12) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v13 - s4 * v15;
-                const double s6 = c4 * v16 - s4 * v18;
+                const double c6 = c4 * v13 - s4 * v15, s6 = c4 * v16 - s4 * v18;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
                 const double q5 = wrap(atan2(s5, c5) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? ABB_IRB1600_FREE_JOINT : ABB_IRB1600_OK;
             }

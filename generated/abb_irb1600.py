@@ -663,11 +663,10 @@ def _regular(pose, q, status):
     v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
     v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (v38 <= m7 or (v37 <= m7 or (v36 <= m7 or (v1 <= m1 or v35 <=
-        m7)))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or v38 <= m7 or v37 <= m7 or v36 <= m7 or v1 <= m1 or v35 <= m7
     )
 
     # angles, side by side
@@ -1150,11 +1149,11 @@ def _in_tiles(T, q, status):
             v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
             v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v38 <= m7 or (v37 <= m7 or
-                (v36 <= m7 or (v1 <= m1 or v35 <= m7)))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v38 <= m7 or v37 <= m7 or v36
+                <= m7 or v1 <= m1 or v35 <= m7
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p

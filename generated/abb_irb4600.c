@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,7 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -193,14 +158,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -268,6 +225,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -341,48 +300,30 @@ static const double highest[6] = {
 
 void abb_irb4600_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * s2;
-    const double x2_y = s1 * s2;
-    const double y2_x = c1 * c2;
-    const double y2_y = s1 * c2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * c3 - s2 * s3;
-    const double y3_x = y2_x * c3 - x2_x * s3;
-    const double y3_y = y2_y * c3 - x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * s2, x2_y = s1 * s2;
+    const double y2_x = c1 * c2, y2_y = s1 * c2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * c3 - s2 * s3;
+    const double y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3;
     const double v1 = s2 * c3 + c2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = x3_y * c4 - c1 * s4;
-    const double x4_z = x3_z * c4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4, x4_z = x3_z * c4;
     const double y4_x = s1 * c4 - x3_x * s4;
-    const double z5_y = c1 * c4 + x3_y * s4;
-    const double z5_z = x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y3_x * s5;
-    const double x5_y = x4_y * c5 + y3_y * s5;
-    const double x5_z = x4_z * c5 - v1 * s5;
-    const double T13_ = y3_x * c5 - x4_x * s5;
-    const double T23_ = y3_y * c5 - x4_y * s5;
+    const double z5_y = c1 * c4 + x3_y * s4, z5_z = x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y3_x * s5, x5_y = x4_y * c5 + y3_y * s5,
+        x5_z = x4_z * c5 - v1 * s5;
+    const double T13_ = y3_x * c5 - x4_x * s5, T23_ = y3_y * c5 - x4_y * s5;
     const double v2 = v1 * c5 + x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T22_ = z5_y * c6 + x5_y * s6;
-    const double T32_ = z5_z * c6 + x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + y3_x * d4 + T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + y3_y * d4 + T23_ * d6;
-    const double T34_ = d1 + c2 * a2 + x3_z * a3 - v1 * d4 - v2 * d6;
-    const double T21_ = z5_y * s6 - x5_y * c6;
-    const double T31_ = z5_z * s6 - x5_z * c6;
-    const double T12_ = x5_x * s6 - y4_x * c6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T22_ = z5_y * c6 + x5_y * s6, T32_ = z5_z * c6 + x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + y3_x * d4 + T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + y3_y * d4 + T23_ * d6,
+        T34_ = d1 + c2 * a2 + x3_z * a3 - v1 * d4 - v2 * d6, T21_ = z5_y * s6 - x5_y * c6,
+        T31_ = z5_z * s6 - x5_z * c6, T12_ = x5_x * s6 - y4_x * c6;
     T[0] = -(x5_x * c6 + y4_x * s6); T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -v2; T[11] = T34_;
@@ -392,65 +333,36 @@ void abb_irb4600_fk(const double q[6], double T[16])
 
 void abb_irb4600_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p2_x = c1 * a1;
-    const double p2_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * s2;
-    const double x2_y = s1 * s2;
-    const double y2_x = c1 * c2;
-    const double y2_y = s1 * c2;
-    const double p3_x = p2_x + x2_x * a2;
-    const double p3_y = p2_y + x2_y * a2;
-    const double p3_z = d1 + c2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * c3 - s2 * s3;
-    const double J44 = y2_x * c3 - x2_x * s3;
-    const double J54 = y2_y * c3 - x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p2_x = c1 * a1, p2_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * s2, x2_y = s1 * s2;
+    const double y2_x = c1 * c2, y2_y = s1 * c2;
+    const double p3_x = p2_x + x2_x * a2, p3_y = p2_y + x2_y * a2, p3_z = d1 + c2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * c3 - s2 * s3;
+    const double J44 = y2_x * c3 - x2_x * s3, J54 = y2_y * c3 - x2_y * s3;
     const double v1 = s2 * c3 + c2 * s3;
-    const double p4_x = p3_x + x3_x * a3;
-    const double p4_y = p3_y + x3_y * a3;
-    const double p4_z = p3_z + x3_z * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J55 = c1 * c4 + x3_y * s4;
-    const double J65 = x3_z * s4;
-    const double p5_x = p4_x + J44 * d4;
-    const double p5_y = p4_y + J54 * d4;
-    const double p5_z = p4_z - v1 * d4;
+    const double p4_x = p3_x + x3_x * a3, p4_y = p3_y + x3_y * a3, p4_z = p3_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J55 = c1 * c4 + x3_y * s4, J65 = x3_z * s4;
+    const double p5_x = p4_x + J44 * d4, p5_y = p4_y + J54 * d4, p5_z = p4_z - v1 * d4;
     const double J45 = x3_x * s4 - s1 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = J44 * c5 - (x3_x * c4 + s1 * s4) * s5;
-    const double J56 = J54 * c5 - (x3_y * c4 - c1 * s4) * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = J44 * c5 - (x3_x * c4 + s1 * s4) * s5,
+        J56 = J54 * c5 - (x3_y * c4 - c1 * s4) * s5;
     const double v2 = v1 * c5 + x3_z * c4 * s5;
     const double J21 = p5_x + J46 * d6;
-    const double v3 = p5_y + J56 * d6;
-    const double v4 = p5_z - v2 * d6;
-    const double v5 = v4 - d1;
-    const double J12 = c1 * v5;
-    const double J22 = s1 * v5;
+    const double v3 = p5_y + J56 * d6, v4 = p5_z - v2 * d6, v5 = v4 - d1;
+    const double J12 = c1 * v5, J22 = s1 * v5;
     const double v6 = v4 - p3_z;
-    const double J13 = c1 * v6;
-    const double J23 = s1 * v6;
-    const double v7 = J21 - p4_x;
-    const double v8 = v3 - p4_y;
-    const double v9 = v4 - p4_z;
-    const double J14 = J54 * v9 + v1 * v8;
-    const double J34 = J44 * v8 - J54 * v7;
-    const double v10 = J21 - p5_x;
-    const double v11 = v3 - p5_y;
-    const double v12 = v4 - p5_z;
-    const double J15 = J55 * v12 - J65 * v11;
-    const double J25 = J65 * v10 - J45 * v12;
-    const double J35 = J45 * v11 - J55 * v10;
-    const double J16 = J56 * v12 + v2 * v11;
-    const double J36 = J46 * v11 - J56 * v10;
+    const double J13 = c1 * v6, J23 = s1 * v6;
+    const double v7 = J21 - p4_x, v8 = v3 - p4_y, v9 = v4 - p4_z;
+    const double J14 = J54 * v9 + v1 * v8, J34 = J44 * v8 - J54 * v7;
+    const double v10 = J21 - p5_x, v11 = v3 - p5_y, v12 = v4 - p5_z;
+    const double J15 = J55 * v12 - J65 * v11, J25 = J65 * v10 - J45 * v12,
+        J35 = J45 * v11 - J55 * v10, J16 = J56 * v12 + v2 * v11, J36 = J46 * v11 - J56 * v10;
     J[0] = -v3; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(v1 * v7 + J44 * v9); J[10] = J25;
     J[11] = -(v2 * v10 + J46 * v12);
@@ -465,13 +377,16 @@ void abb_irb4600_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -518,135 +433,115 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide t14 = T14 - d6 * T13;
-    const wide Y1 = d6 * T23 - T24;
-    const wide v1 = t14 * t14 + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(Y1, -t14);
+    const wide t14 = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = t14 * t14 + Y1 * Y1,
+        w1 = sqrt_wide(v1), v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -t14);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle2 - turn1;
-    const wide v6 = turn1 + angle2;
-    const wide q3__mp = angle3 - turn1;
-    const wide v7 = turn1 + angle3;
+    const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
+        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
+        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2_p = m3 * N3_p - m4, X1_2_m = m3 * N3_m - m4;
-    const wide v8 = v3 * X1_2_p, v9 = v4 * X1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3;
-    const wide v12 = Z1_3 * X1_2_p, v13 = Z1_3 * X1_2_m;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
-    const wide v14 = w3_p * (m3 * v3);
-    const wide angle4 = atan2_wide(-(v8 + w3_p * v10), v12 - v14);
-    const wide angle5 = atan2_wide(-(v8 + w3_p * v11), v12 + v14);
-    const wide angle6 = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4));
-    const wide angle7 = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
+    const wide X1_2_p = m3 * N3_p - m4, X1_2_m = m3 * N3_m - m4, v8 = v3 * X1_2_p, v9 = v4 * X1_2_m,
+        v10 = m3 * Z1_3, v11 = m3 * -Z1_3, v12 = Z1_3 * X1_2_p, v13 = Z1_3 * X1_2_m,
+        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m, v14 = w3_p * (m3 * v3),
+        angle4 = atan2_wide(-(v8 + w3_p * v10), v12 - v14),
+        angle5 = atan2_wide(-(v8 + w3_p * v11), v12 + v14),
+        angle6 = atan2_wide(-(v9 + w3_m * v10), v13 - w3_m * (m3 * v4)),
+        angle7 = atan2_wide(-(v9 + w3_m * v11), v13 - w3_m * (m3 * -v4));
 
     /* theta4 */
-    const wide v15 = m5 * Z1_3, v16 = m6 + m7 * factor2_p, v17 = m6 + m7 * factor2_m;
-    const wide v18 = m5 + m8 * factor2_p, v19 = m5 + m8 * factor2_m, v20 = Z1_3 * v16 - v3 * v18;
-    const wide v21 = Z1_3 * v17 - v4 * v19, v22 = w3_p * (factor2_p * (v15 + m6 * v3));
-    const wide c23_pp = v20 + v22, c23_pm = v20 - v22;
-    const wide v23 = w3_m * (factor2_m * (v15 + m6 * v4));
-    const wide c23_mp = v21 + v23, c23_mm = v21 - v23;
-    const wide v24 = m6 * Z1_3, v25 = v24 - m5 * v3, v26 = v24 - m5 * v4;
-    const wide v27 = Z1_3 * v18 + v3 * v16, v28 = Z1_3 * v19 + v4 * v17;
-    const wide s23_pp = w3_p * (factor2_p * v25) - v27, s23_pm = w3_p * (factor2_p * -v25) - v27;
-    const wide s23_mp = w3_m * (factor2_m * v26) - v28, s23_mm = w3_m * (factor2_m * -v26) - v28;
-    const wide v29 = w1 * (v2 * (T23 * Y1 - T13 * t14));
-    const wide X4_pp = T33 * c23_pp + s23_pp * v29, X4_pm = T33 * c23_pm + s23_pm * v29;
-    const wide X4_mp = T33 * c23_mp - s23_mp * v29, X4_mm = T33 * c23_mm - s23_mm * v29;
-    const wide v30 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v31 = v30 * v30, v32 = v31 + X4_pp * X4_pp;
-    const wide v33 = v31 + X4_pm * X4_pm, v34 = v31 + X4_mp * X4_mp, v35 = v31 + X4_mm * X4_mm;
-    const wide angle8 = atan2_wide(-v30, -X4_pp), angle9 = atan2_wide(-v30, -X4_pm);
-    const wide angle10 = atan2_wide(v30, -X4_mp), angle11 = atan2_wide(v30, -X4_mm);
-    const wide v36 = copysign_wide(all_wide(half_turn), -v30) * h1;
-    const wide v37 = copysign_wide(all_wide(half_turn), v30) * h1;
-    const wide q4_ppm = angle8 - v36, q4_pmm = angle9 - v36, q4_mpm = angle10 - v37;
-    const wide q4_mmm = angle11 - v37;
+    const wide v15 = m5 * Z1_3, v16 = m6 + m7 * factor2_p, v17 = m6 + m7 * factor2_m,
+        v18 = m5 + m8 * factor2_p, v19 = m5 + m8 * factor2_m, v20 = Z1_3 * v16 - v3 * v18,
+        v21 = Z1_3 * v17 - v4 * v19, v22 = w3_p * (factor2_p * (v15 + m6 * v3)), c23_pp = v20 + v22,
+        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m6 * v4)), c23_mp = v21 + v23,
+        c23_mm = v21 - v23, v24 = m6 * Z1_3, v25 = v24 - m5 * v3, v26 = v24 - m5 * v4,
+        v27 = Z1_3 * v18 + v3 * v16, v28 = Z1_3 * v19 + v4 * v17,
+        s23_pp = w3_p * (factor2_p * v25) - v27, s23_pm = w3_p * (factor2_p * -v25) - v27,
+        s23_mp = w3_m * (factor2_m * v26) - v28, s23_mm = w3_m * (factor2_m * -v26) - v28,
+        v29 = w1 * (v2 * (T23 * Y1 - T13 * t14)), X4_pp = T33 * c23_pp + s23_pp * v29,
+        X4_pm = T33 * c23_pm + s23_pm * v29, X4_mp = T33 * c23_mp - s23_mp * v29,
+        X4_mm = T33 * c23_mm - s23_mm * v29, v30 = w1 * (v2 * (T13 * Y1 + t14 * T23)),
+        v31 = v30 * v30, v32 = v31 + X4_pp * X4_pp, v33 = v31 + X4_pm * X4_pm,
+        v34 = v31 + X4_mp * X4_mp, v35 = v31 + X4_mm * X4_mm, angle8 = atan2_wide(-v30, -X4_pp),
+        angle9 = atan2_wide(-v30, -X4_pm), angle10 = atan2_wide(v30, -X4_mp),
+        angle11 = atan2_wide(v30, -X4_mm), v36 = copysign_wide(all_wide(half_turn), -v30) * h1,
+        v37 = copysign_wide(all_wide(half_turn), v30) * h1;
 
     /* theta5 */
-    const wide angle12 = atan2_wide(sqrt_wide(v32), c23_pp * v29 - T33 * s23_pp);
-    const wide angle13 = atan2_wide(sqrt_wide(v33), c23_pm * v29 - T33 * s23_pm);
-    const wide angle14 = atan2_wide(sqrt_wide(v34), -(c23_mp * v29 + T33 * s23_mp));
-    const wide angle15 = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
+    const wide angle12 = atan2_wide(sqrt_wide(v32), c23_pp * v29 - T33 * s23_pp),
+        angle13 = atan2_wide(sqrt_wide(v33), c23_pm * v29 - T33 * s23_pm),
+        angle14 = atan2_wide(sqrt_wide(v34), -(c23_mp * v29 + T33 * s23_mp)),
+        angle15 = atan2_wide(sqrt_wide(v35), -(c23_mm * v29 + T33 * s23_mm));
 
     /* theta6 */
-    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
-    const wide v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41);
-    const wide v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41);
-    const wide v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40;
-    const wide v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40;
-    const wide angle16 = atan2_wide(v42, X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39));
-    const wide angle17 = atan2_wide(v43, X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39));
-    const wide angle18 = atan2_wide(v44, v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38);
-    const wide angle19 = atan2_wide(v45, v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38);
-    const wide q6_ppm = angle16 - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = angle17 - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = angle18 - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = angle19 - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
+        v40 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v41 = w1 * (v2 * (Y1 * T21 - t14 * T11)),
+        v42 = X4_pp * v40 - v30 * (c23_pp * T31 + s23_pp * v41),
+        v43 = X4_pm * v40 - v30 * (c23_pm * T31 + s23_pm * v41),
+        v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40,
+        v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40,
+        angle16 = atan2_wide(v42, X4_pp * v38 - v30 * (c23_pp * T32 + s23_pp * v39)),
+        angle17 = atan2_wide(v43, X4_pm * v38 - v30 * (c23_pm * T32 + s23_pm * v39)),
+        angle18 = atan2_wide(v44, v30 * (c23_mp * T32 - s23_mp * v39) - X4_mp * v38),
+        angle19 = atan2_wide(v45, v30 * (c23_mm * T32 - s23_mm * v39) - X4_mm * v38);
 
     /* joint values */
-    const wide v46 = q3__pp + only_wide(q3__pp <= -half_turn, m10);
-    const wide v47 = only_wide(-v6 <= -half_turn, m10) - v6;
-    const wide v48 = q3__mp + only_wide(q3__mp <= -half_turn, m10);
-    const wide v49 = only_wide(-v7 <= -half_turn, m10) - v7;
-    const wide v50 = v46 - only_wide(high3 < v46, whole_turn);
-    const wide v51 = v47 - only_wide(high3 < v47, whole_turn);
-    const wide v52 = v48 - only_wide(high3 < v48, whole_turn);
-    const wide v53 = v49 - only_wide(high3 < v49, whole_turn);
-    const wide_mask v54 = (v50 < low3) | (high3 < v50), v55 = (v51 < low3) | (high3 < v51);
-    const wide_mask v56 = (v52 < low3) | (high3 < v52), v57 = (v53 < low3) | (high3 < v53);
-    const wide q3_ppp = pick_wide(v54, v46, v50), q3_pmp = pick_wide(v55, v47, v51);
-    const wide q3_mpp = pick_wide(v56, v48, v52), q3_mmp = pick_wide(v57, v49, v53);
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask v58 = v54 | ((angle4 < low2) | (high2 < angle4));
-    const wide_mask v59 = v55 | ((angle5 < low2) | (high2 < angle5));
-    const wide_mask v60 = v56 | ((angle6 < low2) | (high2 < angle6));
-    const wide_mask v61 = v57 | ((angle7 < low2) | (high2 < angle7));
-    const wide_mask outside_ppp = v58 | ((angle12 < low5) | (high5 < angle12));
-    const wide_mask outside_ppm = v58 | ((-angle12 < low5) | (high5 < -angle12));
-    const wide_mask outside_pmp = v59 | ((angle13 < low5) | (high5 < angle13));
-    const wide_mask outside_pmm = v59 | ((-angle13 < low5) | (high5 < -angle13));
-    const wide_mask outside_mpp = v60 | ((angle14 < low5) | (high5 < angle14));
-    const wide_mask outside_mpm = v60 | ((-angle14 < low5) | (high5 < -angle14));
-    const wide_mask outside_mmp = v61 | ((angle15 < low5) | (high5 < angle15));
-    const wide_mask outside_mmm = v61 | ((-angle15 < low5) | (high5 < -angle15));
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
-        ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
+    const wide v46 = q3__pp + only_wide(q3__pp <= -half_turn, m10),
+        v47 = only_wide(-v6 <= -half_turn, m10) - v6,
+        v48 = q3__mp + only_wide(q3__mp <= -half_turn, m10),
+        v49 = only_wide(-v7 <= -half_turn, m10) - v7,
+        v50 = v46 - only_wide(high3 < v46, whole_turn),
+        v51 = v47 - only_wide(high3 < v47, whole_turn),
+        v52 = v48 - only_wide(high3 < v48, whole_turn),
+        v53 = v49 - only_wide(high3 < v49, whole_turn);
+    const wide_mask v54 = beyond(v50, low3, high3), v55 = beyond(v51, low3, high3),
+        v56 = beyond(v52, low3, high3), v57 = beyond(v53, low3, high3);
+    const wide q3_ppp = pick_wide(v54, v46, v50), q3_pmp = pick_wide(v55, v47, v51),
+        q3_mpp = pick_wide(v56, v48, v52), q3_mmp = pick_wide(v57, v49, v53),
+        q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask v58 = v54 | beyond(angle4, low2, high2),
+        v59 = v55 | beyond(angle5, low2, high2), v60 = v56 | beyond(angle6, low2, high2),
+        v61 = v57 | beyond(angle7, low2, high2), outside_ppp = v58 | beyond(angle12, low5, high5),
+        outside_ppm = v58 | beyond(-angle12, low5, high5),
+        outside_pmp = v59 | beyond(angle13, low5, high5),
+        outside_pmm = v59 | beyond(-angle13, low5, high5),
+        outside_mpp = v60 | beyond(angle14, low5, high5),
+        outside_mpm = v60 | beyond(-angle14, low5, high5),
+        outside_mmp = v61 | beyond(angle15, low5, high5),
+        outside_mmm = v61 | beyond(-angle15, low5, high5),
+        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
+            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v35 <= m9) | (v34 <= m9)
+            | (v33 <= m9) | (v1 <= m1) | (v32 <= m9);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle12; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v36; q[10] = -angle12;
+    q[11] = angle16 - h1 * copysign_wide(all_wide(half_turn), v42);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle13;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v36; q[22] = -angle13;
+    q[23] = angle17 - h1 * copysign_wide(all_wide(half_turn), v43);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_mpp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = -angle14;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_mpp; q[33] = angle10 - v37; q[34] = -angle14;
+    q[35] = angle18 - h1 * copysign_wide(all_wide(half_turn), v44);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_mmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = -angle15;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_mmp; q[45] = angle11 - v37; q[46] = -angle15;
+    q[47] = angle19 - h1 * copysign_wide(all_wide(half_turn), v45);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -666,10 +561,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double t14 = T14 - d6 * T13;
-    const double Y1 = d6 * T23 - T24;
-    const double v1 = t14 * t14 + Y1 * Y1;
-    const double w1 = sqrt(v1);
+    const double t14 = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
     const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
@@ -677,22 +569,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four X1_2 = m3 * N3 - m4;
-    const four v6 = v4 * X1_2, v7 = m3 * (e2 * Z1_3), v8 = Z1_3 * X1_2;
-    const four factor2 = 1.0 / N3;
+    const four X1_2 = m3 * N3 - m4, v6 = v4 * X1_2, v7 = m3 * (e2 * Z1_3), v8 = Z1_3 * X1_2,
+        factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = v9 + m6 * v4, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2;
-    const four v13 = Z1_3 * v11 - v4 * v12;
-    const four c23 = v13 + w3 * (factor2 * (e2 * v10));
+    const four v10 = v9 + m6 * v4, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2,
+        v13 = Z1_3 * v11 - v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 - m5 * v4, v16 = Z1_3 * v12 + v4 * v11;
-    const four s23 = w3 * (factor2 * (e2 * v15)) - v16;
+    const four v15 = v14 - m5 * v4, v16 = Z1_3 * v12 + v4 * v11,
+        s23 = w3 * (factor2 * (e2 * v15)) - v16;
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = T33 * c23 + e1 * (s23 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v19 = v18 * v18;
@@ -701,33 +590,31 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v21 = copysign_four(all_four(half_turn), -(e1 * v18)) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const double v24 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
+    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
+        v24 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v26 = e1 * (X4 * v24 - v18 * (c23 * T31 + e1 * (s23 * v25)));
 
     /* joint values */
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle3 = atan2_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4)));
-    const four angle4 = atan2_four(-(e1 * v18), -X4);
-    const four angle5 = atan2_four(sqrt_four(v20), e1 * (c23 * v17) - T33 * s23);
-    const four angle6 = atan2_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 * v23))));
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3));
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_ = e2 * angle2 - turn1;
-    const four q4_m = angle4 - v21;
-    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = q3_ + only_four(q3_ <= -half_turn, m10);
-    const four v28 = v27 - only_four(high3 < v27, whole_turn);
-    const four_mask v29 = (v28 < low3) | (high3 < v28);
-    const four q3_p = pick_four(v29, v27, v28);
-    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
-    const four_mask v30 = v29 | ((angle3 < low2) | (high2 < angle3));
-    const four_mask outside_p = v30 | ((angle5 < low5) | (high5 < angle5));
-    const four_mask outside_m = v30 | ((-angle5 < low5) | (high5 < -angle5));
+    const four angle3 = atan2_four(-(v6 + w3 * v7), v8 - w3 * (m3 * (e2 * v4))),
+        angle4 = atan2_four(-(e1 * v18), -X4),
+        angle5 = atan2_four(sqrt_four(v20), e1 * (c23 * v17) - T33 * s23),
+        angle6 = atan2_four(v26, e1 * (X4 * v22 - v18 * (c23 * T32 + e1 * (s23 * v23)))),
+        packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+            __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3)),
+        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
+        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v26),
+        v27 = q3_ + only_four(q3_ <= -half_turn, m10),
+        v28 = v27 - only_four(high3 < v27, whole_turn);
+    const four_mask v29 = beyond(v28, low3, high3);
+    const four q3_p = pick_four(v29, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
+    const four_mask v30 = v29 | beyond(angle3, low2, high2),
+        outside_p = v30 | beyond(angle5, low5, high5),
+        outside_m = v30 | beyond(-angle5, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -823,8 +710,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(t14 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(t14 * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -835,8 +722,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v3 = k1 * K3;
-        const double v4 = k2 * K3;
+        const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[2, 3] */
         const double v6 = T13 * c1 + T23 * s1;
@@ -844,18 +730,15 @@ static void solve(
         const double v7 = Y4 * Y4;
 
         /* theta6, type 3: U4[2, 2] and U4[2, 1] */
-        const double v8 = T12 * s1 - T22 * c1;
-        const double v9 = T12 * c1 + T22 * s1;
-        const double v11 = T11 * s1 - T21 * c1;
-        const double v12 = T11 * c1 + T21 * s1;
+        const double v8 = T12 * s1 - T22 * c1, v9 = T12 * c1 + T22 * s1, v11 = T11 * s1 - T21 * c1,
+            v12 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k2 * root3 - v3) * k4;
-            const double c3 = k4 * (v4 + k1 * root3);
+            const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[1, 4] and U1[3, 4] */
@@ -866,13 +749,12 @@ static void solve(
             const double w2 = sqrt(v5 * v5 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(v5 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(v5 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double X4 = T33 * c23 + s23 * v6;
             const double w4 = sqrt(X4 * X4 + v7);
             const int free4 = w4 <= free_limit;
@@ -882,16 +764,15 @@ static void solve(
             const double c5 = c23 * v6 - T33 * s23;
 
             /* theta6 */
-            const double v10 = T32 * c23 + s23 * v9;
-            const double v13 = T31 * c23 + s23 * v12;
+            const double v10 = T32 * c23 + s23 * v9, v13 = T31 * c23 + s23 * v12;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e3;
 
@@ -899,15 +780,10 @@ static void solve(
                 const double q5 = atan2(s5, c5);
 
                 /* theta6 */
-                const double c6 = s4 * v10 - c4 * v8;
-                const double s6 = s4 * v13 - c4 * v11;
+                const double c6 = s4 * v10 - c4 * v8, s6 = s4 * v13 - c4 * v11;
                 const double q6 = atan2(s6, c6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? ABB_IRB4600_FREE_JOINT : ABB_IRB4600_OK;
             }

@@ -638,11 +638,10 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (v35 <= m9 or (v34 <= m9 or (v33 <= m9 or (v1 <= m1 or v32 <=
-        m9)))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or v35 <= m9 or v34 <= m9 or v33 <= m9 or v1 <= m1 or v32 <= m9
     )
 
     # angles, side by side
@@ -745,18 +744,18 @@ def _regular(pose, q, status):
     q3_mmp = v49 if v57 else v53
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-    v58 = v54 or (angle4 < low2 or high2 < angle4)
-    v59 = v55 or (angle5 < low2 or high2 < angle5)
-    v60 = v56 or (angle6 < low2 or high2 < angle6)
-    v61 = v57 or (angle7 < low2 or high2 < angle7)
-    outside_ppp = v58 or (angle12 < low5 or high5 < angle12)
-    outside_ppm = v58 or (-angle12 < low5 or high5 < -angle12)
-    outside_pmp = v59 or (angle13 < low5 or high5 < angle13)
-    outside_pmm = v59 or (-angle13 < low5 or high5 < -angle13)
-    outside_mpp = v60 or (angle14 < low5 or high5 < angle14)
-    outside_mpm = v60 or (-angle14 < low5 or high5 < -angle14)
-    outside_mmp = v61 or (angle15 < low5 or high5 < angle15)
-    outside_mmm = v61 or (-angle15 < low5 or high5 < -angle15)
+    v58 = v54 or angle4 < low2 or high2 < angle4
+    v59 = v55 or angle5 < low2 or high2 < angle5
+    v60 = v56 or angle6 < low2 or high2 < angle6
+    v61 = v57 or angle7 < low2 or high2 < angle7
+    outside_ppp = v58 or angle12 < low5 or high5 < angle12
+    outside_ppm = v58 or -angle12 < low5 or high5 < -angle12
+    outside_pmp = v59 or angle13 < low5 or high5 < angle13
+    outside_pmm = v59 or -angle13 < low5 or high5 < -angle13
+    outside_mpp = v60 or angle14 < low5 or high5 < angle14
+    outside_mpm = v60 or -angle14 < low5 or high5 < -angle14
+    outside_mmp = v61 or angle15 < low5 or high5 < angle15
+    outside_mmm = v61 or -angle15 < low5 or high5 < -angle15
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1105,11 +1104,11 @@ def _in_tiles(T, q, status):
             v44 = v30 * (c23_mp * T31 - s23_mp * v41) - X4_mp * v40
             v45 = v30 * (c23_mm * T31 - s23_mm * v41) - X4_mm * v40
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v35 <= m9 or (v34 <= m9 or
-                (v33 <= m9 or (v1 <= m1 or v32 <= m9)))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v35 <= m9 or v34 <= m9 or v33
+                <= m9 or v1 <= m1 or v32 <= m9
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1221,18 +1220,18 @@ def _in_tiles(T, q, status):
             q3_mmp = v49 if v57 else v53
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
-            v58 = v54 or (angle4 < low2 or high2 < angle4)
-            v59 = v55 or (angle5 < low2 or high2 < angle5)
-            v60 = v56 or (angle6 < low2 or high2 < angle6)
-            v61 = v57 or (angle7 < low2 or high2 < angle7)
-            outside_ppp = v58 or (angle12 < low5 or high5 < angle12)
-            outside_ppm = v58 or (-angle12 < low5 or high5 < -angle12)
-            outside_pmp = v59 or (angle13 < low5 or high5 < angle13)
-            outside_pmm = v59 or (-angle13 < low5 or high5 < -angle13)
-            outside_mpp = v60 or (angle14 < low5 or high5 < angle14)
-            outside_mpm = v60 or (-angle14 < low5 or high5 < -angle14)
-            outside_mmp = v61 or (angle15 < low5 or high5 < angle15)
-            outside_mmm = v61 or (-angle15 < low5 or high5 < -angle15)
+            v58 = v54 or angle4 < low2 or high2 < angle4
+            v59 = v55 or angle5 < low2 or high2 < angle5
+            v60 = v56 or angle6 < low2 or high2 < angle6
+            v61 = v57 or angle7 < low2 or high2 < angle7
+            outside_ppp = v58 or angle12 < low5 or high5 < angle12
+            outside_ppm = v58 or -angle12 < low5 or high5 < -angle12
+            outside_pmp = v59 or angle13 < low5 or high5 < angle13
+            outside_pmm = v59 or -angle13 < low5 or high5 < -angle13
+            outside_mpp = v60 or angle14 < low5 or high5 < angle14
+            outside_mpm = v60 or -angle14 < low5 or high5 < -angle14
+            outside_mmp = v61 or angle15 < low5 or high5 < angle15
+            outside_mmm = v61 or -angle15 < low5 or high5 < -angle15
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = angle4

@@ -656,11 +656,10 @@ def _regular(pose, q, status):
     # joint values
     v44 = w3_p * (m3 * v3)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (v33 <= m9 or (v32 <= m9 or (v31 <= m9 or (v1 <= m1 or v30 <=
-        m9)))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or v33 <= m9 or v32 <= m9 or v31 <= m9 or v1 <= m1 or v30 <= m9
     )
 
     # angles, side by side
@@ -792,18 +791,18 @@ def _regular(pose, q, status):
     q3_mmp = v60 if v70 else v66
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v71 = v67 or (v61 or (q2_ppp < low2 or high2 < q2_ppp))
-    v72 = v68 or (v61 or (q2_pmp < low2 or high2 < q2_pmp))
-    v73 = v69 or (v62 or (q2_mpp < low2 or high2 < q2_mpp))
-    v74 = v70 or (v62 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
+    v71 = v67 or v61 or q2_ppp < low2 or high2 < q2_ppp
+    v72 = v68 or v61 or q2_pmp < low2 or high2 < q2_pmp
+    v73 = v69 or v62 or q2_mpp < low2 or high2 < q2_mpp
+    v74 = v70 or v62 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = v71 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v71 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v72 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v72 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v73 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v73 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v74 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v74 or q5_mmm < low5 or high5 < q5_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1152,11 +1151,11 @@ def _in_tiles(T, q, status):
             v43 = Y4 * (c23_mm * v39 + s23_mm * T31) - X4_mm * v38
             v44 = w3_p * (m3 * v3)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v33 <= m9 or (v32 <= m9 or
-                (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v33 <= m9 or v32 <= m9 or v31
+                <= m9 or v1 <= m1 or v30 <= m9
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1295,18 +1294,18 @@ def _in_tiles(T, q, status):
             q3_mmp = v60 if v70 else v66
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v71 = v67 or (v61 or (q2_ppp < low2 or high2 < q2_ppp))
-            v72 = v68 or (v61 or (q2_pmp < low2 or high2 < q2_pmp))
-            v73 = v69 or (v62 or (q2_mpp < low2 or high2 < q2_mpp))
-            v74 = v70 or (v62 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v71 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v71 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v72 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v72 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v73 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v73 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v74 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v74 or (q5_mmm < low5 or high5 < q5_mmm)
+            v71 = v67 or v61 or q2_ppp < low2 or high2 < q2_ppp
+            v72 = v68 or v61 or q2_pmp < low2 or high2 < q2_pmp
+            v73 = v69 or v62 or q2_mpp < low2 or high2 < q2_mpp
+            v74 = v70 or v62 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = v71 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v71 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v72 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v72 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v73 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v73 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v74 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v74 or q5_mmm < low5 or high5 < q5_mmm
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

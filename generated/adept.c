@@ -87,56 +87,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -176,20 +141,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -274,6 +226,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -287,8 +241,8 @@ HELPER void transpose(wide x[LANES])
 static const double d1 = 1075.0; /* joint offset 1 [mm] */
 static const double l1 = 600.0; /* link length 1 [mm] */
 static const double l2 = 550.0; /* link length 2 [mm] */
-static const double zz = 500.0; /* z of the base frame [mm] */
 static const double ez = 175.0; /* z of the tool frame [mm] */
+static const double zz_ = 500.0; /* z of the base frame [mm] */
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 /* square of a length that fixes no angle [mm^2] */
 static const double free_limit_squared2 = 5.7599999999999994e-18;
@@ -315,15 +269,10 @@ static const double weight[3] = { 1.0, 1.0, 1.7361111111111112e-07 };
 
 void adept_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double T22_ = c1 * c2 - s1 * s2;
-    const double T32_ = s1 * c2 + c1 * s2;
-    const double T24_ = c1 * l1 + T22_ * l2;
-    const double T34_ = zz + s1 * l1 + T32_ * l2;
-    const double T14_ = d1 - q[2] - ez;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double T22_ = c1 * c2 - s1 * s2, T32_ = s1 * c2 + c1 * s2, T24_ = c1 * l1 + T22_ * l2,
+        T34_ = zz_ + s1 * l1 + T32_ * l2, T14_ = d1 - q[2] - ez;
     T[0] = 0.0; T[1] = 0.0; T[2] = -1.0; T[3] = T14_;
     T[4] = -T32_; T[5] = T22_; T[6] = 0.0; T[7] = T24_;
     T[8] = T22_; T[9] = T32_; T[10] = 0.0; T[11] = T34_;
@@ -333,17 +282,12 @@ void adept_fk(const double q[3], double T[16])
 
 void adept_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_y = c1 * l1;
-    const double p1_z = zz + s1 * l1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_y = c1 * l1, p1_z = zz_ + s1 * l1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double J31 = p1_y + (c1 * c2 - s1 * s2) * l2;
     const double p2_z = p1_z + (s1 * c2 + c1 * s2) * l2;
-    const double J21 = zz - p2_z;
-    const double J32 = J31 - p1_y;
-    const double J22 = p1_z - p2_z;
+    const double J21 = zz_ - p2_z, J32 = J31 - p1_y, J22 = p1_z - p2_z;
     J[0] = 0.0; J[1] = 0.0; J[2] = -1.0;
     J[3] = J21; J[4] = J22; J[5] = 0.0;
     J[6] = J31; J[7] = J32; J[8] = 0.0;
@@ -356,13 +300,16 @@ void adept_jacobian(const double q[3], double J[18])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -404,42 +351,33 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T12 = T[1], T13 = T[2], T14 = T[3];
+    const wide T22 = T[5], T23 = T[6], T24 = T[7];
+    const wide T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r3 */
-    const wide t34 = T14 - ez * T13;
-    const wide q3 = d1 - t34;
+    const wide t34 = T14 - ez * T13, q3 = d1 - t34;
 
     /* theta12 */
-    const wide v1 = T32 * T32 + T22 * T22;
-    const wide w12 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1, v3 = w12 * v2;
-    const wide c12 = T22 * v3;
-    const wide s12 = T32 * v3;
+    const wide v1 = T32 * T32 + T22 * T22, w12 = sqrt_wide(v1), v2 = 1.0 / v1, v3 = w12 * v2,
+        c12 = T22 * v3, s12 = T32 * v3;
 
     /* theta1 */
-    const wide t14 = T24 - ez * T23;
-    const wide t24 = T34 - ez * T33 - zz;
-    const wide v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
-    const wide v6 = v4 * v4 + v5 * v5, v7 = sqrt_wide(v6) * (1.0 / v6);
-    const wide angle1 = atan2_wide(v4, v5);
+    const wide t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
+        v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2)),
+        v6 = v4 * v4 + v5 * v5, v7 = sqrt_wide(v6) * (1.0 / v6), angle1 = atan2_wide(v4, v5);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7));
-    const wide v11 = c12 - T31, v12 = T32 - s12, v13 = t14 - (l2 * c12 + l1 * (v5 * v7));
-    const wide v14 = T22 - c12, v15 = s12 + T21;
+    const wide v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7)),
+        v11 = T32 - s12, v12 = t14 - (l2 * c12 + l1 * (v5 * v7)), v13 = T22 - c12;
 
     /* joint values */
-    const wide angle2 = atan2_wide(T32, T22);
-    const wide v16 = angle2 - angle1;
-    const wide q2 = v16 - only_wide(half_turn < v16, m7) + only_wide(v16 <= -half_turn, m7);
-    const wide_mask doubt1 = (v6 <= m4) | ((v1 <= m1) | ((m6 < v15 * v15 + (v14 * v14 + (T23 * T23 +
-        (v12 * v12 + (v11 * v11 + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11)))))))) | (m5 < v13
-        * v13 + (v8 * v8 + v10 * v10))));
+    const wide angle2 = atan2_wide(T32, T22), v14 = angle2 - angle1;
+    const wide_mask doubt1 = (v6 <= m4) | (v1 <= m1) | (m6 < T23 * T23 + (v13 * v13 + (v11 * v11 +
+        (T33 * T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
 
-    q[0] = angle1; q[1] = q2; q[2] = q3;
+    q[0] = angle1; q[1] = v14 - only_wide(half_turn < v14, m7) + only_wide(v14 <= -half_turn, m7);
+    q[2] = q3;
     kind[0] = kind_of(q[0] != q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -451,42 +389,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 INLINED
 HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r3 */
-    const double t34 = T14 - ez * T13;
-    const double q3 = d1 - t34;
+    const double t34 = T14 - ez * T13, q3 = d1 - t34;
 
     /* theta12 */
-    const double v1 = T32 * T32 + T22 * T22;
-    const double w12 = sqrt(v1);
-    const double v2 = 1.0 / v1, v3 = w12 * v2;
-    const double c12 = T22 * v3;
-    const double s12 = T32 * v3;
+    const double v1 = T32 * T32 + T22 * T22, w12 = sqrt(v1), v2 = 1.0 / v1, v3 = w12 * v2,
+        c12 = T22 * v3, s12 = T32 * v3;
 
     /* theta1 */
-    const double t14 = T24 - ez * T23;
-    const double t24 = T34 - ez * T33 - zz;
-    const double v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2));
-    const double v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * (1.0 / v6);
+    const double t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
+        v4 = m3 * t24 - w12 * (m2 * (T32 * v2)), v5 = m3 * t14 - w12 * (m2 * (T22 * v2)),
+        v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * (1.0 / v6);
 
     /* is the pose one that the arm can take? */
-    const double v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7));
-    const double v11 = c12 - T31, v12 = T32 - s12, v13 = t14 - (l2 * c12 + l1 * (v5 * v7));
-    const double v14 = T22 - c12, v15 = s12 + T21;
+    const double v8 = t34 - (d1 - q3), v9 = T13 + 1.0, v10 = t24 - (l2 * s12 + l1 * (v4 * v7)),
+        v11 = T32 - s12, v12 = t14 - (l2 * c12 + l1 * (v5 * v7)), v13 = T22 - c12;
 
     /* joint values */
-    const int doubt1 = (v6 <= m4) | ((v1 <= m1) | ((m6 < v15 * v15 + (v14 * v14 + (T23 * T23 + (v12
-        * v12 + (v11 * v11 + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11)))))))) | (m5 < v13 *
-        v13 + (v8 * v8 + v10 * v10))));
+    const int doubt1 = (v6 <= m4) | (v1 <= m1) | (m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 *
+        T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
 
-    const four packed1 = atan2_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four v16 = angle2 - angle1;
-    const four q2 = v16 - only_four(half_turn < v16, m7) + only_four(v16 <= -half_turn, m7);
+    const four packed1 = atan2_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four v14 = angle2 - angle1,
+        q2 = v14 - only_four(half_turn < v14, m7) + only_four(v14 <= -half_turn, m7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -555,9 +486,9 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
 static void solve(
     const double T[16], const double seed[3], double q[1][3], unsigned char status[1])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T12 = T[1], T13 = T[2], T14 = T[3];
+    const double T22 = T[5], T23 = T[6], T24 = T[7];
+    const double T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* r3, type 1: U0[3, 4] */
     const double t34 = T14 - ez * T13;
@@ -566,40 +497,32 @@ static void solve(
     /* theta12, type 3: U0[1, 2] and U0[2, 2] */
     const double w12 = sqrt(T32 * T32 + T22 * T22);
     const int free12 = w12 <= free_limit_squared;
-    const double v1 = 1.0 / (free12 ? 1.0 : w12);
-    const double v2 = seed[0] + seed[1];
-    const double c12 = free12 ? cos(v2) : T22 * v1;
-    const double s12 = free12 ? sin(v2) : T32 * v1;
+    const double v1 = 1.0 / (free12 ? 1.0 : w12), v2 = seed[0] + seed[1];
+    const double c12 = free12 ? cos(v2) : T22 * v1, s12 = free12 ? sin(v2) : T32 * v1;
 
     /* theta1, type 3: U0[1, 4] and U0[2, 4] */
     const double t14 = T24 - ez * T23;
     const double v3 = c12 * l2;
-    const double t24 = T34 - ez * T33 - zz;
-    const double v4 = s12 * l2;
-    const double v5 = l1 * (t24 - v4);
-    const double v6 = l1 * (t14 - v3);
+    const double t24 = T34 - ez * T33 - zz_;
+    const double v4 = s12 * l2, v5 = l1 * (t24 - v4), v6 = l1 * (t14 - v3);
     const double w1 = sqrt(v5 * v5 + v6 * v6);
     const int free1 = w1 <= free_limit_squared2;
     const double v7 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : v6 * v7;
-    const double s1 = free1 ? sin(seed[0]) : v5 * v7;
+    const double c1 = free1 ? cos(seed[0]) : v6 * v7, s1 = free1 ? sin(seed[0]) : v5 * v7;
     const double q1 = atan2(s1, c1);
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(t34 - (d1 - r3)) <= pose_slack1 && (fabs(1.0 + T13) <= pose_slack && (fabs(T11) <=
-        pose_slack && (fabs(T12) <= pose_slack && (fabs(t24 - (v4 + l1 * s1)) <= pose_slack1 &&
-        (fabs(T33) <= pose_slack && (fabs(c12 - T31) <= pose_slack && (fabs(T32 - s12) <= pose_slack
-        && (fabs(t14 - (v3 + l1 * c1)) <= pose_slack1 && (fabs(T23) <= pose_slack && (fabs(T22 -
-        c12) <= pose_slack && fabs(T21 + s12) <= pose_slack))))))))))))
+    if (!(fabs(t34 - (d1 - r3)) <= pose_slack1 && fabs(1.0 + T13) <= pose_slack && fabs(T12) <=
+        pose_slack && fabs(t24 - (v4 + l1 * s1)) <= pose_slack1 && fabs(T33) <= pose_slack &&
+        fabs(T32 - s12) <= pose_slack && fabs(t14 - (v3 + l1 * c1)) <= pose_slack1 && fabs(T22 -
+        c12) <= pose_slack && fabs(T23) <= pose_slack))
         return; /* the arm can't take this pose */
 
     /* joint values */
     const double q2 = wrap(atan2(s12, c12) - q1);
     const int free1_ = free12 || free1;
     const int row = 0;
-    q[row][0] = q1;
-    q[row][1] = q2;
-    q[row][2] = r3;
+    q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
     status[row] = (free1_ || free12) ? ADEPT_FREE_JOINT : ADEPT_OK;
 }
 

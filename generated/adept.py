@@ -81,8 +81,8 @@ INVALID_POSE = 4  # NaN: T is no pose
 d1 = 1075.0  # joint offset 1 [mm]
 l1 = 600.0  # link length 1 [mm]
 l2 = 550.0  # link length 2 [mm]
-zz = 500.0  # z of the base frame [mm]
 ez = 175.0  # z of the tool frame [mm]
+zz_ = 500.0  # z of the base frame [mm]
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no angle [mm^2]
 pose_slack = 1e-05  # a pose may be rounded by this
@@ -180,7 +180,7 @@ def fk(q):
     T22_ = c1 * c2 - s1 * s2
     T32_ = s1 * c2 + c1 * s2
     T24_ = c1 * l1 + T22_ * l2
-    T34_ = zz + s1 * l1 + T32_ * l2
+    T34_ = zz_ + s1 * l1 + T32_ * l2
     T14_ = d1 - q[2] - ez
     T[0, 2] = -1.0
     T[0, 3] = T14_
@@ -203,12 +203,12 @@ def jacobian(q):
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
     p1_y = c1 * l1
-    p1_z = zz + s1 * l1
+    p1_z = zz_ + s1 * l1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
     J31 = p1_y + (c1 * c2 - s1 * s2) * l2
     p2_z = p1_z + (s1 * c2 + c1 * s2) * l2
-    J21 = zz - p2_z
+    J21 = zz_ - p2_z
     J32 = J31 - p1_y
     J22 = p1_z - p2_z
     J[0, 2] = -1.0
@@ -224,7 +224,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    _, T12, T13, T14, _, T22, T23, T24, _, T32, T33, T34 = pose
 
     # r3, type 1: U0[3, 4]
     t34 = T14 - ez * T13
@@ -241,7 +241,7 @@ def _solve(pose, seed, q, status):
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
     v3 = c12 * l2
-    t24 = T34 - ez * T33 - zz
+    t24 = T34 - ez * T33 - zz_
     v4 = s12 * l2
     v5 = l1 * (t24 - v4)
     v6 = l1 * (t14 - v3)
@@ -254,11 +254,10 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(t34 - (d1 - r3)) <= pose_slack1 and (abs(1.0 + T13) <= pose_slack and (abs(T11) <=
-        pose_slack and (abs(T12) <= pose_slack and (abs(t24 - (v4 + l1 * s1)) <= pose_slack1 and
-        (abs(T33) <= pose_slack and (abs(c12 - T31) <= pose_slack and (abs(T32 - s12) <= pose_slack
-        and (abs(t14 - (v3 + l1 * c1)) <= pose_slack1 and (abs(T23) <= pose_slack and (abs(T22 -
-        c12) <= pose_slack and abs(T21 + s12) <= pose_slack)))))))))))
+        not (abs(t34 - (d1 - r3)) <= pose_slack1 and abs(1.0 + T13) <= pose_slack and abs(T12) <=
+        pose_slack and abs(t24 - (v4 + l1 * s1)) <= pose_slack1 and abs(T33) <= pose_slack and
+        abs(T32 - s12) <= pose_slack and abs(t14 - (v3 + l1 * c1)) <= pose_slack1 and abs(T22 - c12)
+        <= pose_slack and abs(T23) <= pose_slack)
     ):
         return  # the arm can't take this pose
 
@@ -359,7 +358,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    _, T12, T13, T14, _, T22, T23, T24, _, T32, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # r3, type 1: U0[3, 4]
@@ -376,7 +375,7 @@ def _regular(pose, q, status):
 
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
-    t24 = T34 - ez * T33 - zz
+    t24 = T34 - ez * T33 - zz_
     v4 = m3 * t24 - w12 * (m2 * (T32 * v2))
     v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
     v6 = v4 * v4 + v5 * v5
@@ -386,17 +385,14 @@ def _regular(pose, q, status):
     v8 = t34 - (d1 - q3)
     v9 = T13 + 1.0
     v10 = t24 - (l2 * s12 + l1 * (v4 * v7))
-    v11 = c12 - T31
-    v12 = T32 - s12
-    v13 = t14 - (l2 * c12 + l1 * (v5 * v7))
-    v14 = T22 - c12
-    v15 = s12 + T21
+    v11 = T32 - s12
+    v12 = t14 - (l2 * c12 + l1 * (v5 * v7))
+    v13 = T22 - c12
 
     # joint values
     doubt1 = (
-        v6 <= m4 or (v1 <= m1 or (m6 < v15 * v15 + (v14 * v14 + (T23 * T23 + (v12 * v12 + (v11 * v11
-        + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11))))))) or m5 < v13 * v13 + (v8 * v8 + v10 *
-        v10)))
+        v6 <= m4 or v1 <= m1 or m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 * T33 + (v9 * v9 +
+        T12 * T12)))) or m5 < v12 * v12 + (v8 * v8 + v10 * v10)
     )
 
     # angles, side by side
@@ -412,8 +408,8 @@ def _regular(pose, q, status):
     angle2 = room[1]
 
     # joint values
-    v16 = angle2 - angle1
-    q2 = v16 - (m7 if half_turn < v16 else 0.0) + (m7 if v16 <= -half_turn else 0.0)
+    v14 = angle2 - angle1
+    q2 = v14 - (m7 if half_turn < v14 else 0.0) + (m7 if v14 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -625,15 +621,12 @@ def _in_tiles(T, q, status):
             exact = miss <= 1e-24
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
-            T11 = work[0 + k]
             T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
-            T21 = work[64 + k]
             T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
-            T31 = work[128 + k]
             T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
@@ -646,7 +639,7 @@ def _in_tiles(T, q, status):
             c12 = T22 * v3
             s12 = T32 * v3
             t14 = T24 - ez * T23
-            t24 = T34 - ez * T33 - zz
+            t24 = T34 - ez * T33 - zz_
             v4 = m3 * t24 - w12 * (m2 * (T32 * v2))
             v5 = m3 * t14 - w12 * (m2 * (T22 * v2))
             v6 = v4 * v4 + v5 * v5
@@ -654,15 +647,12 @@ def _in_tiles(T, q, status):
             v8 = t34 - (d1 - q3)
             v9 = T13 + 1.0
             v10 = t24 - (l2 * s12 + l1 * (v4 * v7))
-            v11 = c12 - T31
-            v12 = T32 - s12
-            v13 = t14 - (l2 * c12 + l1 * (v5 * v7))
-            v14 = T22 - c12
-            v15 = s12 + T21
+            v11 = T32 - s12
+            v12 = t14 - (l2 * c12 + l1 * (v5 * v7))
+            v13 = T22 - c12
             doubt1 = (
-                v6 <= m4 or (v1 <= m1 or (m6 < v15 * v15 + (v14 * v14 + (T23 * T23 + (v12 * v12 +
-                (v11 * v11 + (T33 * T33 + (T12 * T12 + (v9 * v9 + T11 * T11))))))) or m5 < v13 * v13
-                + (v8 * v8 + v10 * v10)))
+                v6 <= m4 or v1 <= m1 or m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 * T33 + (v9
+                * v9 + T12 * T12)))) or m5 < v12 * v12 + (v8 * v8 + v10 * v10)
             )
             work[272 + k] = q3
             work[288 + k] = doubt1
@@ -677,8 +667,8 @@ def _in_tiles(T, q, status):
             doubt1 = work[288 + k] != 0.0
             angle1 = work[304 + k]
             angle2 = work[320 + k]
-            v16 = angle2 - angle1
-            q2 = v16 - (m7 if half_turn < v16 else 0.0) + (m7 if v16 <= -half_turn else 0.0)
+            v14 = angle2 - angle1
+            q2 = v14 - (m7 if half_turn < v14 else 0.0) + (m7 if v14 <= -half_turn else 0.0)
             _368 = angle1
             work[368 + k] = _368
             _384 = q2

@@ -241,7 +241,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # r3, type 1: U0[3, 4]
     r3 = d1 - T34
@@ -272,10 +272,9 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(T34 - (d1 - r3)) <= pose_slack1 and (abs(1.0 + T33) <= pose_slack and (abs(T32) <=
-        pose_slack and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(T22 + c12m4) <=
-        pose_slack and (abs(T21 - s12m4) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 -
-        c12m4) <= pose_slack and abs(T12 - s12m4) <= pose_slack)))))))))
+        not (abs(T34 - (d1 - r3)) <= pose_slack1 and abs(1.0 + T33) <= pose_slack and abs(T31) <=
+        pose_slack and abs(T23) <= pose_slack and abs(T21 - s12m4) <= pose_slack and abs(T11 -
+        c12m4) <= pose_slack and abs(T13) <= pose_slack)
     ):
         return  # the arm can't take this pose
 
@@ -405,7 +404,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # r3, type 1: U0[3, 4]
@@ -414,8 +413,6 @@ def _regular(pose, q, status):
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
     v2 = math.sqrt(v1) * (1.0 / v1)
-    c12m4 = T11 * v2
-    s12m4 = T21 * v2
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
@@ -431,18 +428,15 @@ def _regular(pose, q, status):
     # is the pose one that the arm can take?
     v8 = T34 - (d1 - r3)
     v9 = 1.0 + T33
-    v10 = c12m4 + T22
-    v11 = T21 - s12m4
-    v12 = T11 - c12m4
-    v13 = T12 - s12m4
+    v10 = T21 - T21 * v2
+    v11 = T11 - T11 * v2
 
     # joint values
     q3_p = r3 + (w2 - w2)
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m5 < v13 * v13 + (v12 * v12
-        + (T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (T31 * T31 + (v9 * v9 + T32 *
-        T32))))))) or m4 < v8 * v8)))
+        longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m5 < T13 * T13 + (v11 * v11 +
+        (v10 * v10 + (T23 * T23 + (v9 * v9 + T31 * T31)))) or m4 < v8 * v8
     )
 
     # angles, side by side
@@ -464,10 +458,10 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v14 = angle2 + angle3 - angle1
-    v15 = angle4 - angle2 - angle1
-    q4_p = v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)
-    q4_m = v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)
+    v12 = angle2 + angle3 - angle1
+    v13 = angle4 - angle2 - angle1
+    q4_p = v12 - (m6 if half_turn < v12 else 0.0) + (m6 if v12 <= -half_turn else 0.0)
+    q4_m = v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -687,22 +681,17 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             r3 = d1 - T34
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
-            c12m4 = T11 * v2
-            s12m4 = T21 * v2
             N2 = T14 * T14 + T24 * T24
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
             v3 = m3 + m2 * N2
@@ -712,16 +701,13 @@ def _in_tiles(T, q, status):
             v7 = w2 * (m2 * T24)
             v8 = T34 - (d1 - r3)
             v9 = 1.0 + T33
-            v10 = c12m4 + T22
-            v11 = T21 - s12m4
-            v12 = T11 - c12m4
-            v13 = T12 - s12m4
+            v10 = T21 - T21 * v2
+            v11 = T11 - T11 * v2
             q3_p = r3 + (w2 - w2)
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m5 < v13 * v13 +
-                (v12 * v12 + (T13 * T13 + (v11 * v11 + (v10 * v10 + (T23 * T23 + (T31 * T31 + (v9 *
-                v9 + T32 * T32))))))) or m4 < v8 * v8)))
+                < longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m5 < T13 * T13 +
+                (v11 * v11 + (v10 * v10 + (T23 * T23 + (v9 * v9 + T31 * T31)))) or m4 < v8 * v8
             )
             work[272 + k] = q3_p
             work[288 + k] = doubt1
@@ -742,10 +728,10 @@ def _in_tiles(T, q, status):
             angle2 = work[320 + k]
             angle3 = work[336 + k]
             angle4 = work[352 + k]
-            v14 = angle2 + angle3 - angle1
-            v15 = angle4 - angle2 - angle1
-            q4_p = v14 - (m6 if half_turn < v14 else 0.0) + (m6 if v14 <= -half_turn else 0.0)
-            q4_m = v15 - (m6 if half_turn < v15 else 0.0) + (m6 if v15 <= -half_turn else 0.0)
+            v12 = angle2 + angle3 - angle1
+            v13 = angle4 - angle2 - angle1
+            q4_p = v12 - (m6 if half_turn < v12 else 0.0) + (m6 if v12 <= -half_turn else 0.0)
+            q4_m = v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else 0.0)
             _432 = angle3
             work[432 + k] = _432
             _448 = angle2

@@ -397,8 +397,8 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or (v1 <= m1 or (v14 + v13 * v13 <= m5 or (v15 + v12 * v12 <= m5 or (v14 +
-        v10 * v10 <= m5 or v15 + v11 * v11 <= m5))))
+        longest3_apart)) or v1 <= m1 or v14 + v13 * v13 <= m5 or v15 + v12 * v12 <= m5 or v14 + v10
+        * v10 <= m5 or v15 + v11 * v11 <= m5
     )
 
     # angles, side by side
@@ -669,8 +669,8 @@ def _in_tiles(T, q, status):
             v15 = v6 * v6
             doubt1 = (
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or (v1 <= m1 or (v14 + v13 * v13 <= m5 or (v15 + v12 * v12 <= m5
-                or (v14 + v10 * v10 <= m5 or v15 + v11 * v11 <= m5))))
+                < longest3_apart)) or v1 <= m1 or v14 + v13 * v13 <= m5 or v15 + v12 * v12 <= m5 or
+                v14 + v10 * v10 <= m5 or v15 + v11 * v11 <= m5
             )
             work[272 + k] = N3
             work[288 + k] = v2

@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -170,7 +135,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -192,14 +157,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -268,6 +225,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -319,48 +278,29 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void arm_6r_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double v3 = s2 * c3 + c2 * s3;
-    const double v4 = v1 * c3 + x2_x * s3;
-    const double v5 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
+    const double v3 = s2 * c3 + c2 * s3, v4 = v1 * c3 + x2_x * s3, v5 = v2 * c3 + x2_y * s3;
     const double z3_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = x3_y * c4 - c1 * s4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4;
     const double v6 = v3 * c4;
     const double y5_x = s1 * c4 - x3_x * s4;
     const double z4_y = c1 * c4 + x3_y * s4;
     const double y5_z = v3 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v4 * s5;
-    const double x5_y = x4_y * c5 - v5 * s5;
-    const double x5_z = z3_z * s5 - v6 * c5;
-    const double v7 = v4 * c5 + x4_x * s5;
-    const double v8 = v5 * c5 + x4_y * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v4 * s5, x5_y = x4_y * c5 - v5 * s5, x5_z = z3_z * s5 - v6 * c5;
+    const double v7 = v4 * c5 + x4_x * s5, v8 = v5 * c5 + x4_y * s5;
     const double T33_ = z3_z * c5 + v6 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 - z4_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T12_ = y5_x * c6 - x5_x * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 - v4 * d4 - v7 * d6;
-    const double T24_ = x2_y * a2 - v5 * d4 - v8 * d6;
-    const double T34_ = d1 - s2 * a2 + z3_z * d4 + T33_ * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 - z4_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = x2_x * a2 - v4 * d4 - v7 * d6, T24_ = x2_y * a2 - v5 * d4 - v8 * d6,
+        T34_ = d1 - s2 * a2 + z3_z * d4 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = -v7; T[3] = T14_;
     T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = -v8; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -370,58 +310,33 @@ void arm_6r_fk(const double q[6], double T[16])
 
 void arm_6r_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double v3 = s2 * c3 + c2 * s3;
-    const double v4 = v1 * c3 + x2_x * s3;
-    const double v5 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
+    const double v3 = s2 * c3 + c2 * s3, v4 = v1 * c3 + x2_x * s3, v5 = v2 * c3 + x2_y * s3;
     const double J64 = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J55 = c1 * c4 + x3_y * s4;
     const double y5_z = v3 * s4;
-    const double p4_x = p2_x - v4 * d4;
-    const double p4_y = p2_y - v5 * d4;
-    const double p4_z = p2_z + J64 * d4;
+    const double p4_x = p2_x - v4 * d4, p4_y = p2_y - v5 * d4, p4_z = p2_z + J64 * d4;
     const double J45 = x3_x * s4 - s1 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double v6 = v4 * c5 + (x3_x * c4 + s1 * s4) * s5;
-    const double v7 = v5 * c5 + (x3_y * c4 - c1 * s4) * s5;
-    const double J66 = J64 * c5 + v3 * c4 * s5;
-    const double J21 = p4_x - v6 * d6;
-    const double p6_y = p4_y - v7 * d6;
-    const double p6_z = p4_z + J66 * d6;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double v6 = v4 * c5 + (x3_x * c4 + s1 * s4) * s5,
+        v7 = v5 * c5 + (x3_y * c4 - c1 * s4) * s5;
+    const double J66 = J64 * c5 + v3 * c4 * s5, J21 = p4_x - v6 * d6;
+    const double p6_y = p4_y - v7 * d6, p6_z = p4_z + J66 * d6;
     const double v8 = p6_z - d1;
-    const double J12 = c1 * v8;
-    const double J22 = s1 * v8;
-    const double v9 = J21 - p2_x;
-    const double v10 = p6_y - p2_y;
-    const double v11 = p6_z - p2_z;
-    const double J13 = c1 * v11;
-    const double J23 = s1 * v11;
-    const double J24 = J64 * v9 + v4 * v11;
-    const double J34 = v5 * v9 - v4 * v10;
-    const double v12 = J21 - p4_x;
-    const double v13 = p6_y - p4_y;
-    const double v14 = p6_z - p4_z;
-    const double J15 = J55 * v14 + y5_z * v13;
-    const double J35 = J45 * v13 - J55 * v12;
-    const double J26 = J66 * v12 + v6 * v14;
-    const double J36 = v7 * v12 - v6 * v13;
+    const double J12 = c1 * v8, J22 = s1 * v8;
+    const double v9 = J21 - p2_x, v10 = p6_y - p2_y, v11 = p6_z - p2_z;
+    const double J13 = c1 * v11, J23 = s1 * v11, J24 = J64 * v9 + v4 * v11,
+        J34 = v5 * v9 - v4 * v10;
+    const double v12 = J21 - p4_x, v13 = p6_y - p4_y, v14 = p6_z - p4_z;
+    const double J15 = J55 * v14 + y5_z * v13, J35 = J45 * v13 - J55 * v12,
+        J26 = J66 * v12 + v6 * v14, J36 = v7 * v12 - v6 * v13;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = -(v5 * v11 + J64 * v10); J[4] = J15;
     J[5] = -(v7 * v14 + J66 * v13);
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = -(y5_z * v12 + J45 * v14); J[11] = J26;
@@ -436,13 +351,16 @@ void arm_6r_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -489,115 +407,90 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide wx = T14 - d6 * T13;
-    const wide Y1 = d6 * T23 - T24;
-    const wide v1 = wx * wx + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(Y1, -wx);
+    const wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt_wide(v1),
+        v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide N3 = v1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3, v4 = k1 * (N3 - k2), v5 = k3 * v4, v6 = k1 * w3;
-    const wide c3 = k3 * v6;
-    const wide angle2 = atan2_wide(-v4, v6);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
+    const wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = k1 * (N3 - k2),
+        v5 = k3 * v4, v6 = k1 * w3, c3 = k3 * v6, angle2 = atan2_wide(-v4, v6),
+        q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
 
     /* theta2 */
-    const wide v7 = d4 * c3;
-    const wide Y1_2 = a2 + d4 * v5;
-    const wide v8 = Z1_3 * Y1_2, v9 = w1 * v7, v10 = v9 - v8, v11 = v8 + v9, v12 = m4 + m3 * N3;
-    const wide v13 = Z1_3 * v12, v14 = w3 * (m3 * w1);
-    const wide S2_pp = v14 - v13;
-    const wide v15 = v13 + v14, v16 = w1 * Y1_2, v17 = Z1_3 * v7, v18 = v16 + v17, v19 = v16 - v17;
-    const wide v20 = w3 * (m3 * Z1_3), v21 = w3 * (m3 * -Z1_3), v22 = w1 * v12, v23 = v20 + v22;
-    const wide v24 = v21 + v22, v25 = v20 - v22, v26 = v21 - v22, v27 = S2_pp * S2_pp;
-    const wide v28 = v27 + v23 * v23, v29 = v15 * v15, v30 = v29 + v24 * v24, v31 = v29 + v25 * v25;
-    const wide v32 = v27 + v26 * v26;
-    const wide w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30), w2_mp = sqrt_wide(v31);
-    const wide w2_mm = sqrt_wide(v32);
-    const wide v33 = 1.0 / v28, v34 = 1.0 / v30, v35 = 1.0 / v31, v36 = 1.0 / v32;
-    const wide angle3 = atan2_wide(S2_pp, -v23), angle4 = atan2_wide(-v15, -v24);
-    const wide angle5 = atan2_wide(-v15, -v25), angle6 = atan2_wide(S2_pp, -v26);
+    const wide v7 = d4 * c3, Y1_2 = a2 + d4 * v5, v8 = Z1_3 * Y1_2, v9 = w1 * v7, v10 = v9 - v8,
+        v11 = v8 + v9, v12 = m4 + m3 * N3, v13 = Z1_3 * v12, v14 = w3 * (m3 * w1),
+        S2_pp = v14 - v13, v15 = v13 + v14, v16 = w1 * Y1_2, v17 = Z1_3 * v7, v18 = v16 + v17,
+        v19 = v16 - v17, v20 = w3 * (m3 * Z1_3), v21 = w3 * (m3 * -Z1_3), v22 = w1 * v12,
+        v23 = v20 + v22, v24 = v21 + v22, v25 = v20 - v22, v26 = v21 - v22, v27 = S2_pp * S2_pp,
+        v28 = v27 + v23 * v23, v29 = v15 * v15, v30 = v29 + v24 * v24, v31 = v29 + v25 * v25,
+        v32 = v27 + v26 * v26, w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30),
+        w2_mp = sqrt_wide(v31), w2_mm = sqrt_wide(v32), v33 = 1.0 / v28, v34 = 1.0 / v30,
+        v35 = 1.0 / v31, v36 = 1.0 / v32, angle3 = atan2_wide(S2_pp, -v23),
+        angle4 = atan2_wide(-v15, -v24), angle5 = atan2_wide(-v15, -v25),
+        angle6 = atan2_wide(S2_pp, -v26);
 
     /* theta4 */
-    const wide v37 = v5 * v10 - c3 * v18;
-    const wide c23_pp = w2_pp * (v33 * v37);
-    const wide v38 = v5 * v11;
-    const wide c23_pm = w2_pm * (v34 * (c3 * v19 - v38));
-    const wide v39 = w2_mp * (v35 * (v38 + c3 * -v19));
-    const wide c23_mm = w2_mm * (v36 * v37);
-    const wide v40 = c3 * v10 + v5 * v18;
-    const wide s23_pp = w2_pp * (v33 * v40);
-    const wide v41 = c3 * v11;
-    const wide s23_pm = w2_pm * (v34 * (v41 + v5 * v19));
-    const wide s23_mp = w2_mp * (v35 * (v5 * -v19 - v41));
-    const wide v42 = w2_mm * (v36 * v40), v43 = w1 * (v2 * (T23 * Y1 - T13 * wx));
-    const wide X4_pp = T33 * s23_pp - c23_pp * v43, X4_pm = T33 * s23_pm - c23_pm * v43;
-    const wide X4_mp = T33 * s23_mp - v39 * v43, X4_mm = c23_mm * v43 - T33 * v42;
-    const wide Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const wide v44 = Y4 * Y4, v45 = v44 + X4_pp * X4_pp, v46 = v44 + X4_pm * X4_pm;
-    const wide v47 = v44 + X4_mp * X4_mp, v48 = v44 + X4_mm * X4_mm;
-    const wide angle7 = atan2_wide(Y4, -X4_pp), angle8 = atan2_wide(Y4, -X4_pm);
-    const wide angle9 = atan2_wide(-Y4, -X4_mp), angle10 = atan2_wide(-Y4, -X4_mm);
-    const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v50 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle7 - v49, q4_pmm = angle8 - v49, q4_mpm = angle9 - v50;
-    const wide q4_mmm = angle10 - v50;
+    const wide v37 = v5 * v10 - c3 * v18, c23_pp = w2_pp * (v33 * v37), v38 = v5 * v11,
+        c23_pm = w2_pm * (v34 * (c3 * v19 - v38)), v39 = w2_mp * (v35 * (v38 + c3 * -v19)),
+        c23_mm = w2_mm * (v36 * v37), v40 = c3 * v10 + v5 * v18, s23_pp = w2_pp * (v33 * v40),
+        v41 = c3 * v11, s23_pm = w2_pm * (v34 * (v41 + v5 * v19)),
+        s23_mp = w2_mp * (v35 * (v5 * -v19 - v41)), v42 = w2_mm * (v36 * v40),
+        v43 = w1 * (v2 * (T23 * Y1 - T13 * wx)), X4_pp = T33 * s23_pp - c23_pp * v43,
+        X4_pm = T33 * s23_pm - c23_pm * v43, X4_mp = T33 * s23_mp - v39 * v43,
+        X4_mm = c23_mm * v43 - T33 * v42, Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v44 = Y4 * Y4,
+        v45 = v44 + X4_pp * X4_pp, v46 = v44 + X4_pm * X4_pm, v47 = v44 + X4_mp * X4_mp,
+        v48 = v44 + X4_mm * X4_mm, angle7 = atan2_wide(Y4, -X4_pp), angle8 = atan2_wide(Y4, -X4_pm),
+        angle9 = atan2_wide(-Y4, -X4_mp), angle10 = atan2_wide(-Y4, -X4_mm),
+        v49 = h1 * copysign_wide(all_wide(half_turn), Y4),
+        v50 = h1 * copysign_wide(all_wide(half_turn), -Y4);
 
     /* theta5 */
-    const wide angle11 = atan2_wide(-sqrt_wide(v45), -(T33 * c23_pp + s23_pp * v43));
-    const wide angle12 = atan2_wide(-sqrt_wide(v46), -(T33 * c23_pm + s23_pm * v43));
-    const wide angle13 = atan2_wide(-sqrt_wide(v47), T33 * v39 + s23_mp * v43);
-    const wide angle14 = atan2_wide(-sqrt_wide(v48), -(T33 * c23_mm + v42 * v43));
+    const wide angle11 = atan2_wide(-sqrt_wide(v45), -(T33 * c23_pp + s23_pp * v43)),
+        angle12 = atan2_wide(-sqrt_wide(v46), -(T33 * c23_pm + s23_pm * v43)),
+        angle13 = atan2_wide(-sqrt_wide(v47), T33 * v39 + s23_mp * v43),
+        angle14 = atan2_wide(-sqrt_wide(v48), -(T33 * c23_mm + v42 * v43));
 
     /* theta6 */
-    const wide v51 = w1 * (v2 * (wx * T22 + Y1 * T12)), v52 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const wide v53 = w1 * (v2 * (wx * T21 + Y1 * T11)), v54 = w1 * (v2 * (Y1 * T21 - wx * T11));
-    const wide v55 = -X4_pp * v53 - Y4 * (c23_pp * v54 - s23_pp * T31);
-    const wide v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31);
-    const wide v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53;
-    const wide v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53;
-    const wide angle15 = atan2_wide(v55, -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp * T32));
-    const wide angle16 = atan2_wide(v56, -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm * T32));
-    const wide angle17 = atan2_wide(v57, Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp * v51);
-    const wide angle18 = atan2_wide(v58, Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51);
-    const wide q6_ppm = angle15 - h1 * copysign_wide(all_wide(half_turn), v55);
-    const wide q6_pmm = angle16 - h1 * copysign_wide(all_wide(half_turn), v56);
-    const wide q6_mpm = angle17 - h1 * copysign_wide(all_wide(half_turn), v57);
-    const wide q6_mmm = angle18 - h1 * copysign_wide(all_wide(half_turn), v58);
+    const wide v51 = w1 * (v2 * (wx * T22 + Y1 * T12)), v52 = w1 * (v2 * (Y1 * T22 - wx * T12)),
+        v53 = w1 * (v2 * (wx * T21 + Y1 * T11)), v54 = w1 * (v2 * (Y1 * T21 - wx * T11)),
+        v55 = -X4_pp * v53 - Y4 * (c23_pp * v54 - s23_pp * T31),
+        v56 = -X4_pm * v53 - Y4 * (c23_pm * v54 - s23_pm * T31),
+        v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53,
+        v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53,
+        angle15 = atan2_wide(v55, -X4_pp * v51 - Y4 * (c23_pp * v52 - s23_pp * T32)),
+        angle16 = atan2_wide(v56, -X4_pm * v51 - Y4 * (c23_pm * v52 - s23_pm * T32)),
+        angle17 = atan2_wide(v57, Y4 * (v39 * v52 - s23_mp * T32) - -X4_mp * v51),
+        angle18 = atan2_wide(v58, Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51);
 
     /* joint values */
-    const wide q1_ppp = angle1 + v3;
-    const wide q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), Y1) * h1);
-    const wide_mask doubt1 = (v48 <= m6) | ((v32 <= m5) | ((v47 <= m6) | ((v31 <= m5) | ((v46 <= m6)
-        | ((v30 <= m5) | ((v45 <= m6) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v28 <=
-        m5))))))));
+    const wide q1_ppp = angle1 + v3,
+        q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), Y1) * h1);
+    const wide_mask doubt1 = (v48 <= m6) | (v32 <= m5) | (v47 <= m6) | (v31 <= m5) | (v46 <= m6) |
+        (v30 <= m5) | (v45 <= m6) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v28 <= m5);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = q4_ppm; q[10] = -angle11; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = angle7 - v49; q[10] = -angle11;
+    q[11] = angle15 - h1 * copysign_wide(all_wide(half_turn), v55);
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle12;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v49; q[22] = -angle12;
+    q[23] = angle16 - h1 * copysign_wide(all_wide(half_turn), v56);
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = angle2; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = q4_mpm; q[34] = -angle13;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = angle9 - v50; q[34] = -angle13;
+    q[35] = angle17 - h1 * copysign_wide(all_wide(half_turn), v57);
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = angle6; q[38] = q3_pmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle14;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = angle10 - v50; q[46] = -angle14;
+    q[47] = angle18 - h1 * copysign_wide(all_wide(half_turn), v58);
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -617,64 +510,52 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double wx = T14 - d6 * T13;
-    const double Y1 = d6 * T23 - T24;
-    const double v1 = wx * wx + Y1 * Y1;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1),
+        v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
     /* theta3 */
-    const double Z1_3 = T34 - d6 * T33 - d1;
-    const double N3 = v1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3, v5 = k1 * (N3 - k2), v6 = k3 * v5, v7 = k1 * w3;
-    const double c3 = k3 * v7;
-    const double v8 = copysign(half_turn, -v5);
+    const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k1 * (N3 - k2),
+        v6 = k3 * v5, v7 = k1 * w3, c3 = k3 * v7, v8 = copysign(half_turn, -v5);
 
     /* theta2 */
-    const double v9 = d4 * c3;
-    const double Y1_2 = a2 + d4 * v6;
-    const double v10 = Z1_3 * Y1_2, v11 = w1 * v9;
+    const double v9 = d4 * c3, Y1_2 = a2 + d4 * v6, v10 = Z1_3 * Y1_2, v11 = w1 * v9;
     const four v12 = e1 * e2, v13 = v11 * v12 - v10;
     const double v14 = m4 + m3 * N3, v15 = Z1_3 * v14;
     const four S2 = w3 * (m3 * (w1 * v12)) - v15;
     const double v16 = w1 * Y1_2, v17 = Z1_3 * v9;
-    const four v18 = e2 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m3 * (e2 * Z1_3));
-    const four v22 = w1 * (e1 * v14), v23 = v21 + v22, v24 = S2 * S2 + v23 * v23;
-    const four w2 = sqrt_four(v24);
-    const four v25 = 1.0 / v24;
+    const four v18 = e2 * v17, v19 = e1 * v16, v20 = v18 + v19, v21 = w3 * (m3 * (e2 * Z1_3)),
+        v22 = w1 * (e1 * v14), v23 = v21 + v22, v24 = S2 * S2 + v23 * v23, w2 = sqrt_four(v24),
+        v25 = 1.0 / v24;
 
     /* theta4 */
-    const four v26 = e2 * c3;
-    const four c23 = w2 * (v25 * (v6 * v13 - v20 * v26));
-    const four s23 = w2 * (v25 * (v13 * v26 + v6 * v20));
+    const four v26 = e2 * c3, c23 = w2 * (v25 * (v6 * v13 - v20 * v26)),
+        s23 = w2 * (v25 * (v13 * v26 + v6 * v20));
     const double v27 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v27);
-    const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const double v28 = Y4 * Y4;
-    const four v29 = v28 + X4 * X4, v30 = e1 * Y4;
-    const four v31 = copysign_four(all_four(half_turn), v30) * h1;
+    const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v28 = Y4 * Y4;
+    const four v29 = v28 + X4 * X4, v30 = e1 * Y4,
+        v31 = copysign_four(all_four(half_turn), v30) * h1;
 
     /* theta6 */
-    const double v32 = w1 * (v2 * (wx * T22 + Y1 * T12)), v33 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const double v34 = w1 * (v2 * (wx * T21 + Y1 * T11)), v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const double v32 = w1 * (v2 * (wx * T22 + Y1 * T12)), v33 = w1 * (v2 * (Y1 * T22 - wx * T12)),
+        v34 = w1 * (v2 * (wx * T21 + Y1 * T11)), v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v24 <= m5) | (v29 <= m6);
 
-    const four angle3 = atan2_four(S2, -v23), angle4 = atan2_four(v30, -X4);
-    const four angle5 = atan2_four(-sqrt_four(v29), -(T33 * c23 + e1 * (s23 * v27)));
-    const four angle6 = atan2_four(v36, e1 * (-X4 * v32 - Y4 * (e1 * (c23 * v33) - s23 * T32)));
-    const four packed5 = atan2_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx });
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2));
-    const four q4_m = angle4 - v31;
-    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v36);
-    const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
+    const four angle3 = atan2_four(S2, -v23), angle4 = atan2_four(v30, -X4),
+        angle5 = atan2_four(-sqrt_four(v29), -(T33 * c23 + e1 * (s23 * v27))),
+        angle6 = atan2_four(v36, e1 * (-X4 * v32 - Y4 * (e1 * (c23 * v33) - s23 * T32))),
+        packed5 = atan2_four((four){ Y1, -v5, Y1, Y1 }, (four){ -wx, v7, -wx, -wx }),
+        angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2)), q4_m = angle4 - v31,
+        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v36),
+        q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -767,8 +648,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
         const double root1 = w1 * e1;
 
@@ -783,8 +664,7 @@ static void solve(
 
         /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
         const double Y1_2 = a2 + d4 * v2;
-        const double v4 = Z1_3 * Y1_2;
-        const double v5 = root1 * Y1_2;
+        const double v4 = Z1_3 * Y1_2, v5 = root1 * Y1_2;
 
         /* theta4, type 2: U4[3, 3] */
         const double v7 = T13 * c1 + T23 * s1;
@@ -792,10 +672,8 @@ static void solve(
         const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T22 * c1 - T12 * s1;
-        const double v10 = T12 * c1 + T22 * s1;
-        const double v12 = T21 * c1 - T11 * s1;
-        const double v13 = T11 * c1 + T21 * s1;
+        const double v9 = T22 * c1 - T12 * s1, v10 = T12 * c1 + T22 * s1, v12 = T21 * c1 - T11 * s1,
+            v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -811,29 +689,27 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + v6 * v6);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : -(v6 * factor2);
-            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double c2 = free2 ? cos(seed[1]) : -(v6 * factor2),
+                s2 = free2 ? sin(seed[1]) : S2 * factor2;
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
-            const double c23 = c3 * c2 + v2 * s2;
-            const double s23 = c3 * s2 - v2 * c2;
+            const double c23 = c3 * c2 + v2 * s2, s23 = c3 * s2 - v2 * c2;
             const double X4 = T33 * s23 - c23 * v7;
             const double w4 = sqrt(X4 * X4 + v8);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v11 = c23 * v10 - T32 * s23;
-            const double v14 = c23 * v13 - T31 * s23;
+            const double v11 = c23 * v10 - T32 * s23, v14 = c23 * v13 - T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5, type 3: U4[2, 3] and U4[1, 3] */
@@ -842,11 +718,7 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? ARM_6R_FREE_JOINT : ARM_6R_OK;
             }

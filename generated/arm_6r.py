@@ -624,9 +624,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v48 <= m6 or (v32 <= m5 or (v47 <= m6 or (v31 <= m5 or (v46 <= m6 or (v30 <= m5 or (v45 <=
-        m6 or (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart
-        < N3 and N3 < longest3_apart)) or v28 <= m5)))))))
+        v48 <= m6 or v32 <= m5 or v47 <= m6 or v31 <= m5 or v46 <= m6 or v30 <= m5 or v45 <= m6 or
+        v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3
+        and N3 < longest3_apart)) or v28 <= m5
     )
 
     # angles, side by side
@@ -1070,9 +1070,9 @@ def _in_tiles(T, q, status):
             v57 = Y4 * (v39 * v54 - s23_mp * T31) - -X4_mp * v53
             v58 = Y4 * (v42 * T31 - c23_mm * v54) - -X4_mm * v53
             doubt1 = (
-                v48 <= m6 or (v32 <= m5 or (v47 <= m6 or (v31 <= m5 or (v46 <= m6 or (v30 <= m5 or
-                (v45 <= m6 or (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or v28 <= m5)))))))
+                v48 <= m6 or v32 <= m5 or v47 <= m6 or v31 <= m5 or v46 <= m6 or v30 <= m5 or v45 <=
+                m6 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or v28 <= m5
             )
             work[272 + k] = Y1
             work[288 + k] = v3

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,7 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -183,16 +148,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -269,6 +224,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -304,23 +261,14 @@ static const double weight[5] = { 1.0, 0.25, 1.0, 0.25, 1.0 };
 
 void bartell_rprpr_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = c1 * c3;
-    const double x3_y = s1 * c3;
-    const double T13_ = c1 * s3;
-    const double T23_ = s1 * s3;
-    const double T14_ = s1 * q[1] + T13_ * q[3];
-    const double T24_ = T23_ * q[3] - c1 * q[1];
-    const double T34_ = d1 - c3 * q[3];
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x3_x * c5 + s1 * s5;
-    const double T21_ = x3_y * c5 - c1 * s5;
-    const double T31_ = s3 * c5;
-    const double T12_ = s1 * c5 - x3_x * s5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = c1 * c3, x3_y = s1 * c3;
+    const double T13_ = c1 * s3, T23_ = s1 * s3, T14_ = s1 * q[1] + T13_ * q[3],
+        T24_ = T23_ * q[3] - c1 * q[1], T34_ = d1 - c3 * q[3];
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x3_x * c5 + s1 * s5, T21_ = x3_y * c5 - c1 * s5, T31_ = s3 * c5,
+        T12_ = s1 * c5 - x3_x * s5;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(c1 * c5 + x3_y * s5); T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = -(s3 * s5); T[10] = -c3; T[11] = T34_;
@@ -330,15 +278,11 @@ void bartell_rprpr_fk(const double q[5], double T[16])
 
 void bartell_rprpr_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p2_x = s1 * q[1];
     const double v1 = c1 * q[1];
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double J14 = c1 * s3;
-    const double J24 = s1 * s3;
-    const double J21 = p2_x + J14 * q[3];
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double J14 = c1 * s3, J24 = s1 * s3, J21 = p2_x + J14 * q[3];
     const double p4_y = J24 * q[3] - v1;
     const double v2 = d1 - c3 * q[3] - d1;
     const double J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x);
@@ -354,13 +298,16 @@ void bartell_rprpr_jacobian(const double q[5], double J[30])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -404,62 +351,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
 {
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T34 - d1;
-    const wide X2_1 = v1 * T23 - T24 * T33;
-    const wide Y2_1 = v1 * T13 - T33 * T14;
-    const wide v2 = copysign_wide(all_wide(second_weight), X2_1 * T13 - T23 * Y2_1);
-    const wide v3 = T13 + X2_1 * v2, v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4;
-    const wide w1 = sqrt_wide(v5);
-    const wide v6 = 1.0 / v5;
-    const wide factor1 = w1 * v6;
-    const wide v7 = v3 * factor1;
-    const wide s1 = v4 * factor1;
-    const wide angle1 = atan2_wide(v4, -v3);
-    const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), v4) * h1;
+    const wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
+        v2 = copysign_wide(all_wide(second_weight), X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
+        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt_wide(v5), v6 = 1.0 / v5,
+        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, angle1 = atan2_wide(v4, -v3);
 
     /* r2 */
     const wide q2_p = w1 * (v6 * (T24 * v3 + T14 * v4));
 
     /* theta3 */
-    const wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3));
-    const wide v8 = T33 * T33 + Z2_3 * Z2_3;
-    const wide w3 = sqrt_wide(v8);
-    const wide v9 = 1.0 / v8;
-    const wide factor3 = w3 * v9;
-    const wide v10 = T33 * factor3;
-    const wide s3 = Z2_3 * factor3;
-    const wide angle2 = atan2_wide(Z2_3, -T33);
+    const wide Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v8 = T33 * T33 + Z2_3 * Z2_3,
+        w3 = sqrt_wide(v8), v9 = 1.0 / v8, factor3 = w3 * v9, v10 = T33 * factor3,
+        s3 = Z2_3 * factor3, angle2 = atan2_wide(Z2_3, -T33);
 
     /* r4 */
     const wide q4_p = w3 * (v9 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
 
     /* theta5 */
-    const wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)), v12 = w1 * (v6 * (v3 * T21 + v4 * T11));
-    const wide v13 = v12 * v12 + v11 * v11, v14 = sqrt_wide(v13) * (1.0 / v13);
-    const wide c5 = v11 * v14;
-    const wide s5 = v12 * v14;
-    const wide angle3 = atan2_wide(v12, v11);
-    const wide q5_m = angle3 - h1 * copysign_wide(all_wide(half_turn), v12);
+    const wide v11 = w1 * (v6 * (v3 * T22 + v4 * T12)), v12 = w1 * (v6 * (v3 * T21 + v4 * T11)),
+        v13 = v12 * v12 + v11 * v11, v14 = sqrt_wide(v13) * (1.0 / v13), c5 = v11 * v14,
+        s5 = v12 * v14, angle3 = atan2_wide(v12, v11);
 
     /* is the pose one that the arm can take? */
-    const wide v15 = v7 * v10, v16 = v7 * s3, v17 = s1 * v10, v18 = s1 * s3;
-    const wide v19 = T34 - (d1 + v10 * q4_p), v20 = T33 - v10, v21 = T32 + s3 * s5;
-    const wide v22 = T31 - s3 * c5, v23 = T24 - (q4_p * v18 + v7 * q2_p), v24 = T23 - v18;
-    const wide v25 = T22 - (v7 * c5 + s5 * v17), v26 = T21 - (v7 * s5 - c5 * v17);
-    const wide v27 = T14 - (s1 * q2_p - q4_p * v16), v28 = T13 + v16;
-    const wide v29 = T11 - (c5 * v15 + s1 * s5), v30 = T12 - (s1 * c5 - s5 * v15);
+    const wide v15 = v7 * s3, v16 = s1 * s3, v17 = T34 - (d1 + v10 * q4_p), v18 = T33 - v10,
+        v19 = T31 - s3 * c5, v20 = T24 - (q4_p * v16 + v7 * q2_p), v21 = T23 - v16,
+        v22 = T21 - (v7 * s5 - c5 * (s1 * v10)), v23 = T14 - (s1 * q2_p - q4_p * v15),
+        v24 = T11 - (c5 * (v7 * v10) + s1 * s5), v25 = T13 + v15;
 
     /* joint values */
-    const wide_mask doubt1 = (v8 <= m3) | ((v5 <= m1) | ((v13 <= m3) | ((m5 < v30 * v30 + (v29 * v29
-        + (v28 * v28 + (v26 * v26 + (v25 * v25 + (v24 * v24 + (v22 * v22 + (v20 * v20 + v21 *
-        v21)))))))) | (m4 < v27 * v27 + (v19 * v19 + v23 * v23)))));
+    const wide_mask doubt1 = (v8 <= m3) | (v5 <= m1) | (v13 <= m3) | (m5 < v25 * v25 + (v24 * v24 +
+        (v22 * v22 + (v21 * v21 + (v18 * v18 + v19 * v19))))) | (m4 < v23 * v23 + (v17 * v17 + v20 *
+        v20));
 
     q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_m; q[6] = -q2_p; q[7] = -angle2; q[8] = q4_p; q[9] = q5_m;
+    q[5] = angle1 - copysign_wide(all_wide(half_turn), v4) * h1; q[6] = -q2_p; q[7] = -angle2;
+    q[8] = q4_p; q[9] = angle3 - h1 * copysign_wide(all_wide(half_turn), v12);
     kind[1] = kind_of(q[5] != q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -475,65 +405,48 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T34 - d1;
-    const double X2_1 = v1 * T23 - T24 * T33;
-    const double Y2_1 = v1 * T13 - T33 * T14;
-    const double v2 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2;
-    const double v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4;
-    const double w1 = sqrt(v5);
-    const double v6 = 1.0 / v5;
-    const double factor1 = w1 * v6;
-    const double v7 = v3 * factor1;
-    const double s1 = v4 * factor1;
-    const double v8 = copysign(half_turn, v4);
+    const double v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
+        v2 = copysign(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
+        v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt(v5), v6 = 1.0 / v5,
+        factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, v8 = copysign(half_turn, v4);
     const four v9 = m2 * (e1 - 1.0);
 
     /* r2 */
     const double r2 = w1 * (v6 * (T24 * v3 + T14 * v4));
 
     /* theta3 */
-    const double Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3));
-    const double v10 = T33 * T33 + Z2_3 * Z2_3;
-    const double w3 = sqrt(v10);
-    const double v11 = 1.0 / v10;
-    const double factor3 = w3 * v11;
-    const double v12 = T33 * factor3;
-    const double s3 = Z2_3 * factor3;
+    const double Z2_3 = w1 * (v6 * (T23 * v4 - T13 * v3)), v10 = T33 * T33 + Z2_3 * Z2_3,
+        w3 = sqrt(v10), v11 = 1.0 / v10, factor3 = w3 * v11, v12 = T33 * factor3,
+        s3 = Z2_3 * factor3;
 
     /* r4 */
     const double q4 = w3 * (v11 * ((T23 * s1 - T13 * v7) * (T24 * s1 - T14 * v7) - T33 * -v1));
 
     /* theta5 */
-    const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11));
-    const double v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15);
-    const double c5 = v13 * v16;
-    const double s5 = v14 * v16;
-    const double v17 = copysign(half_turn, v14);
+    const double v13 = w1 * (v6 * (v3 * T22 + v4 * T12)), v14 = w1 * (v6 * (v3 * T21 + v4 * T11)),
+        v15 = v14 * v14 + v13 * v13, v16 = sqrt(v15) * (1.0 / v15), c5 = v13 * v16, s5 = v14 * v16,
+        v17 = copysign(half_turn, v14);
 
     /* is the pose one that the arm can take? */
-    const double v18 = v7 * v12, v19 = v7 * s3, v20 = s1 * v12, v21 = s1 * s3;
-    const double v22 = T34 - (d1 + v12 * q4), v23 = T33 - v12, v24 = T32 + s3 * s5;
-    const double v25 = T31 - s3 * c5, v26 = T24 - (q4 * v21 + v7 * r2), v27 = T23 - v21;
-    const double v28 = T22 - (v7 * c5 + s5 * v20), v29 = T21 - (v7 * s5 - c5 * v20);
-    const double v30 = T14 - (s1 * r2 - q4 * v19), v31 = T13 + v19;
-    const double v32 = T11 - (c5 * v18 + s1 * s5), v33 = T12 - (s1 * c5 - s5 * v18);
+    const double v18 = v7 * s3, v19 = s1 * s3, v20 = T34 - (d1 + v12 * q4), v21 = T33 - v12,
+        v22 = T31 - s3 * c5, v23 = T24 - (q4 * v19 + v7 * r2), v24 = T23 - v19,
+        v25 = T21 - (v7 * s5 - c5 * (s1 * v12)), v26 = T14 - (s1 * r2 - q4 * v18),
+        v27 = T11 - (c5 * (v7 * v12) + s1 * s5), v28 = T13 + v18;
 
     /* joint values */
     const four q2 = e1 * r2;
-    const int doubt1 = (v10 <= m3) | ((v5 <= m1) | ((v15 <= m3) | ((m5 < v33 * v33 + (v32 * v32 +
-        (v31 * v31 + (v29 * v29 + (v28 * v28 + (v27 * v27 + (v25 * v25 + (v23 * v23 + v24 *
-        v24)))))))) | (m4 < v30 * v30 + (v22 * v22 + v26 * v26)))));
+    const int doubt1 = (v10 <= m3) | (v5 <= m1) | (v15 <= m3) | (m5 < v28 * v28 + (v27 * v27 + (v25
+        * v25 + (v24 * v24 + (v21 * v21 + v22 * v22))))) | (m4 < v26 * v26 + (v20 * v20 + v23 *
+        v23));
 
-    const four packed1 = atan2_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four q1 = angle1 + v8 * v9;
-    const four q5 = angle3 + v9 * v17;
-    const four q3 = e1 * angle2;
+    const four packed1 = atan2_four((four){ v4, Z2_3, v14, v4 }, (four){ -v3, -T33, v13, -v3 }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q1 = angle1 + v8 * v9, q5 = angle3 + v9 * v17, q3 = e1 * angle2;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -604,15 +517,14 @@ static void solve(
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2 */
     const double v1 = T34 - d1;
     const double X2_1 = T23 * v1 - T24 * T33;
     const double Y2_1 = T13 * v1 - T33 * T14;
-    const double v2 = copysign(second_weight, T13 * X2_1 - T23 * Y2_1);
-    const double v3 = T13 + X2_1 * v2;
-    const double v4 = Y2_1 * v2 - T23;
+    const double v2 = copysign(second_weight, T13 * X2_1 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
+        v4 = Y2_1 * v2 - T23;
     const double w1 = sqrt(v3 * v3 + v4 * v4);
     const int free1 = w1 <= free_limit;
     const double divisor1 = free1 ? 1.0 : w1;
@@ -625,8 +537,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(v3 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : v4 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(v3 * factor1),
+            s1 = free1 ? sin(seed[0]) : v4 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* r2, type 1: U1[2, 4] */
@@ -637,8 +549,8 @@ static void solve(
         const double w3 = sqrt(Z2_3 * Z2_3 + v5);
         const int free3 = w3 <= free_limit_squared;
         const double factor3 = 1.0 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : -(T33 * factor3);
-        const double s3 = free3 ? sin(seed[2]) : Z2_3 * factor3;
+        const double c3 = free3 ? cos(seed[2]) : -(T33 * factor3),
+            s3 = free3 ? sin(seed[2]) : Z2_3 * factor3;
         const double q3 = atan2(s3, c3);
 
         /* r4, type 1: U3[2, 4] */
@@ -650,29 +562,20 @@ static void solve(
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int free5 = w5 <= free_limit_squared;
         const double v6 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6);
-        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
+        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6),
+            s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
         const double q5 = atan2(s5, c5);
 
         /* is the pose one that the arm can take? */
-        const double v7 = c1 * c3;
-        const double v8 = c1 * s3;
-        const double v9 = s1 * c3;
-        const double v10 = s1 * s3;
-        if (!(fabs(T34 - (d1 - c3 * r4)) <= pose_slack1 && (fabs(T33 + c3) <= pose_slack &&
-            (fabs(T32 + s3 * s5) <= pose_slack && (fabs(T31 - s3 * c5) <= pose_slack && (fabs(T24 -
-            (r4 * v10 - c1 * r2)) <= pose_slack1 && (fabs(T23 - v10) <= pose_slack && (fabs(T22 +
-            (c1 * c5 + s5 * v9)) <= pose_slack && (fabs(T21 - (c5 * v9 - c1 * s5)) <= pose_slack &&
-            (fabs(T14 - (r4 * v8 + s1 * r2)) <= pose_slack1 && (fabs(T13 - v8) <= pose_slack &&
-            (fabs(T11 - (c5 * v7 + s1 * s5)) <= pose_slack && fabs(T12 - (s1 * c5 - s5 * v7)) <=
-            pose_slack))))))))))))
+        const double v7 = c1 * s3, v8 = s1 * s3;
+        if (!(fabs(T34 - (d1 - c3 * r4)) <= pose_slack1 && fabs(T33 + c3) <= pose_slack && fabs(T31
+            - s3 * c5) <= pose_slack && fabs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 && fabs(T23 -
+            v8) <= pose_slack && fabs(T21 - (c5 * (s1 * c3) - c1 * s5)) <= pose_slack && fabs(T14 -
+            (r4 * v7 + s1 * r2)) <= pose_slack1 && fabs(T11 - (c5 * (c1 * c3) + s1 * s5)) <=
+            pose_slack && fabs(T13 - v7) <= pose_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = r2;
-        q[row][2] = q3;
-        q[row][3] = r4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = r2; q[row][2] = q3; q[row][3] = r4; q[row][4] = q5;
         status[row] = (free1 || free3 || free5) ? BARTELL_RPRPR_FREE_JOINT : BARTELL_RPRPR_OK;
     }
 }

@@ -239,7 +239,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
     v1 = T34 - d1
@@ -291,18 +291,14 @@ def _solve(pose, seed, q, status):
         q5 = _atan2(s5, c5)
 
         # is the pose one that the arm can take?
-        v7 = c1 * c3
-        v8 = c1 * s3
-        v9 = s1 * c3
-        v10 = s1 * s3
+        v7 = c1 * s3
+        v8 = s1 * s3
         if (
-            not (abs(T34 - (d1 - c3 * r4)) <= pose_slack1 and (abs(T33 + c3) <= pose_slack and
-            (abs(T32 + s3 * s5) <= pose_slack and (abs(T31 - s3 * c5) <= pose_slack and (abs(T24 -
-            (r4 * v10 - c1 * r2)) <= pose_slack1 and (abs(T23 - v10) <= pose_slack and (abs(T22 +
-            (c1 * c5 + s5 * v9)) <= pose_slack and (abs(T21 - (c5 * v9 - c1 * s5)) <= pose_slack and
-            (abs(T14 - (r4 * v8 + s1 * r2)) <= pose_slack1 and (abs(T13 - v8) <= pose_slack and
-            (abs(T11 - (c5 * v7 + s1 * s5)) <= pose_slack and abs(T12 - (s1 * c5 - s5 * v7)) <=
-            pose_slack)))))))))))
+            not (abs(T34 - (d1 - c3 * r4)) <= pose_slack1 and abs(T33 + c3) <= pose_slack and
+            abs(T31 - s3 * c5) <= pose_slack and abs(T24 - (r4 * v8 - c1 * r2)) <= pose_slack1 and
+            abs(T23 - v8) <= pose_slack and abs(T21 - (c5 * (s1 * c3) - c1 * s5)) <= pose_slack and
+            abs(T14 - (r4 * v7 + s1 * r2)) <= pose_slack1 and abs(T11 - (c5 * (c1 * c3) + s1 * s5))
+            <= pose_slack and abs(T13 - v7) <= pose_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -401,7 +397,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
@@ -442,28 +438,22 @@ def _regular(pose, q, status):
     s5 = v12 * v14
 
     # is the pose one that the arm can take?
-    v15 = v7 * v10
-    v16 = v7 * s3
-    v17 = s1 * v10
-    v18 = s1 * s3
-    v19 = T34 - (d1 + v10 * q4_p)
-    v20 = T33 - v10
-    v21 = T32 + s3 * s5
-    v22 = T31 - s3 * c5
-    v23 = T24 - (q4_p * v18 + v7 * q2_p)
-    v24 = T23 - v18
-    v25 = T22 - (v7 * c5 + s5 * v17)
-    v26 = T21 - (v7 * s5 - c5 * v17)
-    v27 = T14 - (s1 * q2_p - q4_p * v16)
-    v28 = T13 + v16
-    v29 = T11 - (c5 * v15 + s1 * s5)
-    v30 = T12 - (s1 * c5 - s5 * v15)
+    v15 = v7 * s3
+    v16 = s1 * s3
+    v17 = T34 - (d1 + v10 * q4_p)
+    v18 = T33 - v10
+    v19 = T31 - s3 * c5
+    v20 = T24 - (q4_p * v16 + v7 * q2_p)
+    v21 = T23 - v16
+    v22 = T21 - (v7 * s5 - c5 * (s1 * v10))
+    v23 = T14 - (s1 * q2_p - q4_p * v15)
+    v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
+    v25 = T13 + v15
 
     # joint values
     doubt1 = (
-        v8 <= m3 or (v5 <= m1 or (v13 <= m3 or (m5 < v30 * v30 + (v29 * v29 + (v28 * v28 + (v26 *
-        v26 + (v25 * v25 + (v24 * v24 + (v22 * v22 + (v20 * v20 + v21 * v21))))))) or m4 < v27 * v27
-        + (v19 * v19 + v23 * v23))))
+        v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v25 * v25 + (v24 * v24 + (v22 * v22 + (v21 * v21 +
+        (v18 * v18 + v19 * v19)))) or m4 < v23 * v23 + (v17 * v17 + v20 * v20)
     )
 
     # angles, side by side
@@ -715,7 +705,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T34 - d1
@@ -745,26 +734,20 @@ def _in_tiles(T, q, status):
             v14 = math.sqrt(v13) * (1.0 / v13)
             c5 = v11 * v14
             s5 = v12 * v14
-            v15 = v7 * v10
-            v16 = v7 * s3
-            v17 = s1 * v10
-            v18 = s1 * s3
-            v19 = T34 - (d1 + v10 * q4_p)
-            v20 = T33 - v10
-            v21 = T32 + s3 * s5
-            v22 = T31 - s3 * c5
-            v23 = T24 - (q4_p * v18 + v7 * q2_p)
-            v24 = T23 - v18
-            v25 = T22 - (v7 * c5 + s5 * v17)
-            v26 = T21 - (v7 * s5 - c5 * v17)
-            v27 = T14 - (s1 * q2_p - q4_p * v16)
-            v28 = T13 + v16
-            v29 = T11 - (c5 * v15 + s1 * s5)
-            v30 = T12 - (s1 * c5 - s5 * v15)
+            v15 = v7 * s3
+            v16 = s1 * s3
+            v17 = T34 - (d1 + v10 * q4_p)
+            v18 = T33 - v10
+            v19 = T31 - s3 * c5
+            v20 = T24 - (q4_p * v16 + v7 * q2_p)
+            v21 = T23 - v16
+            v22 = T21 - (v7 * s5 - c5 * (s1 * v10))
+            v23 = T14 - (s1 * q2_p - q4_p * v15)
+            v24 = T11 - (c5 * (v7 * v10) + s1 * s5)
+            v25 = T13 + v15
             doubt1 = (
-                v8 <= m3 or (v5 <= m1 or (v13 <= m3 or (m5 < v30 * v30 + (v29 * v29 + (v28 * v28 +
-                (v26 * v26 + (v25 * v25 + (v24 * v24 + (v22 * v22 + (v20 * v20 + v21 * v21))))))) or
-                m4 < v27 * v27 + (v19 * v19 + v23 * v23))))
+                v8 <= m3 or v5 <= m1 or v13 <= m3 or m5 < v25 * v25 + (v24 * v24 + (v22 * v22 + (v21
+                * v21 + (v18 * v18 + v19 * v19)))) or m4 < v23 * v23 + (v17 * v17 + v20 * v20)
             )
             work[272 + k] = v4
             work[288 + k] = q2_p

@@ -203,9 +203,7 @@ def _regular(pose, q, status):
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
     # joint values
-    outside = (
-        T14 < low3 or high3 < T14 or (T34 < low1 or high1 < T34 or (T24 < low2 or high2 < T24))
-    )
+    outside = T14 < low3 or high3 < T14 or T34 < low1 or high1 < T34 or T24 < low2 or high2 < T24
     q[0, 0] = T34
     q[0, 1] = T24
     q[0, 2] = T14
@@ -395,8 +393,7 @@ def _in_tiles(T, q, status):
             T24 = work[112 + k]
             T34 = work[176 + k]
             outside = (
-                T14 < low3 or high3 < T14 or (T34 < low1 or high1 < T34 or (T24 < low2 or high2 <
-                T24))
+                T14 < low3 or high3 < T14 or T34 < low1 or high1 < T34 or T24 < low2 or high2 < T24
             )
             _272 = T34
             work[272 + k] = _272

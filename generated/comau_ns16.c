@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -274,6 +231,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -350,55 +309,37 @@ static const double highest[6] = { 3.14159, 1.658, 1.9198, 6.2831853, 3.14159, 6
 
 void comau_ns16_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
+    const double c2 = cos(v1), s2 = sin(v1);
     const double x2_x = c1 * c2;
     const double v2 = s1 * c2;
     const double y2_x = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
+    const double v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v5 = v2 * c3 + v3 * s3;
     const double x3_z = c2 * s3 - s2 * c3;
-    const double z3_x = y2_x * c3 - x2_x * s3;
-    const double z3_y = v2 * s3 - v3 * c3;
-    const double z3_z = c2 * c3 + s2 * s3;
+    const double z3_x = y2_x * c3 - x2_x * s3, z3_y = v2 * s3 - v3 * c3, z3_z = c2 * c3 + s2 * s3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = c1 * s4 - v5 * c4;
-    const double x4_z = x3_z * c4;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = c1 * s4 - v5 * c4, x4_z = x3_z * c4;
     const double v7 = c1 * c4 + v5 * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_x = x3_x * s4 - s1 * c4;
+    const double z4_z = x3_z * s4, z4_x = x3_x * s4 - s1 * c4;
     const double v8 = q[4] + offset5;
-    const double c5 = cos(v8);
-    const double s5 = sin(v8);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = z3_x * c5 - x4_x * s5;
-    const double T23_ = z3_y * c5 - x4_y * s5;
-    const double T33_ = z3_z * c5 - x4_z * s5;
+    const double c5 = cos(v8), s5 = sin(v8);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
+        T33_ = z3_z * c5 - x4_z * s5;
     const double v9 = q[5] + offset6;
-    const double c6 = cos(v9);
-    const double s6 = sin(v9);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 - v7 * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T22_ = v7 * c6 + x5_y * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 - z3_x * d4 - -T13_ *
-        d6;
-    const double T24_ = c1 * d3 - (s1 * a1 + v2 * a2 + c1 * d2 + v5 * a3) - z3_y * d4 - -T23_ * d6;
-    const double T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T33_ * d6;
-    const double T12_ = x5_x * s6 - z4_x * c6;
-    const double T32_ = x5_z * s6 - z4_z * c6;
+    const double c6 = cos(v9), s6 = sin(v9);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 - v7 * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T22_ = v7 * c6 + x5_y * s6,
+        T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 - z3_x * d4 - -T13_ * d6,
+        T24_ = c1 * d3 - (s1 * a1 + v2 * a2 + c1 * d2 + v5 * a3) - z3_y * d4 - -T23_ * d6,
+        T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T33_ * d6, T12_ = x5_x * s6 - z4_x * c6,
+        T32_ = x5_z * s6 - z4_z * c6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -408,70 +349,46 @@ void comau_ns16_fk(const double q[6], double T[16])
 
 void comau_ns16_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p1_x = c1 * a1;
-    const double v1 = s1 * a1;
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
+    const double v1 = s1 * a1, v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2);
     const double x2_x = c1 * c2;
     const double v3 = s1 * c2;
     const double y2_x = c1 * s2;
     const double v4 = s1 * s2;
-    const double p2_z = d1 - s2 * a2;
-    const double p2_x = p1_x + x2_x * a2 - s1 * d2;
-    const double v5 = v1 + v3 * a2 + c1 * d2;
-    const double v6 = q[2] + offset3;
-    const double c3 = cos(v6);
-    const double s3 = sin(v6);
+    const double p2_z = d1 - s2 * a2, p2_x = p1_x + x2_x * a2 - s1 * d2;
+    const double v5 = v1 + v3 * a2 + c1 * d2, v6 = q[2] + offset3;
+    const double c3 = cos(v6), s3 = sin(v6);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v7 = v3 * c3 + v4 * s3;
     const double x3_z = c2 * s3 - s2 * c3;
-    const double J44 = y2_x * c3 - x2_x * s3;
-    const double J54 = v3 * s3 - v4 * c3;
-    const double J64 = c2 * c3 + s2 * s3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double p3_x = p2_x + x3_x * a3 + s1 * d3;
-    const double p3_y = c1 * d3 - (v5 + v7 * a3);
+    const double J44 = y2_x * c3 - x2_x * s3, J54 = v3 * s3 - v4 * c3, J64 = c2 * c3 + s2 * s3;
+    const double p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 + s1 * d3,
+        p3_y = c1 * d3 - (v5 + v7 * a3);
     const double v8 = q[3] + offset4;
-    const double c4 = cos(v8);
-    const double s4 = sin(v8);
+    const double c4 = cos(v8), s4 = sin(v8);
     const double v9 = c1 * c4 + v7 * s4;
     const double J65 = x3_z * s4;
-    const double p4_x = p3_x - J44 * d4;
-    const double p4_y = p3_y - J54 * d4;
-    const double p4_z = p3_z - J64 * d4;
+    const double p4_x = p3_x - J44 * d4, p4_y = p3_y - J54 * d4, p4_z = p3_z - J64 * d4;
     const double J45 = x3_x * s4 - s1 * c4;
     const double v10 = q[4] + offset5;
-    const double c5 = cos(v10);
-    const double s5 = sin(v10);
-    const double J46 = (x3_x * c4 + s1 * s4) * s5 - J44 * c5;
-    const double J56 = (c1 * s4 - v7 * c4) * s5 - J54 * c5;
-    const double J66 = x3_z * c4 * s5 - J64 * c5;
+    const double c5 = cos(v10), s5 = sin(v10);
+    const double J46 = (x3_x * c4 + s1 * s4) * s5 - J44 * c5,
+        J56 = (c1 * s4 - v7 * c4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5;
     const double p6_x = p4_x - J46 * d6;
     const double J11 = p4_y - J56 * d6;
     const double p6_z = p4_z - J66 * d6;
     const double v11 = p6_z - d1;
-    const double J12 = c1 * v11;
-    const double J32 = s1 * (v1 + J11) - c1 * (p6_x - p1_x);
+    const double J12 = c1 * v11, J32 = s1 * (v1 + J11) - c1 * (p6_x - p1_x);
     const double v12 = p6_z - p2_z;
-    const double J23 = s1 * v12;
-    const double J33 = c1 * (p6_x - p2_x) - s1 * (v5 + J11);
-    const double v13 = p6_x - p3_x;
-    const double v14 = J11 - p3_y;
-    const double v15 = p6_z - p3_z;
-    const double J14 = J54 * v15 - J64 * v14;
-    const double J24 = J64 * v13 - J44 * v15;
-    const double J34 = J44 * v14 - J54 * v13;
-    const double v16 = p6_x - p4_x;
-    const double v17 = J11 - p4_y;
-    const double v18 = p6_z - p4_z;
-    const double J25 = J65 * v16 - J45 * v18;
-    const double J35 = J45 * v17 + v9 * v16;
-    const double J16 = J56 * v18 - J66 * v17;
-    const double J26 = J66 * v16 - J46 * v18;
-    const double J36 = J46 * v17 - J56 * v16;
+    const double J23 = s1 * v12, J33 = c1 * (p6_x - p2_x) - s1 * (v5 + J11);
+    const double v13 = p6_x - p3_x, v14 = J11 - p3_y, v15 = p6_z - p3_z;
+    const double J14 = J54 * v15 - J64 * v14, J24 = J64 * v13 - J44 * v15,
+        J34 = J44 * v14 - J54 * v13;
+    const double v16 = p6_x - p4_x, v17 = J11 - p4_y, v18 = p6_z - p4_z;
+    const double J25 = J65 * v16 - J45 * v18, J35 = J45 * v17 + v9 * v16,
+        J16 = J56 * v18 - J66 * v17, J26 = J66 * v16 - J46 * v18, J36 = J46 * v17 - J56 * v16;
     J[0] = J11; J[1] = J12; J[2] = -(c1 * v12); J[3] = J14; J[4] = -(v9 * v18 + J65 * v17);
     J[5] = J16;
     J[6] = -p6_x; J[7] = -(s1 * v11); J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -485,13 +402,16 @@ void comau_ns16_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -538,171 +458,142 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = d6 * T23 - T24;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (k1 * wy);
-    const wide c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1);
-    const wide v2 = inverse1 * (k1 * X1);
-    const wide s1_p = v2 + w1 * (wy * inverse1), s1_m = v2 + w1 * (inverse1 * -wy);
-    const wide angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, c1_m);
+    const wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * wy),
+        c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1),
+        v2 = inverse1 * (k1 * X1), s1_p = v2 + w1 * (wy * inverse1),
+        s1_m = v2 + w1 * (inverse1 * -wy), angle1 = atan2_wide(s1_p, c1_p),
+        angle2 = atan2_wide(s1_m, c1_m);
 
     /* theta3 */
-    const wide Z1_3 = d1 + (d6 * T33 - T34);
-    const wide Z2_3_p = w1 - a1;
-    const wide v3 = a1 + w1, v4 = Z1_3 * Z1_3;
-    const wide N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide Z1_3 = d1 + (d6 * T33 - T34), Z2_3_p = w1 - a1, v3 = a1 + w1, v4 = Z1_3 * Z1_3,
+        N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
 
     /* theta2 */
-    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m;
-    const wide v5 = Z1_3 * X1_2_p, v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m;
-    const wide v9 = m1 * Z1_3;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide X1_2_p = m2 + m1 * N3_p, X1_2_m = m2 + m1 * N3_m, v5 = Z1_3 * X1_2_p,
+        v6 = Z1_3 * X1_2_m, v7 = Z2_3_p * X1_2_p, v8 = v3 * X1_2_m, v9 = m1 * Z1_3,
+        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v10 = m3 * Z1_3, v11 = v10 - m4 * Z2_3_p, v12 = m4 - m5 * factor2_p;
-    const wide v13 = m4 - m5 * factor2_m, v14 = m3 - m6 * factor2_p, v15 = m3 - m6 * factor2_m;
-    const wide v16 = Z1_3 * v12 + Z2_3_p * v14, v17 = Z1_3 * v13 - v3 * v15;
-    const wide c2m3_pp = v16 + w3_p * (factor2_p * v11), c2m3_pm = v16 + w3_p * (factor2_p * -v11);
-    const wide v18 = w3_m * (factor2_m * (v10 + m4 * v3));
-    const wide c2m3_mp = v17 + v18, c2m3_mm = v17 - v18;
-    const wide v19 = m4 * Z1_3, v20 = v19 - m3 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12;
-    const wide v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p));
-    const wide s2m3_pp = v21 - v23, s2m3_pm = v21 + v23, s2m3_mp = v22 - w3_m * (factor2_m * v20);
-    const wide s2m3_mm = v22 - w3_m * (factor2_m * -v20);
-    const wide v24 = T13 * c1_p - T23 * s1_p, v25 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v24, X4_pm = T33 * s2m3_pm - c2m3_pm * v24;
-    const wide X4_mp = T33 * s2m3_mp - c2m3_mp * v25, X4_mm = T33 * s2m3_mm - c2m3_mm * v25;
-    const wide Y4_p = T23 * c1_p + T13 * s1_p, Y4_m = T23 * c1_m + T13 * s1_m;
-    const wide v26 = Y4_p * Y4_p, v27 = Y4_m * Y4_m, v28 = v26 + X4_pp * X4_pp;
-    const wide v29 = v26 + X4_pm * X4_pm, v30 = v27 + X4_mp * X4_mp, v31 = v27 + X4_mm * X4_mm;
+    const wide v10 = m3 * Z1_3, v11 = v10 - m4 * Z2_3_p, v12 = m4 - m5 * factor2_p,
+        v13 = m4 - m5 * factor2_m, v14 = m3 - m6 * factor2_p, v15 = m3 - m6 * factor2_m,
+        v16 = Z1_3 * v12 + Z2_3_p * v14, v17 = Z1_3 * v13 - v3 * v15,
+        c2m3_pp = v16 + w3_p * (factor2_p * v11), c2m3_pm = v16 + w3_p * (factor2_p * -v11),
+        v18 = w3_m * (factor2_m * (v10 + m4 * v3)), c2m3_mp = v17 + v18, c2m3_mm = v17 - v18,
+        v19 = m4 * Z1_3, v20 = v19 - m3 * v3, v21 = Z1_3 * v14 + Z2_3_p * -v12,
+        v22 = Z1_3 * v15 - v3 * -v13, v23 = w3_p * (factor2_p * (v19 + m3 * Z2_3_p)),
+        s2m3_pp = v21 - v23, s2m3_pm = v21 + v23, s2m3_mp = v22 - w3_m * (factor2_m * v20),
+        s2m3_mm = v22 - w3_m * (factor2_m * -v20), v24 = T13 * c1_p - T23 * s1_p,
+        v25 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v24,
+        X4_pm = T33 * s2m3_pm - c2m3_pm * v24, X4_mp = T33 * s2m3_mp - c2m3_mp * v25,
+        X4_mm = T33 * s2m3_mm - c2m3_mm * v25, Y4_p = T23 * c1_p + T13 * s1_p,
+        Y4_m = T23 * c1_m + T13 * s1_m, v26 = Y4_p * Y4_p, v27 = Y4_m * Y4_m,
+        v28 = v26 + X4_pp * X4_pp, v29 = v26 + X4_pm * X4_pm, v30 = v27 + X4_mp * X4_mp,
+        v31 = v27 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v32 = c1_p * T22 + s1_p * T12, v33 = c1_m * T22 + s1_m * T12;
-    const wide v34 = c1_p * T12 - s1_p * T22, v35 = c1_m * T12 - s1_m * T22;
-    const wide v36 = c1_p * T21 + s1_p * T11, v37 = c1_m * T21 + s1_m * T11;
-    const wide v38 = c1_p * T11 - s1_p * T21, v39 = c1_m * T11 - s1_m * T21;
-    const wide s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp;
-    const wide s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm;
-    const wide s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp;
-    const wide s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm;
+    const wide v32 = c1_p * T22 + s1_p * T12, v33 = c1_m * T22 + s1_m * T12,
+        v34 = c1_p * T12 - s1_p * T22, v35 = c1_m * T12 - s1_m * T22, v36 = c1_p * T21 + s1_p * T11,
+        v37 = c1_m * T21 + s1_m * T11, v38 = c1_p * T11 - s1_p * T21, v39 = c1_m * T11 - s1_m * T21,
+        s6_pp = Y4_p * (c2m3_pp * v38 - s2m3_pp * T31) - v36 * -X4_pp,
+        s6_pm = Y4_p * (c2m3_pm * v38 - s2m3_pm * T31) - v36 * -X4_pm,
+        s6_mp = Y4_m * (c2m3_mp * v39 - s2m3_mp * T31) - v37 * -X4_mp,
+        s6_mm = Y4_m * (c2m3_mm * v39 - s2m3_mm * T31) - v37 * -X4_mm;
 
     /* joint values */
-    const wide v40 = w3_p * v9;
-    const wide angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40);
-    const wide v41 = angle3 - offset2;
-    const wide angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40);
-    const wide v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9;
-    const wide angle5 = atan2_wide(v6 - v43, -(v8 + v44));
-    const wide v45 = angle5 - offset2;
-    const wide angle6 = atan2_wide(v6 + v43, v44 - v8);
-    const wide v46 = angle6 - offset2;
-    const wide q2_ppp = v41 - only_wide(half_turn < v41, m8);
-    const wide q2_pmp = v42 - only_wide(half_turn < v42, m8);
-    const wide q2_mpp = v45 - only_wide(half_turn < v45, m8);
-    const wide q2_mmp = v46 - only_wide(half_turn < v46, m8);
-    const wide angle7 = atan2_wide(w3_p, N3_p - k6), angle8 = atan2_wide(w3_m, N3_m - k6);
-    const wide v47 = angle7 - turn1 - offset3, v48 = offset3 + (turn1 + angle7);
-    const wide v49 = angle8 - turn1 - offset3, v50 = offset3 + (turn1 + angle8);
-    const wide q3_ppp = v47 + only_wide(v47 <= -half_turn, m8);
-    const wide q3_pmp = only_wide(-v48 <= -half_turn, m8) - v48;
-    const wide q3_mpp = v49 + only_wide(v49 <= -half_turn, m8);
-    const wide q3_mmp = only_wide(-v50 <= -half_turn, m8) - v50;
-    const wide angle9 = atan2_wide(Y4_p, -X4_pp), angle10 = atan2_wide(Y4_p, -X4_pm);
-    const wide angle11 = atan2_wide(Y4_m, -X4_mp), angle12 = atan2_wide(Y4_m, -X4_mm);
-    const wide v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1, v53 = angle9 - offset4;
-    const wide v54 = angle9 - v51 - offset4, v55 = angle10 - offset4, v56 = angle10 - v51 - offset4;
-    const wide v57 = angle11 - offset4, v58 = angle11 - v52 - offset4, v59 = angle12 - offset4;
-    const wide v60 = angle12 - v52 - offset4;
-    const wide q4_ppp = v53 + only_wide(v53 <= -half_turn, m8);
-    const wide q4_ppm = v54 + only_wide(v54 <= -half_turn, m8);
-    const wide q4_pmp = v55 + only_wide(v55 <= -half_turn, m8);
-    const wide q4_pmm = v56 + only_wide(v56 <= -half_turn, m8);
-    const wide q4_mpp = v57 + only_wide(v57 <= -half_turn, m8);
-    const wide q4_mpm = v58 + only_wide(v58 <= -half_turn, m8);
-    const wide q4_mmp = v59 + only_wide(v59 <= -half_turn, m8);
-    const wide q4_mmm = v60 + only_wide(v60 <= -half_turn, m8);
-    const wide angle13 = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24);
-    const wide angle14 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24);
-    const wide angle15 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25);
-    const wide angle16 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25);
-    const wide v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5;
-    const wide v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15;
-    const wide v67 = angle16 - offset5, v68 = offset5 + angle16;
-    const wide q5_ppp = v61 + only_wide(v61 <= -half_turn, m8);
-    const wide q5_ppm = only_wide(-v62 <= -half_turn, m8) - v62;
-    const wide q5_pmp = v63 + only_wide(v63 <= -half_turn, m8);
-    const wide q5_pmm = only_wide(-v64 <= -half_turn, m8) - v64;
-    const wide q5_mpp = v65 + only_wide(v65 <= -half_turn, m8);
-    const wide q5_mpm = only_wide(-v66 <= -half_turn, m8) - v66;
-    const wide q5_mmp = v67 + only_wide(v67 <= -half_turn, m8);
-    const wide q5_mmm = only_wide(-v68 <= -half_turn, m8) - v68;
-    const wide angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32));
-    const wide angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32));
-    const wide angle19 = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32));
-    const wide angle20 = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32));
-    const wide v69 = angle17 - offset6;
-    const wide v70 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6;
-    const wide v71 = angle18 - offset6;
-    const wide v72 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6;
-    const wide v73 = angle19 - offset6;
-    const wide v74 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6;
-    const wide v75 = angle20 - offset6;
-    const wide v76 = angle20 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
-    const wide q6_ppp = v69 + only_wide(v69 <= -half_turn, m8);
-    const wide q6_ppm = v70 + only_wide(v70 <= -half_turn, m8);
-    const wide q6_pmp = v71 + only_wide(v71 <= -half_turn, m8);
-    const wide q6_pmm = v72 + only_wide(v72 <= -half_turn, m8);
-    const wide q6_mpp = v73 + only_wide(v73 <= -half_turn, m8);
-    const wide q6_mpm = v74 + only_wide(v74 <= -half_turn, m8);
-    const wide q6_mmp = v75 + only_wide(v75 <= -half_turn, m8);
-    const wide q6_mmm = v76 + only_wide(v76 <= -half_turn, m8);
-    const wide_mask v77 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v78 = (angle2 < low1) | (high1 < angle2);
+    const wide v40 = w3_p * v9, angle3 = atan2_wide(v5 + w3_p * (m1 * Z2_3_p), v7 - v40),
+        v41 = angle3 - offset2, angle4 = atan2_wide(v5 + w3_p * (m1 * -Z2_3_p), v7 + v40),
+        v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9,
+        angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
+        angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2,
+        q2_ppp = v41 - only_wide(half_turn < v41, m8),
+        q2_pmp = v42 - only_wide(half_turn < v42, m8),
+        q2_mpp = v45 - only_wide(half_turn < v45, m8),
+        q2_mmp = v46 - only_wide(half_turn < v46, m8), angle7 = atan2_wide(w3_p, N3_p - k6),
+        angle8 = atan2_wide(w3_m, N3_m - k6), v47 = angle7 - turn1 - offset3,
+        v48 = offset3 + (turn1 + angle7), v49 = angle8 - turn1 - offset3,
+        v50 = offset3 + (turn1 + angle8), q3_ppp = v47 + only_wide(v47 <= -half_turn, m8),
+        q3_pmp = only_wide(-v48 <= -half_turn, m8) - v48,
+        q3_mpp = v49 + only_wide(v49 <= -half_turn, m8),
+        q3_mmp = only_wide(-v50 <= -half_turn, m8) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
+        angle10 = atan2_wide(Y4_p, -X4_pm), angle11 = atan2_wide(Y4_m, -X4_mp),
+        angle12 = atan2_wide(Y4_m, -X4_mm), v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
+        v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1, v53 = angle9 - offset4,
+        v54 = angle9 - v51 - offset4, v55 = angle10 - offset4, v56 = angle10 - v51 - offset4,
+        v57 = angle11 - offset4, v58 = angle11 - v52 - offset4, v59 = angle12 - offset4,
+        v60 = angle12 - v52 - offset4,
+        angle13 = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24),
+        angle14 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24),
+        angle15 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25),
+        angle16 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_mm + s2m3_mm * v25),
+        v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5,
+        v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15,
+        v67 = angle16 - offset5, v68 = offset5 + angle16,
+        q5_ppp = v61 + only_wide(v61 <= -half_turn, m8),
+        q5_ppm = only_wide(-v62 <= -half_turn, m8) - v62,
+        q5_pmp = v63 + only_wide(v63 <= -half_turn, m8),
+        q5_pmm = only_wide(-v64 <= -half_turn, m8) - v64,
+        q5_mpp = v65 + only_wide(v65 <= -half_turn, m8),
+        q5_mpm = only_wide(-v66 <= -half_turn, m8) - v66,
+        q5_mmp = v67 + only_wide(v67 <= -half_turn, m8),
+        q5_mmm = only_wide(-v68 <= -half_turn, m8) - v68,
+        angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)),
+        angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)),
+        angle19 = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)),
+        angle20 = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)),
+        v69 = angle17 - offset6,
+        v70 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6,
+        v71 = angle18 - offset6,
+        v72 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6,
+        v73 = angle19 - offset6,
+        v74 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6,
+        v75 = angle20 - offset6,
+        v76 = angle20 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
+    const wide_mask v77 = beyond(angle1, low1, high1), v78 = beyond(angle2, low1, high1);
     const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = angle2 + (w3_m - w3_m);
-    const wide_mask v79 = ((q3_ppp < low3) | (high3 < q3_ppp)) | (v77 | ((q2_ppp < low2) | (high2 <
-        q2_ppp)));
-    const wide_mask v80 = ((q3_pmp < low3) | (high3 < q3_pmp)) | (v77 | ((q2_pmp < low2) | (high2 <
-        q2_pmp)));
-    const wide_mask v81 = ((q3_mpp < low3) | (high3 < q3_mpp)) | (v78 | ((q2_mpp < low2) | (high2 <
-        q2_mpp)));
-    const wide_mask v82 = ((q3_mmp < low3) | (high3 < q3_mmp)) | (v78 | ((q2_mmp < low2) | (high2 <
-        q2_mmp)));
-    const wide_mask outside_ppp = v79 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v79 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v80 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v80 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v81 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v81 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v82 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v82 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((abs_wide(D1) <= k2) | ((N1
-        <= doubt_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) | ((v28 <= m7) | (v29 <= m7)))))))));
+    const wide_mask v79 = beyond(q3_ppp, low3, high3) | v77 | beyond(q2_ppp, low2, high2),
+        v80 = beyond(q3_pmp, low3, high3) | v77 | beyond(q2_pmp, low2, high2),
+        v81 = beyond(q3_mpp, low3, high3) | v78 | beyond(q2_mpp, low2, high2),
+        v82 = beyond(q3_mmp, low3, high3) | v78 | beyond(q2_mmp, low2, high2),
+        outside_ppp = v79 | beyond(q5_ppp, low5, high5),
+        outside_ppm = v79 | beyond(q5_ppm, low5, high5),
+        outside_pmp = v80 | beyond(q5_pmp, low5, high5),
+        outside_pmm = v80 | beyond(q5_pmm, low5, high5),
+        outside_mpp = v81 | beyond(q5_mpp, low5, high5),
+        outside_mpm = v81 | beyond(q5_mpm, low5, high5),
+        outside_mmp = v82 | beyond(q5_mmp, low5, high5),
+        outside_mmm = v82 | beyond(q5_mmm, low5, high5),
+        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
+            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) |
+            (N1 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v53 + only_wide(v53 <= -half_turn, m8);
+    q[4] = q5_ppp; q[5] = v69 + only_wide(v69 <= -half_turn, m8);
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v54 + only_wide(v54 <= -half_turn, m8);
+    q[10] = q5_ppm; q[11] = v70 + only_wide(v70 <= -half_turn, m8);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v55 + only_wide(v55 <= -half_turn, m8);
+    q[16] = q5_pmp; q[17] = v71 + only_wide(v71 <= -half_turn, m8);
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v56 + only_wide(v56 <= -half_turn, m8);
+    q[22] = q5_pmm; q[23] = v72 + only_wide(v72 <= -half_turn, m8);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = v57 + only_wide(v57 <= -half_turn, m8);
+    q[28] = q5_mpp; q[29] = v73 + only_wide(v73 <= -half_turn, m8);
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = v58 + only_wide(v58 <= -half_turn, m8);
+    q[34] = q5_mpm; q[35] = v74 + only_wide(v74 <= -half_turn, m8);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = v59 + only_wide(v59 <= -half_turn, m8);
+    q[40] = q5_mmp; q[41] = v75 + only_wide(v75 <= -half_turn, m8);
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = v60 + only_wide(v60 <= -half_turn, m8);
+    q[46] = q5_mmm; q[47] = v76 + only_wide(v76 <= -half_turn, m8);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -721,13 +612,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = d6 * T23 - T24;
-    const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = inverse1 * (k1 * wy);
+    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * wy);
     const four c1 = v1 - w1 * (inverse1 * (e1 * X1));
     const double v2 = inverse1 * (k1 * X1);
     const four s1 = v2 + w1 * (inverse1 * (e1 * wy));
@@ -736,67 +622,53 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const four Z2_3 = e1 * w1 - a1;
     const double v3 = Z1_3 * Z1_3;
-    const four N3 = v3 + Z2_3 * Z2_3;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v3 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four X1_2 = m2 + m1 * N3;
-    const four v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m1 * (e2 * Z1_3);
-    const four factor2 = 1.0 / N3;
+    const four X1_2 = m2 + m1 * N3, v4 = Z1_3 * X1_2, v5 = Z2_3 * X1_2, v6 = m1 * (e2 * Z1_3),
+        factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v7 = m3 * Z1_3;
-    const four v8 = v7 - m4 * Z2_3, v9 = m4 - m5 * factor2, v10 = m3 - m6 * factor2;
-    const four v11 = Z1_3 * v9 + Z2_3 * v10;
-    const four c2m3 = v11 + w3 * (factor2 * (e2 * v8));
+    const four v8 = v7 - m4 * Z2_3, v9 = m4 - m5 * factor2, v10 = m3 - m6 * factor2,
+        v11 = Z1_3 * v9 + Z2_3 * v10, c2m3 = v11 + w3 * (factor2 * (e2 * v8));
     const double v12 = m4 * Z1_3;
-    const four v13 = v12 + m3 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9;
-    const four s2m3 = v14 - w3 * (factor2 * (e2 * v13));
-    const four v15 = T13 * c1 - T23 * s1;
-    const four X4 = T33 * s2m3 - c2m3 * v15;
-    const four Y4 = T23 * c1 + T13 * s1;
-    const four v16 = Y4 * Y4, v17 = v16 + X4 * X4;
+    const four v13 = v12 + m3 * Z2_3, v14 = Z1_3 * v10 + Z2_3 * -v9,
+        s2m3 = v14 - w3 * (factor2 * (e2 * v13)), v15 = T13 * c1 - T23 * s1,
+        X4 = T33 * s2m3 - c2m3 * v15, Y4 = T23 * c1 + T13 * s1, v16 = Y4 * Y4, v17 = v16 + X4 * X4;
     const four_mask doubt3 = v17 <= m7;
 
     /* theta6 */
-    const four v18 = c1 * T22 + s1 * T12, v19 = c1 * T12 - s1 * T22, v20 = c1 * T21 + s1 * T11;
-    const four v21 = c1 * T11 - s1 * T21;
-    const four s6 = Y4 * (c2m3 * v21 - s2m3 * T31) - v20 * -X4;
+    const four v18 = c1 * T22 + s1 * T12, v19 = c1 * T12 - s1 * T22, v20 = c1 * T21 + s1 * T11,
+        v21 = c1 * T11 - s1 * T21, s6 = Y4 * (c2m3 * v21 - s2m3 * T31) - v20 * -X4;
 
     /* joint values */
     const four v24 = copysign_four(all_four(half_turn), Y4) * h1;
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6);
-    const four angle4 = atan2_four(Y4, -X4);
-    const four angle5 = atan2_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15);
-    const four angle6 = atan2_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32));
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, w3, 0, 5, 2, 7),
-        __builtin_shufflevector(c1, N3 - k6, 0, 5, 2, 7));
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four v22 = angle2 - offset2;
-    const four q2_p = v22 - only_four(half_turn < v22, m8);
-    const four v23 = e2 * angle3 - turn1 - offset3;
-    const four q3_p = v23 + only_four(v23 <= -half_turn, m8);
-    const four v25 = angle4 - offset4, v26 = angle4 - v24 - offset4;
-    const four q4_p = v25 + only_four(v25 <= -half_turn, m8);
-    const four q4_m = v26 + only_four(v26 <= -half_turn, m8);
-    const four v27 = angle5 - offset5, v28 = offset5 + angle5;
-    const four q5_p = v27 + only_four(v27 <= -half_turn, m8);
-    const four q5_m = only_four(-v28 <= -half_turn, m8) - v28;
-    const four v29 = angle6 - offset6;
-    const four v30 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v29 + only_four(v29 <= -half_turn, m8);
-    const four q6_m = v30 + only_four(v30 <= -half_turn, m8);
-    const four_mask v31 = (angle1 < low1) | (high1 < angle1);
+    const four angle2 = atan2_four(v4 + w3 * (m1 * (e2 * Z2_3)), v5 - w3 * v6),
+        angle4 = atan2_four(Y4, -X4), angle5 = atan2_four(-sqrt_four(v17), T33 * c2m3 + s2m3 * v15),
+        angle6 = atan2_four(s6, v18 * -X4 - Y4 * (c2m3 * v19 - s2m3 * T32)),
+        packed5 = atan2_four(__builtin_shufflevector(s1, w3, 0, 5, 2, 7),
+            __builtin_shufflevector(c1, N3 - k6, 0, 5, 2, 7)),
+        angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four v22 = angle2 - offset2, q2_p = v22 - only_four(half_turn < v22, m8),
+        v23 = e2 * angle3 - turn1 - offset3, q3_p = v23 + only_four(v23 <= -half_turn, m8),
+        v25 = angle4 - offset4, v26 = angle4 - v24 - offset4,
+        q4_p = v25 + only_four(v25 <= -half_turn, m8),
+        q4_m = v26 + only_four(v26 <= -half_turn, m8), v27 = angle5 - offset5,
+        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, m8),
+        q5_m = only_four(-v28 <= -half_turn, m8) - v28, v29 = angle6 - offset6,
+        v30 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6,
+        q6_p = v29 + only_four(v29 <= -half_turn, m8),
+        q6_m = v30 + only_four(v30 <= -half_turn, m8);
+    const four_mask v31 = beyond(angle1, low1, high1);
     const four q1_p = angle1 + (w3 - w3);
-    const four_mask v32 = ((q3_p < low3) | (high3 < q3_p)) | (v31 | ((q2_p < low2) | (high2 <
-        q2_p)));
-    const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v32 = beyond(q3_p, low3, high3) | v31 | beyond(q2_p, low2, high2),
+        outside_p = v32 | beyond(q5_p, low5, high5), outside_m = v32 | beyond(q5_m, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -885,8 +757,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
-    const double v1 = X1 * k1;
-    const double v2 = wy * k1;
+    const double v1 = X1 * k1, v2 = wy * k1;
 
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
@@ -904,8 +775,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - X1 * root1);
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + wy * root1);
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - X1 * root1),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + wy * root1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -916,8 +787,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v4 = k4 * K3;
-        const double v5 = k5 * K3;
+        const double v4 = k4 * K3, v5 = k5 * K3;
 
         /* theta4 */
         const double v7 = T13 * c1 - T23 * s1;
@@ -925,18 +795,15 @@ static void solve(
         const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v10 = T22 * c1 + T12 * s1;
-        const double v11 = T12 * c1 - T22 * s1;
-        const double v13 = T21 * c1 + T11 * s1;
-        const double v14 = T11 * c1 - T21 * s1;
+        const double v10 = T22 * c1 + T12 * s1, v11 = T12 * c1 - T22 * s1,
+            v13 = T21 * c1 + T11 * s1, v14 = T11 * c1 - T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v4 + k5 * root3) * k7;
-            const double c3 = k7 * (v5 - k4 * root3);
+            const double s3 = (v4 + k5 * root3) * k7, c3 = k7 * (v5 - k4 * root3);
 
             /* theta2 */
             const double X1_2 = a2 + (a3 * c3 + d4 * s3);
@@ -946,8 +813,7 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2;
-            const double s2 = free2 ? sin(v6) : S2 * factor2;
+            const double c2 = free2 ? cos(v6) : C2 * factor2, s2 = free2 ? sin(v6) : S2 * factor2;
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
@@ -961,8 +827,7 @@ static void solve(
             const double c5 = T33 * c2m3 + s2m3 * v7;
 
             /* theta6 */
-            const double v12 = c2m3 * v11 - T32 * s2m3;
-            const double v15 = c2m3 * v14 - T31 * s2m3;
+            const double v12 = c2m3 * v11 - T32 * s2m3, v15 = c2m3 * v14 - T31 * s2m3;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -973,23 +838,18 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v9) : -(X4 * factor4);
-                const double s4 = free4 ? sin(v9) : Y4 * factor4;
+                const double c4 = free4 ? cos(v9) : -(X4 * factor4),
+                    s4 = free4 ? sin(v9) : Y4 * factor4;
 
                 /* theta6 */
-                const double s6 = s4 * v15 - c4 * v13;
-                const double c6 = c4 * v10 - s4 * v12;
+                const double s6 = s4 * v15 - c4 * v13, c6 = c4 * v10 - s4 * v12;
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
                 const double q5 = wrap(atan2(-(w4 * e3), c5) - offset5);
                 const double q6 = wrap(atan2(s6, c6) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? COMAU_NS16_FREE_JOINT : COMAU_NS16_OK;
             }

@@ -692,11 +692,11 @@ def _regular(pose, q, status):
     v51 = math.copysign(half_turn, Y4_p) * h1
     v52 = math.copysign(half_turn, Y4_m) * h1
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v31 <= m7 or
-        (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v31 <= m7 or v30 <= m7
+        or v28 <= m7 or v29 <= m7
     )
 
     # angles, side by side
@@ -834,18 +834,18 @@ def _regular(pose, q, status):
     v78 = angle2 < low1 or high1 < angle2
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle2 + (w3_m - w3_m)
-    v79 = q3_ppp < low3 or high3 < q3_ppp or (v77 or (q2_ppp < low2 or high2 < q2_ppp))
-    v80 = q3_pmp < low3 or high3 < q3_pmp or (v77 or (q2_pmp < low2 or high2 < q2_pmp))
-    v81 = q3_mpp < low3 or high3 < q3_mpp or (v78 or (q2_mpp < low2 or high2 < q2_mpp))
-    v82 = q3_mmp < low3 or high3 < q3_mmp or (v78 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v79 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v79 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v80 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v80 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v81 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
+    v79 = q3_ppp < low3 or high3 < q3_ppp or v77 or q2_ppp < low2 or high2 < q2_ppp
+    v80 = q3_pmp < low3 or high3 < q3_pmp or v77 or q2_pmp < low2 or high2 < q2_pmp
+    v81 = q3_mpp < low3 or high3 < q3_mpp or v78 or q2_mpp < low2 or high2 < q2_mpp
+    v82 = q3_mmp < low3 or high3 < q3_mmp or v78 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = v79 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v79 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v80 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v80 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v81 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v81 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v82 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v82 or q5_mmm < low5 or high5 < q5_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1209,11 +1209,11 @@ def _in_tiles(T, q, status):
             v51 = math.copysign(half_turn, Y4_p) * h1
             v52 = math.copysign(half_turn, Y4_m) * h1
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (abs(D1) <= k2 or (N1 <=
-                doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or abs(D1) <= k2 or N1 <=
+                doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1364,18 +1364,18 @@ def _in_tiles(T, q, status):
             v78 = angle2 < low1 or high1 < angle2
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle2 + (w3_m - w3_m)
-            v79 = q3_ppp < low3 or high3 < q3_ppp or (v77 or (q2_ppp < low2 or high2 < q2_ppp))
-            v80 = q3_pmp < low3 or high3 < q3_pmp or (v77 or (q2_pmp < low2 or high2 < q2_pmp))
-            v81 = q3_mpp < low3 or high3 < q3_mpp or (v78 or (q2_mpp < low2 or high2 < q2_mpp))
-            v82 = q3_mmp < low3 or high3 < q3_mmp or (v78 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v79 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v79 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v80 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v80 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v81 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v81 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v82 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v82 or (q5_mmm < low5 or high5 < q5_mmm)
+            v79 = q3_ppp < low3 or high3 < q3_ppp or v77 or q2_ppp < low2 or high2 < q2_ppp
+            v80 = q3_pmp < low3 or high3 < q3_pmp or v77 or q2_pmp < low2 or high2 < q2_pmp
+            v81 = q3_mpp < low3 or high3 < q3_mpp or v78 or q2_mpp < low2 or high2 < q2_mpp
+            v82 = q3_mmp < low3 or high3 < q3_mmp or v78 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = v79 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v79 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v80 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v80 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v81 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v81 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v82 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v82 or q5_mmm < low5 or high5 < q5_mmm
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = q2_ppp

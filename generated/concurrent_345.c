@@ -117,32 +117,14 @@ static void circle_roots(double a0, double a1, double b1, double a2, double b2, 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+    double reached[16], sum = 0.0;
     concurrent_345_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 0.5405405405405406 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 0.5405405405405406 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 0.5405405405405406 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 9; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.5405405405405406 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -155,6 +137,8 @@ static const double measure[6] = {
     0.5405405405405406, 0.5405405405405406, 0.5405405405405406, 0.5405405405405406,
     0.5405405405405406, 0.5405405405405406,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -183,15 +167,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     concurrent_345_fk(d->q, P);
     concurrent_345_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.8499999999999999;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.8499999999999999;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.8499999999999999;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.8499999999999999;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -206,6 +187,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -240,14 +235,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
  * it misses the pose then. */
 static double tightened(struct descent *d, double exact, double q[6], int *moved)
@@ -266,8 +253,7 @@ static double tightened(struct descent *d, double exact, double q[6], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 6; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -305,9 +291,8 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 1.8499999999999999);
-    distance = fmax(distance, fabs(T[7]) / 1.8499999999999999);
-    distance = fmax(distance, fabs(T[11]) / 1.8499999999999999);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.8499999999999999);
     const double exact = 1e-12 * distance;
     int moved[8] = { 0 };
     for (int row = 0; row < 8; row++)
@@ -412,70 +397,46 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void concurrent_345_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * f1;
     const double y1_y = c1 * f1;
     const double z1_x = s1 * f2;
     const double v2 = c1 * f2;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = f2 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = f2 * c2;
-    const double y2_x = z1_x * f4 - v3 * f5;
-    const double y2_y = v4 * f5 - v2 * f4;
-    const double y2_z = v5 * f5 + f6;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2;
+    const double y2_x = z1_x * f4 - v3 * f5, y2_y = v4 * f5 - v2 * f4, y2_z = v5 * f5 + f6;
     const double z2_x = v3 * f4 + z1_x * f5;
     const double v6 = v4 * f4 + v2 * f5;
     const double z2_z = f7 - v5 * f4;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double y4_x = y2_x * c3 - x2_x * s3;
-    const double y4_y = y2_y * c3 - x2_y * s3;
-    const double y4_z = y2_z * c3 - x2_z * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z2_x * s4;
-    const double x4_y = x3_y * c4 - v6 * s4;
-    const double x4_z = x3_z * c4 + z2_z * s4;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
+        y4_z = y2_z * c3 - x2_z * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v6 * s4,
+        x4_z = x3_z * c4 + z2_z * s4;
     const double z4_x = z2_x * c4 - x3_x * s4;
     const double v7 = v6 * c4 + x3_y * s4;
     const double z4_z = z2_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v8 = y4_x * c5 - x4_x * s5;
-    const double v9 = y4_y * c5 - x4_y * s5;
-    const double v10 = y4_z * c5 - x4_z * s5;
-    const double y5_x = f4 * v8 + f5 * z4_x;
-    const double y5_y = f4 * v9 - f5 * v7;
-    const double y5_z = f4 * v10 + f5 * z4_z;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
+        v10 = y4_z * c5 - x4_z * s5;
+    const double y5_x = f4 * v8 + f5 * z4_x, y5_y = f4 * v9 - f5 * v7, y5_z = f4 * v10 + f5 * z4_z;
     const double T13_ = f4 * z4_x - f5 * v8;
     const double v11 = f5 * v9 + f4 * v7;
     const double T33_ = f4 * z4_z - f5 * v10;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T12_ = y5_x * c6 - x5_x * s6;
-    const double T22_ = y5_y * c6 - x5_y * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ *
-        a6 + T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 -
-        v11 * d6;
-    const double T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ *
-        d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
+        T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ * a6 +
+            T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 - v11 * d6,
+        T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -v11; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -485,92 +446,56 @@ void concurrent_345_fk(const double q[6], double T[16])
 
 void concurrent_345_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = s1 * g1;
     const double y1_y = c1 * g1;
     const double J42 = s1 * g2;
     const double v2 = c1 * g2;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = g2 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = g2 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
-    const double p2_y = p1_y + x2_y * a2 - v2 * d2;
-    const double p2_z = d1 + x2_z * a2 + g3;
-    const double y2_x = J42 * g4 - v3 * g5;
-    const double y2_y = v4 * g5 - v2 * g4;
-    const double y2_z = v5 * g5 + g6;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
+        p2_z = d1 + x2_z * a2 + g3;
+    const double y2_x = J42 * g4 - v3 * g5, y2_y = v4 * g5 - v2 * g4, y2_z = v5 * g5 + g6;
     const double J43 = v3 * g4 + J42 * g5;
     const double v6 = v4 * g4 + v2 * g5;
     const double J63 = g7 - v5 * g4;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double y4_x = y2_x * c3 - x2_x * s3;
-    const double y4_y = y2_y * c3 - x2_y * s3;
-    const double y4_z = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + J43 * d3;
-    const double p3_y = p2_y - v6 * d3;
-    const double p3_z = p2_z + J63 * d3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 - v6 * s4;
-    const double x4_z = x3_z * c4 + J63 * s4;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
+        y4_z = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + J43 * d3, p3_y = p2_y - v6 * d3, p3_z = p2_z + J63 * d3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v6 * s4,
+        x4_z = x3_z * c4 + J63 * s4;
     const double J45 = J43 * c4 - x3_x * s4;
     const double v7 = v6 * c4 + x3_y * s4;
     const double J65 = J63 * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v8 = y4_x * c5 - x4_x * s5;
-    const double v9 = y4_y * c5 - x4_y * s5;
-    const double v10 = y4_z * c5 - x4_z * s5;
-    const double p5_x = p3_x + x5_x * a5 + J45 * d5;
-    const double p5_y = p3_y + x5_y * a5 - v7 * d5;
-    const double p5_z = p3_z + x5_z * a5 + J65 * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
+        v10 = y4_z * c5 - x4_z * s5;
+    const double p5_x = p3_x + x5_x * a5 + J45 * d5, p5_y = p3_y + x5_y * a5 - v7 * d5,
+        p5_z = p3_z + x5_z * a5 + J65 * d5;
     const double J46 = g4 * J45 - g5 * v8;
     const double v11 = g5 * v9 + g4 * v7;
     const double J66 = g4 * J65 - g5 * v10;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6;
-    const double p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6;
-    const double v12 = J21 - p1_x;
-    const double v13 = p6_y - p1_y;
-    const double v14 = p6_z - d1;
-    const double J22 = g1 * v12 - J42 * v14;
-    const double J32 = J42 * v13 + v2 * v12;
-    const double v15 = J21 - p2_x;
-    const double v16 = p6_y - p2_y;
-    const double v17 = p6_z - p2_z;
-    const double J23 = J63 * v15 - J43 * v17;
-    const double J33 = J43 * v16 + v6 * v15;
-    const double v18 = J21 - p3_x;
-    const double v19 = p6_y - p3_y;
-    const double v20 = p6_z - p3_z;
-    const double J14 = -y4_y * v20 - -y4_z * v19;
-    const double J24 = -y4_z * v18 - -y4_x * v20;
-    const double J34 = -y4_x * v19 - -y4_y * v18;
-    const double J25 = J65 * v18 - J45 * v20;
-    const double J35 = J45 * v19 + v7 * v18;
-    const double v21 = J21 - p5_x;
-    const double v22 = p6_y - p5_y;
-    const double v23 = p6_z - p5_z;
-    const double J26 = J66 * v21 - J46 * v23;
-    const double J36 = J46 * v22 + v11 * v21;
+    const double p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6,
+        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6;
+    const double v12 = J21 - p1_x, v13 = p6_y - p1_y, v14 = p6_z - d1;
+    const double J22 = g1 * v12 - J42 * v14, J32 = J42 * v13 + v2 * v12;
+    const double v15 = J21 - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z;
+    const double J23 = J63 * v15 - J43 * v17, J33 = J43 * v16 + v6 * v15;
+    const double v18 = J21 - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z;
+    const double J14 = -y4_y * v20 - -y4_z * v19, J24 = -y4_z * v18 - -y4_x * v20,
+        J34 = -y4_x * v19 - -y4_y * v18, J25 = J65 * v18 - J45 * v20, J35 = J45 * v19 + v7 * v18;
+    const double v21 = J21 - p5_x, v22 = p6_y - p5_y, v23 = p6_z - p5_z;
+    const double J26 = J66 * v21 - J46 * v23, J36 = J46 * v22 + v11 * v21;
     J[0] = -p6_y; J[1] = -(v2 * v14 + g1 * v13); J[2] = -(v6 * v17 + J63 * v16); J[3] = J14;
     J[4] = -(v7 * v20 + J65 * v19); J[5] = -(v11 * v23 + J66 * v22);
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -584,13 +509,16 @@ void concurrent_345_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -643,141 +571,77 @@ static void solve(
     const double R1c6 = v2 * k12;
     const double v3 = T31 * k13 - 2.0 * (T32 * a5);
     const double R1s6 = k12 * v3;
-    const double v4 = T14 * T11 + T24 * T21 + T31 * T34;
-    const double v5 = T14 * T12 + T24 * T22 + T32 * T34;
-    const double v6 = T14 * T13 + T24 * T23 + T33 * T34;
-    const double v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k9 - v6)) + k15) - v4 * (4.0 * (k9 - v4));
+    const double v4 = T14 * T11 + T24 * T21 + T31 * T34, v5 = T14 * T12 + T24 * T22 + T32 * T34,
+        v6 = T14 * T13 + T24 * T23 + T33 * T34,
+        v7 = v5 * (4.0 * v5) - (v6 * (4.0 * (k9 - v6)) + k15) - v4 * (4.0 * (k9 - v4));
     const double R2_6 = k4 * -v7;
-    const double v8 = k16 - k13 * v5 - k11 * v4;
-    const double v9 = k11 * v5 + k17 - k13 * v4;
-    const double v10 = k6 * R2_6 - k7 * R1_6;
-    const double v11 = k6 * -v8 - k7 * R1c6;
-    const double v12 = k6 * -v9 - k7 * R1s6;
-    const double v13 = k3 * R2_6 - k5 * R1_6;
-    const double v14 = k3 * -v8 - k5 * R1c6;
-    const double v15 = k3 * -v9 - k5 * R1s6;
-    const double v16 = v11 * v11;
-    const double v17 = v12 * v12;
-    const double v18 = 2.0 * v10;
-    const double v19 = v14 * v14;
-    const double v20 = v15 * v15;
-    const double v21 = 2.0 * v13;
+    const double v8 = k16 - k13 * v5 - k11 * v4, v9 = k11 * v5 + k17 - k13 * v4,
+        v10 = k6 * R2_6 - k7 * R1_6, v11 = k6 * -v8 - k7 * R1c6, v12 = k6 * -v9 - k7 * R1s6,
+        v13 = k3 * R2_6 - k5 * R1_6, v14 = k3 * -v8 - k5 * R1c6, v15 = k3 * -v9 - k5 * R1s6,
+        v16 = v11 * v11, v17 = v12 * v12, v18 = 2.0 * v10, v19 = v14 * v14, v20 = v15 * v15,
+        v21 = 2.0 * v13;
     double x6_roots[4];
     circle_roots(v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)) - k18, v11 * v18 +
         v14 * v21, v12 * v18 + v15 * v21, k12 * (v16 - v17) + k12 * (v19 - v20), v11 * v12 + v14 *
         v15, x6_roots);
 
     /* theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1 */
-    const double v22 = 4.0 * v2;
-    const double v23 = 4.0 * v3;
-    const double v25 = 4.0 * v8;
-    const double v26 = 4.0 * v9;
+    const double v22 = 4.0 * v2, v23 = 4.0 * v3, v25 = 4.0 * v8, v26 = 4.0 * v9;
 
     /* theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4] */
-    const double v27 = sqrt3 * T22;
-    const double v28 = k11 * T21 + d5 * v27;
-    const double v29 = k13 * T21 - 2.0 * (a5 * T22);
-    const double v30 = k9 * T21 + (k9 * T23 - 2.0 * T24);
-    const double v32 = sqrt3 * T12;
-    const double v33 = k11 * T11 + d5 * v32;
-    const double v34 = k13 * T11 - 2.0 * (a5 * T12);
-    const double v35 = k9 * T11 + (k9 * T13 - 2.0 * T14);
+    const double v27 = sqrt3 * T22, v28 = k11 * T21 + d5 * v27, v29 = k13 * T21 - 2.0 * (a5 * T22),
+        v30 = k9 * T21 + (k9 * T23 - 2.0 * T24), v32 = sqrt3 * T12, v33 = k11 * T11 + d5 * v32,
+        v34 = k13 * T11 - 2.0 * (a5 * T12), v35 = k9 * T11 + (k9 * T13 - 2.0 * T14);
 
     /* theta3, type 2: U3 (A5 A6)^-1 [3, 3] */
-    const double v38 = sqrt3 * T11;
-    const double v39 = T22 * k25;
-    const double v40 = T21 * k25;
-    const double v41 = T23 * k21;
-    const double v42 = sqrt3 * T21;
-    const double v43 = T12 * k25;
-    const double v44 = T11 * k25;
-    const double v45 = T13 * k21;
-    const double v46 = T32 * k26;
-    const double v47 = T31 * k26;
-    const double v48 = k1 * T33;
-    const double v50 = 3.0 * (T22 * k21);
-    const double v51 = 3.0 * (T21 * k21);
-    const double v52 = T23 * k25;
-    const double v53 = 3.0 * T12;
-    const double v54 = 3.0 * T11;
-    const double v55 = sqrt3 * T13;
-    const double v56 = T22 * k26;
-    const double v57 = T21 * k26;
-    const double v58 = k1 * T23;
-    const double v59 = 3.0 * (T12 * k21);
-    const double v60 = 3.0 * (T11 * k21);
-    const double v61 = T13 * k25;
-    const double v62 = 3.0 * T22;
-    const double v63 = 3.0 * T21;
-    const double v64 = sqrt3 * T23;
-    const double v65 = T12 * k26;
-    const double v66 = T11 * k26;
-    const double v67 = k1 * T13;
-    const double v68 = 3.0 * (k1 * T32);
-    const double v69 = 3.0 * (k1 * T31);
-    const double v70 = T33 * k26;
-    const double v71 = T32 * k25;
-    const double v72 = T31 * k25;
-    const double v73 = T33 * k21;
+    const double v38 = sqrt3 * T11, v39 = T22 * k25, v40 = T21 * k25, v41 = T23 * k21,
+        v42 = sqrt3 * T21, v43 = T12 * k25, v44 = T11 * k25, v45 = T13 * k21, v46 = T32 * k26,
+        v47 = T31 * k26, v48 = k1 * T33, v50 = 3.0 * (T22 * k21), v51 = 3.0 * (T21 * k21),
+        v52 = T23 * k25, v53 = 3.0 * T12, v54 = 3.0 * T11, v55 = sqrt3 * T13, v56 = T22 * k26,
+        v57 = T21 * k26, v58 = k1 * T23, v59 = 3.0 * (T12 * k21), v60 = 3.0 * (T11 * k21),
+        v61 = T13 * k25, v62 = 3.0 * T22, v63 = 3.0 * T21, v64 = sqrt3 * T23, v65 = T12 * k26,
+        v66 = T11 * k26, v67 = k1 * T13, v68 = 3.0 * (k1 * T32), v69 = 3.0 * (k1 * T31),
+        v70 = T33 * k26, v71 = T32 * k25, v72 = T31 * k25, v73 = T33 * k21;
 
     /* theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4] */
-    const double v74 = sqrt2 * v52;
-    const double v75 = 4.0 * v55;
-    const double v76 = sqrt2 * v58;
-    const double v77 = sqrt2 * v61;
-    const double v78 = 4.0 * v64;
-    const double v79 = sqrt2 * v67;
-    const double v81 = 4.0 * T13;
-    const double v82 = sqrt2 * v41;
-    const double v83 = 4.0 * T23;
-    const double v84 = sqrt2 * v45;
+    const double v74 = sqrt2 * v52, v75 = 4.0 * v55, v76 = sqrt2 * v58, v77 = sqrt2 * v61,
+        v78 = 4.0 * v64, v79 = sqrt2 * v67, v81 = 4.0 * T13, v82 = sqrt2 * v41, v83 = 4.0 * T23,
+        v84 = sqrt2 * v45;
     const double wx = T14 - a6 * T11 - d6 * T13;
     const double wy = T24 - a6 * T21 - d6 * T23;
     const double wz = T34 - T31 * a6 - T33 * d6;
-    const double v86 = sqrt2 * (k25 * wy);
-    const double v87 = 4.0 * (sqrt3 * wx);
-    const double v88 = sqrt2 * (k1 * wy);
-    const double v89 = sqrt2 * (k25 * wx);
-    const double v90 = 4.0 * (sqrt3 * wy);
-    const double v91 = sqrt2 * (k1 * wx);
-    const double v92 = sqrt2 * (k26 * wz - k28);
-    const double v93 = wz * k30 - k31;
-    const double v95 = 4.0 * wx;
-    const double v96 = sqrt2 * (k21 * wy);
-    const double v97 = 4.0 * wy;
-    const double v98 = sqrt2 * (k21 * wx);
-    const double v99 = sqrt2 * (k1 * wz - k33);
+    const double v86 = sqrt2 * (k25 * wy), v87 = 4.0 * (sqrt3 * wx), v88 = sqrt2 * (k1 * wy),
+        v89 = sqrt2 * (k25 * wx), v90 = 4.0 * (sqrt3 * wy), v91 = sqrt2 * (k1 * wx),
+        v92 = sqrt2 * (k26 * wz - k28), v93 = wz * k30 - k31, v95 = 4.0 * wx,
+        v96 = sqrt2 * (k21 * wy), v97 = 4.0 * wy, v98 = sqrt2 * (k21 * wx),
+        v99 = sqrt2 * (k1 * wz - k33);
 
     /* theta4, type 3: U3[2, 3] and U3[1, 3] */
-    const double v103 = sqrt2 * (T23 * k26);
-    const double v104 = sqrt2 * (T13 * k26);
+    const double v103 = sqrt2 * (T23 * k26), v104 = sqrt2 * (T13 * k26);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x6 = x6_roots[i1];
         /* theta6 */
         if (!(x6 <= 4.0)) continue; /* out of reach */
-        const double c6 = cos(x6);
-        const double s6 = sin(x6);
+        const double c6 = cos(x6), s6 = sin(x6);
 
         /* theta2 */
         const double v24 = k2 * (v1 + (c6 * v22 + s6 * v23));
         const double Z2_2 = k4 * (v7 + (c6 * v25 + s6 * v26));
-        const double s2 = (k5 * v24 + k3 * Z2_2) * k19;
-        const double c2 = (k6 * Z2_2 + k7 * v24) * k19;
+        const double s2 = (k5 * v24 + k3 * Z2_2) * k19, c2 = (k6 * Z2_2 + k7 * v24) * k19;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
         const double X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2));
         const double X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24));
-        const double v31 = k12 * (c6 * v28 + s6 * v29 + v30);
-        const double v36 = k12 * (c6 * v33 + s6 * v34 + v35);
-        const double v37 = X1_1 * v31 + X2_1 * v36;
+        const double v31 = k12 * (c6 * v28 + s6 * v29 + v30),
+            v36 = k12 * (c6 * v33 + s6 * v34 + v35), v37 = X1_1 * v31 + X2_1 * v36;
         const double C1 = X2_1 * v31 - X1_1 * v36;
         const double w1 = sqrt(v37 * v37 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : -(v37 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+            s1 = free1 ? sin(seed[0]) : -(v37 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -795,13 +659,13 @@ static void solve(
 
         /* theta5 */
         const double v80 = c1 * (c2 * v74 + s2 * v75 + v76) - s1 * (c2 * v77 - s2 * v78 + v79) -
-            sqrt2 * (T33 * (k21 + c2 * k26));
-        const double v85 = 2.0 * (c1 * (c2 * v81 + s2 * v82) + s1 * (c2 * v83 - s2 * v84) + sqrt2 *
-            (s2 * v48));
-        const double v94 = c1 * (c2 * v86 + s2 * v87 + v88) - s1 * (c2 * v89 - s2 * v90 + v91) - (c2
-            * v92 + s2 * k29 + v93);
-        const double v100 = 2.0 * (c1 * (c2 * v95 + s2 * v96) + s1 * (c2 * v97 - s2 * v98) + (s2 *
-            v99 - c2 * k32 - k34));
+            sqrt2 * (T33 * (k21 + c2 * k26)),
+            v85 = 2.0 * (c1 * (c2 * v81 + s2 * v82) + s1 * (c2 * v83 - s2 * v84) + sqrt2 * (s2 *
+                v48)),
+            v94 = c1 * (c2 * v86 + s2 * v87 + v88) - s1 * (c2 * v89 - s2 * v90 + v91) - (c2 * v92 +
+                s2 * k29 + v93),
+            v100 = 2.0 * (c1 * (c2 * v95 + s2 * v96) + s1 * (c2 * v97 - s2 * v98) + (s2 * v99 - c2 *
+                k32 - k34));
 
         /* theta4 */
         const double Z1_4 = k2 * (c1 * (s2 * v81 - c2 * v82 - v103) + s1 * (c2 * v84 + s2 * v83 +
@@ -813,8 +677,8 @@ static void solve(
             /* theta3 */
             if (e2 < 0.0 && free3) continue; /* both signs give the same */
             const double factor3 = e2 / divisor3;
-            const double c3 = free3 ? cos(seed[2]) : v49 * factor3;
-            const double s3 = free3 ? sin(seed[2]) : Y3 * factor3;
+            const double c3 = free3 ? cos(seed[2]) : v49 * factor3,
+                s3 = free3 ? sin(seed[2]) : Y3 * factor3;
             const double q3 = atan2(s3, c3);
 
             /* theta5 */
@@ -830,15 +694,11 @@ static void solve(
             const double w4 = sqrt(v105 * v105 + C4 * C4);
             const int free4 = w4 <= free_limit_squared;
             const double factor4 = 1.0 / (free4 ? 1.0 : w4);
-            const double c4 = free4 ? cos(seed[3]) : C4 * factor4;
-            const double s4 = free4 ? sin(seed[3]) : -(v105 * factor4);
+            const double c4 = free4 ? cos(seed[3]) : C4 * factor4,
+                s4 = free4 ? sin(seed[3]) : -(v105 * factor4);
             const double q4 = atan2(s4, c4);
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = x6;
             status[row] = (free1 || free3 || free4) ? CONCURRENT_345_FREE_JOINT : CONCURRENT_345_OK;
         }

@@ -554,7 +554,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 2e3512c49ea0038f"
+_KEY = "concurrent_345 03c0f10d6ffae94d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -680,23 +680,17 @@ def _missed_by(pose, q):
     miss = 0.0
     off = T11_ - pose[0]
     miss += (1.0 * off) ** 2
-    off = T12_ - pose[1]
-    miss += (1.0 * off) ** 2
     off = T13_ - pose[2]
     miss += (1.0 * off) ** 2
     off = T14_ - pose[3]
     miss += (0.5405405405405406 * off) ** 2
     off = T21_ - pose[4]
     miss += (1.0 * off) ** 2
-    off = T22_ - pose[5]
-    miss += (1.0 * off) ** 2
     off = -v11 - pose[6]
     miss += (1.0 * off) ** 2
     off = T24_ - pose[7]
     miss += (0.5405405405405406 * off) ** 2
     off = T31_ - pose[8]
-    miss += (1.0 * off) ** 2
-    off = T32_ - pose[9]
     miss += (1.0 * off) ** 2
     off = T33_ - pose[10]
     miss += (1.0 * off) ** 2
@@ -760,6 +754,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(6):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -784,21 +793,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(6):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner
@@ -868,21 +862,18 @@ def _tighten(pose, q, status):
     distance = max(distance, abs(pose[7]) / 1.8499999999999999)
     distance = max(distance, abs(pose[11]) / 1.8499999999999999)
     exact = 1e-12 * distance
-    worst = 0.0
+    worst, miss = 0.0, carray(_room(8), 8)
     for row in range(8):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, miss = np.empty((3, 4)), np.empty((8, 6)), np.empty(8)
-    held = np.empty(8, np.bool_)
+    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(8, np.bool_)
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     for row in range(8):
         held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
     _tighten_rows(T, exact, miss, rows, held)
     for row in range(8):
         if not held[row]:
@@ -1180,8 +1171,8 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     _tighten(pose, q, status)
+    count = 0
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue

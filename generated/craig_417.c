@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -189,24 +154,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +222,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -313,7 +262,7 @@ static const double m5 = 8.1e-11; /* doubt_limit_squared2^2 [m^4] */
 static const double m6 = 9.000000000000002e-10; /* pose_slack1^2 [m^2] */
 static const double m7 = 2.7000000000000006e-09; /* 3 * pose_slack1^2 [m^2] */
 static const double m8 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m9 = 9.000000000000001e-10; /* 9 * pose_slack^2 */
+static const double m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 static const double m10 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
@@ -325,39 +274,25 @@ static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 
 void craig_417_fk(const double q[4], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2 * f1;
-    const double v2 = s1 * s2 * f1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2 * f1, v2 = s1 * s2 * f1;
     const double T33_ = c2 * f1;
     const double v3 = s1 * f1;
     const double T13_ = v1 - v3;
     const double v4 = c1 * f1;
     const double T23_ = v2 + v4;
-    const double v5 = v1 + v3;
-    const double v6 = v4 - v2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v5 * s3;
-    const double x3_y = x2_y * c3 + v6 * s3;
-    const double v7 = s2 * c3 + T33_ * s3;
-    const double v8 = v5 * c3 + x2_x * s3;
-    const double y3_y = v6 * c3 - x2_y * s3;
-    const double y3_z = s2 * s3 - T33_ * c3;
-    const double T14_ = T13_ + x3_x * a3 + T13_ * d4;
-    const double T24_ = T23_ + x3_y * a3 + T23_ * d4;
-    const double T34_ = T33_ - v7 * a3 + T33_ * d4;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - v8 * s4;
-    const double T21_ = x3_y * c4 + y3_y * s4;
-    const double T31_ = y3_z * s4 - v7 * c4;
-    const double T22_ = y3_y * c4 - x3_y * s4;
-    const double T32_ = y3_z * c4 + v7 * s4;
+    const double v5 = v1 + v3, v6 = v4 - v2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v5 * s3, x3_y = x2_y * c3 + v6 * s3;
+    const double v7 = s2 * c3 + T33_ * s3, v8 = v5 * c3 + x2_x * s3;
+    const double y3_y = v6 * c3 - x2_y * s3, y3_z = s2 * s3 - T33_ * c3;
+    const double T14_ = T13_ + x3_x * a3 + T13_ * d4, T24_ = T23_ + x3_y * a3 + T23_ * d4,
+        T34_ = T33_ - v7 * a3 + T33_ * d4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double T11_ = x3_x * c4 - v8 * s4, T21_ = x3_y * c4 + y3_y * s4,
+        T31_ = y3_z * s4 - v7 * c4, T22_ = y3_y * c4 - x3_y * s4, T32_ = y3_z * c4 + v7 * s4;
     T[0] = T11_; T[1] = -(v8 * c4 + x3_x * s4); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -367,30 +302,21 @@ void craig_417_fk(const double q[4], double T[16])
 
 void craig_417_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double v1 = c1 * s2 * g1;
-    const double v2 = s1 * s2 * g1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double v1 = c1 * s2 * g1, v2 = s1 * s2 * g1;
     const double J63 = c2 * g1;
     const double v3 = s1 * g1;
     const double J43 = v1 - v3;
     const double v4 = c1 * g1;
     const double J53 = v2 + v4;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double J21 = J43 + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + J43 * d4;
-    const double p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4;
-    const double p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4;
-    const double J12 = c1 * p4_z;
-    const double J22 = s1 * p4_z;
-    const double v5 = J21 - J43;
-    const double v6 = p4_y - J53;
-    const double v7 = p4_z - J63;
-    const double J13 = J53 * v7 - J63 * v6;
-    const double J23 = J63 * v5 - J43 * v7;
-    const double J33 = J43 * v6 - J53 * v5;
+    const double p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4,
+        p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4;
+    const double J12 = c1 * p4_z, J22 = s1 * p4_z;
+    const double v5 = J21 - J43, v6 = p4_y - J53, v7 = p4_z - J63;
+    const double J13 = J53 * v7 - J63 * v6, J23 = J63 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5;
     J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = 0.0;
     J[4] = J21; J[5] = J22; J[6] = J23; J[7] = 0.0;
     J[8] = 0.0; J[9] = -(s1 * p4_y + c1 * J21); J[10] = J33; J[11] = 0.0;
@@ -403,13 +329,16 @@ void craig_417_jacobian(const double q[4], double J[24])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -453,118 +382,85 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide N1 = T13 * T13 + T23 * T23;
-    const wide D1 = N1 - k3;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1, v4 = inverse1 * (v2 - v3);
-    const wide v5 = inverse1 * (v2 + v3), v6 = inverse1 * v2, v7 = w1 * (T13 * inverse1);
-    const wide c1_p = v6 - v7, c1_m = v6 + v7;
-    const wide v8 = T23 * w1, v9 = inverse1 * (v1 + v8), v10 = inverse1 * (v1 - v8);
-    const wide v11 = inverse1 * v1, v12 = w1 * (T23 * inverse1), v13 = v11 + v12, v14 = v11 - v12;
+    const wide N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt_wide(D1), inverse1 = 1.0 / N1,
+        v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1, v4 = inverse1 * (v2 - v3),
+        v5 = inverse1 * (v2 + v3), v6 = inverse1 * v2, v7 = w1 * (T13 * inverse1), c1_p = v6 - v7,
+        c1_m = v6 + v7, v8 = T23 * w1, v9 = inverse1 * (v1 + v8), v10 = inverse1 * (v1 - v8),
+        v11 = inverse1 * v1, v12 = w1 * (T23 * inverse1), v13 = v11 + v12, v14 = v11 - v12;
 
     /* theta2 */
-    const wide S2 = k2 * w1;
-    const wide v15 = k2 * T33, v16 = v15 * v15 + S2 * S2;
-    const wide w2 = sqrt_wide(v16);
-    const wide v17 = 1.0 / v16, v18 = w2 * v17;
-    const wide c2 = v15 * v18;
-    const wide v19 = S2 * v18;
-    const wide angle1 = atan2_wide(-S2, v15);
+    const wide S2 = k2 * w1, v15 = k2 * T33, v16 = v15 * v15 + S2 * S2, w2 = sqrt_wide(v16),
+        v17 = 1.0 / v16, v18 = w2 * v17, c2 = v15 * v18, v19 = S2 * v18,
+        angle1 = atan2_wide(-S2, v15);
 
     /* theta34 */
-    const wide v20 = T23 * T11 - T13 * T21, v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
-    const wide v22 = v21 + w1 * (m2 * (inverse1 * v20)), v23 = v21 + w1 * (m2 * (inverse1 * -v20));
-    const wide v24 = T23 * T12 - T13 * T22, v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const wide v26 = v25 + w1 * (m2 * (inverse1 * v24)), v27 = v25 + w1 * (m2 * (inverse1 * -v24));
-    const wide v28 = v22 * v22 + v26 * v26, v29 = v23 * v23 + v27 * v27;
-    const wide v30 = sqrt_wide(v28) * (1.0 / v28), v31 = sqrt_wide(v29) * (1.0 / v29);
-    const wide c34_p = v26 * v30, c34_m = v27 * v31;
-    const wide s34_p = v22 * v30, s34_m = v23 * v31;
+    const wide v20 = T23 * T11 - T13 * T21, v21 = m2 * (inverse1 * (v1 * T11 + v2 * T21)),
+        v22 = v21 + w1 * (m2 * (inverse1 * v20)), v23 = v21 + w1 * (m2 * (inverse1 * -v20)),
+        v24 = T23 * T12 - T13 * T22, v25 = m2 * (inverse1 * (v1 * T12 + v2 * T22)),
+        v26 = v25 + w1 * (m2 * (inverse1 * v24)), v27 = v25 + w1 * (m2 * (inverse1 * -v24)),
+        v28 = v22 * v22 + v26 * v26, v29 = v23 * v23 + v27 * v27,
+        v30 = sqrt_wide(v28) * (1.0 / v28), v31 = sqrt_wide(v29) * (1.0 / v29), c34_p = v26 * v30,
+        c34_m = v27 * v31, s34_p = v22 * v30, s34_m = v23 * v31;
 
     /* theta3 */
-    const wide v32 = 2.0 * T24, v33 = 2.0 * T14, v34 = T13 * v32 - T23 * v33;
-    const wide v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32));
-    const wide v36 = v35 + w1 * (m3 * (inverse1 * v34)), v37 = v35 + w1 * (m3 * (inverse1 * -v34));
-    const wide v38 = S2 * T34;
-    const wide C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))));
-    const wide C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)));
+    const wide v32 = 2.0 * T24, v33 = 2.0 * T14, v34 = T13 * v32 - T23 * v33,
+        v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32)),
+        v36 = v35 + w1 * (m3 * (inverse1 * v34)), v37 = v35 + w1 * (m3 * (inverse1 * -v34)),
+        v38 = S2 * T34, C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24)))),
+        C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)));
     const double v39 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const wide v40 = v36 * v36 + C3_p * C3_p, v41 = v37 * v37 + C3_m * C3_m;
-    const wide factor3_p = v39 / sqrt_wide(v40), factor3_m = v39 / sqrt_wide(v41);
-    const wide c3_p = C3_p * factor3_p, c3_m = C3_m * factor3_m;
-    const wide v42 = v36 * factor3_p, v43 = v37 * factor3_m;
-    const wide angle2 = atan2_wide(-v42, c3_p), angle3 = atan2_wide(-v43, c3_m);
+    const wide v40 = v36 * v36 + C3_p * C3_p, v41 = v37 * v37 + C3_m * C3_m,
+        factor3_p = v39 / sqrt_wide(v40), factor3_m = v39 / sqrt_wide(v41), c3_p = C3_p * factor3_p,
+        c3_m = C3_m * factor3_m, v42 = v36 * factor3_p, v43 = v37 * factor3_m,
+        angle2 = atan2_wide(-v42, c3_p), angle3 = atan2_wide(-v43, c3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v44 = c1_p * c2, v45 = c1_m * c2, v46 = 2.0 * v44, v47 = 2.0 * v45;
-    const wide v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9;
-    const wide v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2))), v50 = k6 * c1_p, v51 = k6 * c1_m;
-    const wide v52 = k6 * v13, v53 = k6 * v14, v54 = v13 * c2, v55 = v14 * c2, v56 = 2.0 * v54;
-    const wide v57 = 2.0 * v55, v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)));
-    const wide v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v60 = v19 * 2.0, v61 = sqrt2 * c2;
-    const wide v62 = sqrt2 * (k6 * c2), v63 = 2.0 * (a3 * v19), v64 = a3 * v61;
-    const wide v65 = T34 - k1 * (v62 + (v42 * v64 + c3_p * v63));
-    const wide v66 = T34 - k1 * (v62 + (v43 * v64 - c3_m * v63)), v67 = T33 - k1 * v61;
-    const wide v68 = v67 * v67, v69 = T32 + k1 * (c34_p * v61 + s34_p * v60);
-    const wide v70 = T32 + k1 * (c34_m * v61 - s34_m * v60);
-    const wide v71 = T31 + k1 * (s34_p * v61 - c34_p * v60);
-    const wide v72 = T31 + k1 * (s34_m * v61 + c34_m * v60);
-    const wide v73 = T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3
-        * v58)));
-    const wide v74 = T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3
-        * v59))), v75 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19));
-    const wide v76 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19));
-    const wide v77 = T22 - k1 * (c34_p * v58 + s34_p * v56);
-    const wide v78 = T22 - k1 * (c34_m * v59 + s34_m * v57);
-    const wide v79 = T21 - k1 * (s34_p * v58 - c34_p * v56);
-    const wide v80 = T21 - k1 * (s34_m * v59 - c34_m * v57);
-    const wide v81 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19 *
-        v50));
-    const wide v82 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19 *
-        v51)), v83 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19));
-    const wide v84 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19));
-    const wide v85 = T11 - k1 * (c34_p * v46 + s34_p * v48);
-    const wide v86 = T11 - k1 * (c34_m * v47 + s34_m * v49);
-    const wide v87 = T12 + k1 * (s34_p * v46 - c34_p * v48);
-    const wide v88 = T12 + k1 * (s34_m * v47 - c34_m * v49);
-    const wide v89 = v81 * v81 + (v65 * v65 + v73 * v73), v90 = v82 * v82 + (v66 * v66 + v74 * v74);
-    const double v91 = NAN;
-    const wide v92 = pick_wide(v89 <= m6, all_wide(0.0), all_wide(v91));
-    const wide v93 = pick_wide(v90 <= m6, all_wide(0.0), all_wide(v91));
-    const wide v94 = v87 * v87 + (v85 * v85 + (v83 * v83 + (v79 * v79 + (v77 * v77 + (v75 * v75 +
-        (v71 * v71 + (v68 + v69 * v69)))))));
-    const wide v95 = v88 * v88 + (v86 * v86 + (v84 * v84 + (v80 * v80 + (v78 * v78 + (v76 * v76 +
-        (v72 * v72 + (v68 + v70 * v70)))))));
-    const wide v96 = pick_wide(v94 <= m8, all_wide(0.0), all_wide(v91));
-    const wide v97 = pick_wide(v95 <= m8, all_wide(0.0), all_wide(v91));
+    const wide v44 = c1_p * c2, v45 = c1_m * c2, v46 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9,
+        v47 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2))), v48 = k6 * c1_p, v49 = k6 * c1_m,
+        v50 = k6 * v13, v51 = k6 * v14, v52 = v13 * c2, v53 = v14 * c2,
+        v54 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2))),
+        v55 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v56 = sqrt2 * c2, v57 = sqrt2 * (k6 * c2),
+        v58 = 2.0 * (a3 * v19), v59 = a3 * v56, v60 = T34 - k1 * (v57 + (v42 * v59 + c3_p * v58)),
+        v61 = T34 - k1 * (v57 + (v43 * v59 - c3_m * v58)), v62 = T33 - k1 * v56, v63 = v62 * v62,
+        v64 = v19 * 2.0, v65 = T31 + k1 * (s34_p * v56 - c34_p * v64),
+        v66 = T31 + k1 * (s34_m * v56 + c34_m * v64),
+        v67 = T24 - k1 * (sqrt2 * (v48 + v19 * v50) - (c3_p * (2.0 * (a3 * v52)) + v42 * (a3 *
+            v54))),
+        v68 = T24 - k1 * (sqrt2 * (v49 - v19 * v51) - (c3_m * (2.0 * (a3 * v53)) + v43 * (a3 *
+            v55))), v69 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19)),
+        v70 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19)),
+        v71 = T21 - k1 * (s34_p * v54 - c34_p * (2.0 * v52)),
+        v72 = T21 - k1 * (s34_m * v55 - c34_m * (2.0 * v53)),
+        v73 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 - v19 * v48)),
+        v74 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v47) + sqrt2 * (v51 + v19 * v49)),
+        v75 = T11 - k1 * (c34_p * (2.0 * v44) + s34_p * v46),
+        v76 = T11 - k1 * (c34_m * (2.0 * v45) + s34_m * v47),
+        v77 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19)),
+        v78 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19)), v79 = v73 * v73 + (v60 * v60 + v67 * v67),
+        v80 = v74 * v74 + (v61 * v61 + v68 * v68),
+        v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v63 + v65 * v65)))),
+        v82 = v78 * v78 + (v76 * v76 + (v72 * v72 + (v70 * v70 + (v63 + v66 * v66))));
 
     /* joint values */
-    const wide angle4 = atan2_wide(v22, v26);
-    const wide v98 = angle4 - angle2;
-    const wide angle5 = atan2_wide(v23, v27);
-    const wide v99 = angle5 - angle3;
-    const wide angle6 = atan2_wide(-v13, c1_p);
-    const wide q1_p = v96 + (v92 + angle6);
-    const wide angle7 = atan2_wide(-v14, c1_m);
-    const wide q1_m = v97 + (v93 + angle7);
-    const wide q2_p = v96 + (angle1 + v92), q2_m = v97 + (v93 - angle1);
-    const wide q3_p = v96 + (angle2 + v92), q3_m = v97 + (angle3 + v93);
-    const wide q4_p = v96 + (v92 + (v98 - only_wide(half_turn < v98, m10) + only_wide(v98 <=
-        -half_turn, m10)));
-    const wide q4_m = v97 + (v93 + (v99 - only_wide(half_turn < v99, m10) + only_wide(v99 <=
-        -half_turn, m10)));
-    const wide_mask doubt1 = (v41 <= m5) | ((v29 <= m1) | ((v40 <= m5) | ((v28 <= m1) | (((m6 < v90)
-        & (v90 <= m7)) | (((m6 < v89) & (v89 <= m7)) | ((abs_wide(D1) <= k4) | ((N1 <=
-        doubt_limit_squared) | (((m8 < v95) & (v95 <= m9)) | ((v16 <= m1) | ((m8 < v94) & (v94 <=
-        m9)))))))))));
+    const wide angle4 = atan2_wide(v22, v26), v83 = angle4 - angle2, angle5 = atan2_wide(v23, v27),
+        v84 = angle5 - angle3;
+    const double v85 = NAN;
+    const wide v86 = only_wide(((v79 <= m6) & (v81 <= m8)) == 0, v85),
+        v87 = only_wide(((v80 <= m6) & (v82 <= m8)) == 0, v85), angle6 = atan2_wide(-v13, c1_p),
+        angle7 = atan2_wide(-v14, c1_m);
+    const wide_mask doubt1 = (v41 <= m5) | (v29 <= m1) | (v40 <= m5) | (v28 <= m1) | ((m6 < v80) &
+        (v80 <= m7)) | ((m6 < v79) & (v79 <= m7)) | (abs_wide(D1) <= k4) | (N1 <=
+        doubt_limit_squared) | ((m8 < v82) & (v82 <= m9)) | (v16 <= m1) | ((m8 < v81) & (v81 <=
+        m9));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
+    q[0] = v86 + angle6; q[1] = angle1 + v86; q[2] = angle2 + v86;
+    q[3] = v86 + (v83 - only_wide(half_turn < v83, m10) + only_wide(v83 <= -half_turn, m10));
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
+    q[4] = v87 + angle7; q[5] = v87 - angle1; q[6] = angle3 + v87;
+    q[7] = v87 + (v84 - only_wide(half_turn < v84, m10) + only_wide(v84 <= -half_turn, m10));
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -579,14 +475,11 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double N1 = T13 * T13 + T23 * T23;
-    const double D1 = N1 - k3;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1;
+    const double N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt(D1), inverse1 = 1.0 / N1,
+        v1 = k2 * T13, v2 = k2 * T23, v3 = T13 * w1;
     const four v4 = inverse1 * (v2 - e1 * v3);
     const double v5 = inverse1 * v2;
     const four c1 = v5 - w1 * (inverse1 * (e1 * T13));
@@ -596,76 +489,59 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four v9 = v8 + w1 * (inverse1 * (e1 * T23));
 
     /* theta2 */
-    const double S2 = k2 * w1;
-    const double v10 = k2 * T33, v11 = v10 * v10 + S2 * S2;
-    const double w2 = sqrt(v11);
-    const double v12 = 1.0 / v11, v13 = w2 * v12;
-    const double c2 = v10 * v13;
-    const double v14 = S2 * v13;
+    const double S2 = k2 * w1, v10 = k2 * T33, v11 = v10 * v10 + S2 * S2, w2 = sqrt(v11),
+        v12 = 1.0 / v11, v13 = w2 * v12, c2 = v10 * v13, v14 = S2 * v13;
     const four v15 = e1 * S2;
 
     /* theta34 */
     const double v16 = T23 * T11 - T13 * T21, v17 = m2 * (inverse1 * (v1 * T11 + v2 * T21));
     const four v18 = v17 + w1 * (m2 * (inverse1 * (e1 * v16)));
     const double v19 = T23 * T12 - T13 * T22, v20 = m2 * (inverse1 * (v1 * T12 + v2 * T22));
-    const four v21 = v20 + w1 * (m2 * (inverse1 * (e1 * v19))), v22 = v18 * v18 + v21 * v21;
-    const four v23 = sqrt_four(v22) * (1.0 / v22);
-    const four c34 = v21 * v23;
-    const four s34 = v18 * v23;
+    const four v21 = v20 + w1 * (m2 * (inverse1 * (e1 * v19))), v22 = v18 * v18 + v21 * v21,
+        v23 = sqrt_four(v22) * (1.0 / v22), c34 = v21 * v23, s34 = v18 * v23;
 
     /* theta3 */
-    const double v24 = 2.0 * T24, v25 = 2.0 * T14, v26 = T13 * v24 - T23 * v25;
-    const double v27 = m4 - m3 * (inverse1 * (v1 * v25 + v2 * v24));
-    const four v28 = v27 + w1 * (m3 * (inverse1 * (e1 * v26)));
-    const four C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24))));
+    const double v24 = 2.0 * T24, v25 = 2.0 * T14, v26 = T13 * v24 - T23 * v25,
+        v27 = m4 - m3 * (inverse1 * (v1 * v25 + v2 * v24));
+    const four v28 = v27 + w1 * (m3 * (inverse1 * (e1 * v26))),
+        C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24))));
     const double v29 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const four v30 = v28 * v28 + C3 * C3;
-    const four factor3 = v29 / sqrt_four(v30);
-    const four c3 = C3 * factor3;
-    const four v31 = v28 * factor3;
+    const four v30 = v28 * v28 + C3 * C3, factor3 = v29 / sqrt_four(v30), c3 = C3 * factor3,
+        v31 = v28 * factor3;
 
     /* is the pose one that the arm can take? */
-    const four v32 = c1 * c2, v33 = 2.0 * v32, v34 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7;
-    const four v35 = k6 * c1, v36 = k6 * v9, v37 = v9 * c2, v38 = 2.0 * v37;
-    const four v39 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
-    const double v40 = v14 * 2.0, v41 = sqrt2 * c2, v42 = sqrt2 * (k6 * c2), v43 = 2.0 * (a3 * v14);
-    const double v44 = a3 * v41;
-    const four v45 = T34 - k1 * (v42 + (v31 * v44 + e1 * (c3 * v43)));
-    const double v46 = T33 - k1 * v41, v47 = v46 * v46;
-    const four v48 = T32 + k1 * (c34 * v41 + e1 * (s34 * v40));
-    const four v49 = T31 + k1 * (s34 * v41 - e1 * (c34 * v40));
-    const four v50 = T24 - k1 * (sqrt2 * (v35 + e1 * (v14 * v36)) - (c3 * (2.0 * (a3 * v37)) + v31 *
-        (a3 * v39))), v51 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14)));
-    const four v52 = T22 - k1 * (c34 * v39 + s34 * v38), v53 = T21 - k1 * (s34 * v39 - c34 * v38);
-    const four v54 = T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3 * v34) + sqrt2 * (v36 - e1 *
-        (v14 * v35))), v55 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14)));
-    const four v56 = T11 - k1 * (c34 * v33 + s34 * v34), v57 = T12 + k1 * (s34 * v33 - c34 * v34);
-    const four v58 = v54 * v54 + (v45 * v45 + v50 * v50);
-    const double v59 = NAN;
-    const four v60 = pick_four(v58 <= m6, all_four(0.0), all_four(v59));
-    const four v61 = v57 * v57 + (v56 * v56 + (v55 * v55 + (v53 * v53 + (v52 * v52 + (v51 * v51 +
-        (v49 * v49 + (v47 + v48 * v48)))))));
-    const four v62 = pick_four(v61 <= m8, all_four(0.0), all_four(v59));
+    const four v32 = c1 * c2, v33 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7, v34 = k6 * c1,
+        v35 = k6 * v9, v36 = v9 * c2, v37 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
+    const double v38 = sqrt2 * c2, v39 = sqrt2 * (k6 * c2), v40 = 2.0 * (a3 * v14), v41 = a3 * v38;
+    const four v42 = T34 - k1 * (v39 + (v31 * v41 + e1 * (c3 * v40)));
+    const double v43 = T33 - k1 * v38, v44 = v43 * v43, v45 = v14 * 2.0;
+    const four v46 = T31 + k1 * (s34 * v38 - e1 * (c34 * v45)),
+        v47 = T24 - k1 * (sqrt2 * (v34 + e1 * (v14 * v35)) - (c3 * (2.0 * (a3 * v36)) + v31 * (a3 *
+            v37))), v48 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14))),
+        v49 = T21 - k1 * (s34 * v37 - c34 * (2.0 * v36)),
+        v50 = T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3 * v33) + sqrt2 * (v35 - e1 * (v14 *
+            v34))), v51 = T11 - k1 * (c34 * (2.0 * v32) + s34 * v33),
+        v52 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14))),
+        v53 = v50 * v50 + (v42 * v42 + v47 * v47),
+        v54 = v52 * v52 + (v51 * v51 + (v49 * v49 + (v48 * v48 + (v44 + v46 * v46))));
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k4) | ((v11 <= m1) | (N1 <= doubt_limit_squared));
-    const four_mask doubt2 = (v30 <= m5) | ((v22 <= m1) | (((m8 < v61) & (v61 <= m9)) | ((m6 < v58)
-        & (v58 <= m7))));
+    const double v56 = NAN;
+    const four v57 = only_four(((v53 <= m6) & (v54 <= m8)) == 0, v56);
+    const int doubt1 = (fabs(D1) <= k4) | (v11 <= m1) | (N1 <= doubt_limit_squared);
+    const four_mask doubt2 = (v30 <= m5) | (v22 <= m1) | ((m8 < v54) & (v54 <= m9)) | ((m6 < v53) &
+        (v53 <= m7));
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v31, v18, 0, 1, 6, 7),
-        __builtin_shufflevector(c3, v21, 0, 1, 6, 7));
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
-    const four packed2 = atan2_four(__builtin_shufflevector(-v9, all_four(-S2), 0, 1, 6, 3),
-        __builtin_shufflevector(c1, all_four(v10), 0, 1, 6, 3));
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v63 = angle3 - angle2;
-    const four q1 = v62 + (v60 + angle4);
-    const four q2 = v62 + (v60 + e1 * angle1);
-    const four q3 = v62 + (angle2 + v60);
-    const four q4 = v62 + (v60 + (v63 - only_four(half_turn < v63, m10) + only_four(v63 <=
-        -half_turn, m10)));
+        __builtin_shufflevector(c3, v21, 0, 1, 6, 7)),
+        angle2 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3),
+        packed2 = atan2_four(__builtin_shufflevector(-v9, all_four(-S2), 0, 1, 6, 3),
+            __builtin_shufflevector(c1, all_four(v10), 0, 1, 6, 3)),
+        angle4 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1),
+        angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four v55 = angle3 - angle2, q1 = v57 + angle4, q2 = v57 + e1 * angle1, q3 = angle2 + v57,
+        q4 = v57 + (v55 - only_four(half_turn < v55, m10) + only_four(v55 <= -half_turn, m10));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -735,7 +611,7 @@ static void solve(
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1, type 2: U1[2, 3] */
     const double N1 = T13 * T13 + T23 * T23;
@@ -745,28 +621,24 @@ static void solve(
     if (!(-k4 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k2 * sqrt(N1)));
-    const double v1 = T13 * k2;
-    const double v2 = T23 * k2;
+    const double v1 = T13 * k2, v2 = T23 * k2;
 
     /* theta2, type 3: U1[3, 3] and U1[1, 3] */
-    const double v3 = k2 * T33;
-    const double v4 = v3 * v3;
+    const double v3 = k2 * T33, v4 = v3 * v3;
 
     /* theta34, type 3: U1[2, 2] and U1[2, 1] */
     const double v9 = seed[2] + seed[3];
 
     /* theta3, type 3: U2[3, 4] and U2[1, 4] */
-    const double v10 = 2.0 * T24;
-    const double v11 = 2.0 * T14;
-    const double v13 = k2 < 0.0 ? -1.0 : 1.0;
+    const double v10 = 2.0 * T24, v11 = 2.0 * T14, v13 = k2 < 0.0 ? -1.0 : 1.0;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T13 * root1);
-        const double s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T23 * root1));
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T13 * root1),
+            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T23 * root1));
         const double q1 = atan2(s1, c1);
 
         /* theta2 */
@@ -774,18 +646,15 @@ static void solve(
         const double w2 = sqrt(S2 * S2 + v4);
         const int free2 = w2 <= free_limit_squared;
         const double v5 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : v3 * v5;
-        const double s2 = free2 ? sin(seed[1]) : -(S2 * v5);
+        const double c2 = free2 ? cos(seed[1]) : v3 * v5, s2 = free2 ? sin(seed[1]) : -(S2 * v5);
         const double q2 = atan2(s2, c2);
 
         /* theta34 */
-        const double v6 = k2 * (T21 * c1 - T11 * s1);
-        const double v7 = k2 * (T22 * c1 - T12 * s1);
+        const double v6 = k2 * (T21 * c1 - T11 * s1), v7 = k2 * (T22 * c1 - T12 * s1);
         const double w34 = sqrt(v6 * v6 + v7 * v7);
         const int free34 = w34 <= free_limit_squared;
         const double v8 = 1.0 / (free34 ? 1.0 : w34);
-        const double c34 = free34 ? cos(v9) : v7 * v8;
-        const double s34 = free34 ? sin(v9) : v6 * v8;
+        const double c34 = free34 ? cos(v9) : v7 * v8, s34 = free34 ? sin(v9) : v6 * v8;
 
         /* theta3 */
         const double v12 = a3 * (k1 * (s1 * v11 - c1 * v10 + k7));
@@ -793,43 +662,28 @@ static void solve(
         const double w3 = sqrt(v12 * v12 + C3 * C3);
         const int free3 = w3 <= free_limit_squared2;
         const double factor3 = v13 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : C3 * factor3;
-        const double s3 = free3 ? sin(seed[2]) : -(v12 * factor3);
+        const double c3 = free3 ? cos(seed[2]) : C3 * factor3,
+            s3 = free3 ? sin(seed[2]) : -(v12 * factor3);
         const double q3 = atan2(s3, c3);
 
         /* is the pose one that the arm can take? */
-        const double v14 = c1 * c2;
-        const double v15 = 2.0 * v14;
-        const double v16 = c1 * s2;
-        const double v17 = sqrt2 * (s1 + v16);
-        const double v18 = c1 * k6;
-        const double v19 = s1 * k6;
-        const double v20 = s1 * c2;
-        const double v21 = 2.0 * v20;
-        const double v22 = s1 * s2;
-        const double v23 = sqrt2 * (c1 - v22);
-        const double v24 = 2.0 * s2;
-        const double v25 = sqrt2 * c2;
-        if (!(fabs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v25)))) <=
-            pose_slack1 && (fabs(T33 - k1 * v25) <= pose_slack && (fabs(T32 - k1 * (s34 * v24 - c34
-            * v25)) <= pose_slack && (fabs(T31 + k1 * (c34 * v24 + s34 * v25)) <= pose_slack &&
-            (fabs(T24 - k1 * (c3 * (2.0 * (a3 * v20)) + s3 * (a3 * v23) + sqrt2 * (v18 + s2 * v19)))
-            <= pose_slack1 && (fabs(T23 - k1 * (sqrt2 * (c1 + v22))) <= pose_slack && (fabs(T22 - k1
-            * (c34 * v23 - s34 * v21)) <= pose_slack && (fabs(T21 - k1 * (c34 * v21 + s34 * v23)) <=
-            pose_slack && (fabs(T14 - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v17) + sqrt2 * (s2
-            * v18 - v19))) <= pose_slack1 && (fabs(T13 - k1 * (sqrt2 * (v16 - s1))) <= pose_slack &&
-            (fabs(T11 - k1 * (c34 * v15 - s34 * v17)) <= pose_slack && fabs(T12 + k1 * (c34 * v17 +
-            s34 * v15)) <= pose_slack))))))))))))
+        const double v14 = c1 * c2, v15 = c1 * s2, v16 = sqrt2 * (s1 + v15), v17 = c1 * k6,
+            v18 = s1 * k6, v19 = s1 * c2, v20 = s1 * s2, v21 = sqrt2 * (c1 - v20), v22 = sqrt2 * c2;
+        if (!(fabs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v22)))) <=
+            pose_slack1 && fabs(T33 - k1 * v22) <= pose_slack && fabs(T31 + k1 * (c34 * (2.0 * s2) +
+            s34 * v22)) <= pose_slack && fabs(T24 - k1 * (c3 * (2.0 * (a3 * v19)) + s3 * (a3 * v21)
+            + sqrt2 * (v17 + s2 * v18))) <= pose_slack1 && fabs(T23 - k1 * (sqrt2 * (c1 + v20))) <=
+            pose_slack && fabs(T21 - k1 * (c34 * (2.0 * v19) + s34 * v21)) <= pose_slack && fabs(T14
+            - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v16) + sqrt2 * (s2 * v17 - v18))) <=
+            pose_slack1 && fabs(T11 - k1 * (c34 * (2.0 * v14) - s34 * v16)) <= pose_slack &&
+            fabs(T13 - k1 * (sqrt2 * (v15 - s1))) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */
         const double q4 = wrap(atan2(s34, c34) - q3);
         const int free3_ = free34 || free3;
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
         status[row] = (free1 || free2 || free3_ || free34) ? CRAIG_417_FREE_JOINT : CRAIG_417_OK;
     }
 }

@@ -106,7 +106,7 @@ m5 = 8.1e-11  # doubt_limit_squared2^2 [m^4]
 m6 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
 m7 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
 m8 = 1.0000000000000002e-10  # pose_slack^2
-m9 = 9.000000000000001e-10  # 9 * pose_slack^2
+m9 = 6.000000000000001e-10  # 6 * pose_slack^2
 m10 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
@@ -287,7 +287,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
@@ -353,28 +353,23 @@ def _solve(pose, seed, q, status):
 
         # is the pose one that the arm can take?
         v14 = c1 * c2
-        v15 = 2.0 * v14
-        v16 = c1 * s2
-        v17 = sqrt2 * (s1 + v16)
-        v18 = c1 * k6
-        v19 = s1 * k6
-        v20 = s1 * c2
-        v21 = 2.0 * v20
-        v22 = s1 * s2
-        v23 = sqrt2 * (c1 - v22)
-        v24 = 2.0 * s2
-        v25 = sqrt2 * c2
+        v15 = c1 * s2
+        v16 = sqrt2 * (s1 + v15)
+        v17 = c1 * k6
+        v18 = s1 * k6
+        v19 = s1 * c2
+        v20 = s1 * s2
+        v21 = sqrt2 * (c1 - v20)
+        v22 = sqrt2 * c2
         if (
-            not (abs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v25)))) <=
-            pose_slack1 and (abs(T33 - k1 * v25) <= pose_slack and (abs(T32 - k1 * (s34 * v24 - c34
-            * v25)) <= pose_slack and (abs(T31 + k1 * (c34 * v24 + s34 * v25)) <= pose_slack and
-            (abs(T24 - k1 * (c3 * (2.0 * (a3 * v20)) + s3 * (a3 * v23) + sqrt2 * (v18 + s2 * v19)))
-            <= pose_slack1 and (abs(T23 - k1 * (sqrt2 * (c1 + v22))) <= pose_slack and (abs(T22 - k1
-            * (c34 * v23 - s34 * v21)) <= pose_slack and (abs(T21 - k1 * (c34 * v21 + s34 * v23)) <=
-            pose_slack and (abs(T14 - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v17) + sqrt2 * (s2
-            * v18 - v19))) <= pose_slack1 and (abs(T13 - k1 * (sqrt2 * (v16 - s1))) <= pose_slack
-            and (abs(T11 - k1 * (c34 * v15 - s34 * v17)) <= pose_slack and abs(T12 + k1 * (c34 * v17
-            + s34 * v15)) <= pose_slack)))))))))))
+            not (abs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v22)))) <=
+            pose_slack1 and abs(T33 - k1 * v22) <= pose_slack and abs(T31 + k1 * (c34 * (2.0 * s2) +
+            s34 * v22)) <= pose_slack and abs(T24 - k1 * (c3 * (2.0 * (a3 * v19)) + s3 * (a3 * v21)
+            + sqrt2 * (v17 + s2 * v18))) <= pose_slack1 and abs(T23 - k1 * (sqrt2 * (c1 + v20))) <=
+            pose_slack and abs(T21 - k1 * (c34 * (2.0 * v19) + s34 * v21)) <= pose_slack and abs(T14
+            - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v16) + sqrt2 * (s2 * v17 - v18))) <=
+            pose_slack1 and abs(T11 - k1 * (c34 * (2.0 * v14) - s34 * v16)) <= pose_slack and
+            abs(T13 - k1 * (sqrt2 * (v15 - s1))) <= pose_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -474,7 +469,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta1, type 2: U1[2, 3]
@@ -550,70 +545,52 @@ def _regular(pose, q, status):
     # is the pose one that the arm can take?
     v44 = c1_p * c2
     v45 = c1_m * c2
-    v46 = 2.0 * v44
-    v47 = 2.0 * v45
-    v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
-    v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
-    v50 = k6 * c1_p
-    v51 = k6 * c1_m
-    v52 = k6 * v13
-    v53 = k6 * v14
-    v54 = v13 * c2
-    v55 = v14 * c2
-    v56 = 2.0 * v54
-    v57 = 2.0 * v55
-    v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
-    v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
-    v60 = v19 * 2.0
-    v61 = sqrt2 * c2
-    v62 = sqrt2 * (k6 * c2)
-    v63 = 2.0 * (a3 * v19)
-    v64 = a3 * v61
-    v65 = T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))
-    v66 = T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))
-    v67 = T33 - k1 * v61
-    v68 = v67 * v67
-    v69 = T32 + k1 * (c34_p * v61 + s34_p * v60)
-    v70 = T32 + k1 * (c34_m * v61 - s34_m * v60)
-    v71 = T31 + k1 * (s34_p * v61 - c34_p * v60)
-    v72 = T31 + k1 * (s34_m * v61 + c34_m * v60)
-    v73 = T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 * v58)))
-    v74 = T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 * v59)))
-    v75 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-    v76 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-    v77 = T22 - k1 * (c34_p * v58 + s34_p * v56)
-    v78 = T22 - k1 * (c34_m * v59 + s34_m * v57)
-    v79 = T21 - k1 * (s34_p * v58 - c34_p * v56)
-    v80 = T21 - k1 * (s34_m * v59 - c34_m * v57)
-    v81 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19 * v50))
-    v82 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19 * v51))
-    v83 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-    v84 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
-    v85 = T11 - k1 * (c34_p * v46 + s34_p * v48)
-    v86 = T11 - k1 * (c34_m * v47 + s34_m * v49)
-    v87 = T12 + k1 * (s34_p * v46 - c34_p * v48)
-    v88 = T12 + k1 * (s34_m * v47 - c34_m * v49)
-    v89 = v81 * v81 + (v65 * v65 + v73 * v73)
-    v90 = v82 * v82 + (v66 * v66 + v74 * v74)
-    v91 = math.sqrt(-1.0)
-    v92 = 0.0 if v89 <= m6 else v91
-    v93 = 0.0 if v90 <= m6 else v91
-    v94 = (
-        v87 * v87 + (v85 * v85 + (v83 * v83 + (v79 * v79 + (v77 * v77 + (v75 * v75 + (v71 * v71 +
-        (v68 + v69 * v69)))))))
-    )
-    v95 = (
-        v88 * v88 + (v86 * v86 + (v84 * v84 + (v80 * v80 + (v78 * v78 + (v76 * v76 + (v72 * v72 +
-        (v68 + v70 * v70)))))))
-    )
-    v96 = 0.0 if v94 <= m8 else v91
-    v97 = 0.0 if v95 <= m8 else v91
+    v46 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
+    v47 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
+    v48 = k6 * c1_p
+    v49 = k6 * c1_m
+    v50 = k6 * v13
+    v51 = k6 * v14
+    v52 = v13 * c2
+    v53 = v14 * c2
+    v54 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
+    v55 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
+    v56 = sqrt2 * c2
+    v57 = sqrt2 * (k6 * c2)
+    v58 = 2.0 * (a3 * v19)
+    v59 = a3 * v56
+    v60 = T34 - k1 * (v57 + (v42 * v59 + c3_p * v58))
+    v61 = T34 - k1 * (v57 + (v43 * v59 - c3_m * v58))
+    v62 = T33 - k1 * v56
+    v63 = v62 * v62
+    v64 = v19 * 2.0
+    v65 = T31 + k1 * (s34_p * v56 - c34_p * v64)
+    v66 = T31 + k1 * (s34_m * v56 + c34_m * v64)
+    v67 = T24 - k1 * (sqrt2 * (v48 + v19 * v50) - (c3_p * (2.0 * (a3 * v52)) + v42 * (a3 * v54)))
+    v68 = T24 - k1 * (sqrt2 * (v49 - v19 * v51) - (c3_m * (2.0 * (a3 * v53)) + v43 * (a3 * v55)))
+    v69 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+    v70 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+    v71 = T21 - k1 * (s34_p * v54 - c34_p * (2.0 * v52))
+    v72 = T21 - k1 * (s34_m * v55 - c34_m * (2.0 * v53))
+    v73 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 - v19 * v48))
+    v74 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v47) + sqrt2 * (v51 + v19 * v49))
+    v75 = T11 - k1 * (c34_p * (2.0 * v44) + s34_p * v46)
+    v76 = T11 - k1 * (c34_m * (2.0 * v45) + s34_m * v47)
+    v77 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+    v78 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+    v79 = v73 * v73 + (v60 * v60 + v67 * v67)
+    v80 = v74 * v74 + (v61 * v61 + v68 * v68)
+    v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v63 + v65 * v65))))
+    v82 = v78 * v78 + (v76 * v76 + (v72 * v72 + (v70 * v70 + (v63 + v66 * v66))))
 
     # joint values
+    v85 = math.sqrt(-1.0)
+    v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v85
+    v87 = 0.0 if (v80 <= m6 and v82 <= m8) else v85
     doubt1 = (
-        v41 <= m5 or (v29 <= m1 or (v40 <= m5 or (v28 <= m1 or ((m6 < v90 and v90 <= m7) or ((m6 <
-        v89 and v89 <= m7) or (abs(D1) <= k4 or (N1 <= doubt_limit_squared or ((m8 < v95 and v95 <=
-        m9) or (v16 <= m1 or (m8 < v94 and v94 <= m9))))))))))
+        v41 <= m5 or v29 <= m1 or v40 <= m5 or v28 <= m1 or (m6 < v80 and v80 <= m7) or (m6 < v79
+        and v79 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v82 and v82 <= m9) or
+        v16 <= m1 or (m8 < v81 and v81 <= m9)
     )
 
     # angles, side by side
@@ -644,22 +621,16 @@ def _regular(pose, q, status):
     angle7 = room[6]
 
     # joint values
-    v98 = angle4 - angle2
-    v99 = angle5 - angle3
-    q1_p = v96 + (v92 + angle6)
-    q1_m = v97 + (v93 + angle7)
-    q2_p = v96 + (angle1 + v92)
-    q2_m = v97 + (v93 - angle1)
-    q3_p = v96 + (angle2 + v92)
-    q3_m = v97 + (angle3 + v93)
-    q4_p = (
-        v96 + (v92 + (v98 - (m10 if half_turn < v98 else 0.0) + (m10 if v98 <= -half_turn else
-        0.0)))
-    )
-    q4_m = (
-        v97 + (v93 + (v99 - (m10 if half_turn < v99 else 0.0) + (m10 if v99 <= -half_turn else
-        0.0)))
-    )
+    v83 = angle4 - angle2
+    v84 = angle5 - angle3
+    q1_p = v86 + angle6
+    q1_m = v87 + angle7
+    q2_p = angle1 + v86
+    q2_m = v87 - angle1
+    q3_p = angle2 + v86
+    q3_m = angle3 + v87
+    q4_p = v86 + (v83 - (m10 if half_turn < v83 else 0.0) + (m10 if v83 <= -half_turn else 0.0))
+    q4_m = v87 + (v84 - (m10 if half_turn < v84 else 0.0) + (m10 if v84 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -839,10 +810,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [576, 592, 608, 624],
-    [640, 656, 672, 688],
+    [544, 560, 576, 592],
+    [608, 624, 640, 656],
 ])
-_KINDS = np.array([704, 720])
+_KINDS = np.array([672, 688])
 
 
 @njit(nogil=True, **_OPTIONS)
@@ -852,7 +823,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(736)
+    work = np.empty(704)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -885,7 +856,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             N1 = T13 * T13 + T23 * T23
@@ -952,149 +922,127 @@ def _in_tiles(T, q, status):
             v43 = v37 * factor3_m
             v44 = c1_p * c2
             v45 = c1_m * c2
-            v46 = 2.0 * v44
-            v47 = 2.0 * v45
-            v48 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
-            v49 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
-            v50 = k6 * c1_p
-            v51 = k6 * c1_m
-            v52 = k6 * v13
-            v53 = k6 * v14
-            v54 = v13 * c2
-            v55 = v14 * c2
-            v56 = 2.0 * v54
-            v57 = 2.0 * v55
-            v58 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
-            v59 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
-            v60 = v19 * 2.0
-            v61 = sqrt2 * c2
-            v62 = sqrt2 * (k6 * c2)
-            v63 = 2.0 * (a3 * v19)
-            v64 = a3 * v61
-            v65 = T34 - k1 * (v62 + (v42 * v64 + c3_p * v63))
-            v66 = T34 - k1 * (v62 + (v43 * v64 - c3_m * v63))
-            v67 = T33 - k1 * v61
-            v68 = v67 * v67
-            v69 = T32 + k1 * (c34_p * v61 + s34_p * v60)
-            v70 = T32 + k1 * (c34_m * v61 - s34_m * v60)
-            v71 = T31 + k1 * (s34_p * v61 - c34_p * v60)
-            v72 = T31 + k1 * (s34_m * v61 + c34_m * v60)
+            v46 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
+            v47 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
+            v48 = k6 * c1_p
+            v49 = k6 * c1_m
+            v50 = k6 * v13
+            v51 = k6 * v14
+            v52 = v13 * c2
+            v53 = v14 * c2
+            v54 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
+            v55 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
+            v56 = sqrt2 * c2
+            v57 = sqrt2 * (k6 * c2)
+            v58 = 2.0 * (a3 * v19)
+            v59 = a3 * v56
+            v60 = T34 - k1 * (v57 + (v42 * v59 + c3_p * v58))
+            v61 = T34 - k1 * (v57 + (v43 * v59 - c3_m * v58))
+            v62 = T33 - k1 * v56
+            v63 = v62 * v62
+            v64 = v19 * 2.0
+            v65 = T31 + k1 * (s34_p * v56 - c34_p * v64)
+            v66 = T31 + k1 * (s34_m * v56 + c34_m * v64)
+            v67 = (
+                T24 - k1 * (sqrt2 * (v48 + v19 * v50) - (c3_p * (2.0 * (a3 * v52)) + v42 * (a3 *
+                v54)))
+            )
+            v68 = (
+                T24 - k1 * (sqrt2 * (v49 - v19 * v51) - (c3_m * (2.0 * (a3 * v53)) + v43 * (a3 *
+                v55)))
+            )
+            v69 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+            v70 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+            v71 = T21 - k1 * (s34_p * v54 - c34_p * (2.0 * v52))
+            v72 = T21 - k1 * (s34_m * v55 - c34_m * (2.0 * v53))
             v73 = (
-                T24 - k1 * (sqrt2 * (v50 + v19 * v52) - (c3_p * (2.0 * (a3 * v54)) + v42 * (a3 *
-                v58)))
+                T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 - v19 *
+                v48))
             )
             v74 = (
-                T24 - k1 * (sqrt2 * (v51 - v19 * v53) - (c3_m * (2.0 * (a3 * v55)) + v43 * (a3 *
-                v59)))
+                T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v47) + sqrt2 * (v51 + v19 *
+                v49))
             )
-            v75 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-            v76 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-            v77 = T22 - k1 * (c34_p * v58 + s34_p * v56)
-            v78 = T22 - k1 * (c34_m * v59 + s34_m * v57)
-            v79 = T21 - k1 * (s34_p * v58 - c34_p * v56)
-            v80 = T21 - k1 * (s34_m * v59 - c34_m * v57)
-            v81 = (
-                T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v48) + sqrt2 * (v52 - v19 *
-                v50))
-            )
-            v82 = (
-                T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v49) + sqrt2 * (v53 + v19 *
-                v51))
-            )
-            v83 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-            v84 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
-            v85 = T11 - k1 * (c34_p * v46 + s34_p * v48)
-            v86 = T11 - k1 * (c34_m * v47 + s34_m * v49)
-            v87 = T12 + k1 * (s34_p * v46 - c34_p * v48)
-            v88 = T12 + k1 * (s34_m * v47 - c34_m * v49)
-            v89 = v81 * v81 + (v65 * v65 + v73 * v73)
-            v90 = v82 * v82 + (v66 * v66 + v74 * v74)
-            v91 = math.sqrt(-1.0)
-            v92 = 0.0 if v89 <= m6 else v91
-            v93 = 0.0 if v90 <= m6 else v91
-            v94 = (
-                v87 * v87 + (v85 * v85 + (v83 * v83 + (v79 * v79 + (v77 * v77 + (v75 * v75 + (v71 *
-                v71 + (v68 + v69 * v69)))))))
-            )
-            v95 = (
-                v88 * v88 + (v86 * v86 + (v84 * v84 + (v80 * v80 + (v78 * v78 + (v76 * v76 + (v72 *
-                v72 + (v68 + v70 * v70)))))))
-            )
-            v96 = 0.0 if v94 <= m8 else v91
-            v97 = 0.0 if v95 <= m8 else v91
+            v75 = T11 - k1 * (c34_p * (2.0 * v44) + s34_p * v46)
+            v76 = T11 - k1 * (c34_m * (2.0 * v45) + s34_m * v47)
+            v77 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+            v78 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+            v79 = v73 * v73 + (v60 * v60 + v67 * v67)
+            v80 = v74 * v74 + (v61 * v61 + v68 * v68)
+            v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v63 + v65 * v65))))
+            v82 = v78 * v78 + (v76 * v76 + (v72 * v72 + (v70 * v70 + (v63 + v66 * v66))))
+            v85 = math.sqrt(-1.0)
+            v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v85
+            v87 = 0.0 if (v80 <= m6 and v82 <= m8) else v85
             doubt1 = (
-                v41 <= m5 or (v29 <= m1 or (v40 <= m5 or (v28 <= m1 or ((m6 < v90 and v90 <= m7) or
-                ((m6 < v89 and v89 <= m7) or (abs(D1) <= k4 or (N1 <= doubt_limit_squared or ((m8 <
-                v95 and v95 <= m9) or (v16 <= m1 or (m8 < v94 and v94 <= m9))))))))))
+                v41 <= m5 or v29 <= m1 or v40 <= m5 or v28 <= m1 or (m6 < v80 and v80 <= m7) or (m6
+                < v79 and v79 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v82 and
+                v82 <= m9) or v16 <= m1 or (m8 < v81 and v81 <= m9)
             )
-            work[272 + k] = v92
-            work[288 + k] = v93
-            work[304 + k] = v96
-            work[320 + k] = v97
-            work[336 + k] = doubt1
-            work[352 + k] = -S2
-            work[368 + k] = -v42
-            work[384 + k] = -v43
-            work[400 + k] = v22
-            work[416 + k] = v23
-            work[432 + k] = -v13
-            work[448 + k] = -v14
-            work[464 + k] = v15
-            work[480 + k] = c3_p
-            work[496 + k] = c3_m
-            work[512 + k] = v26
-            work[528 + k] = v27
-            work[544 + k] = c1_p
-            work[560 + k] = c1_m
-        for k in range(352, 464):
+            work[272 + k] = v86
+            work[288 + k] = v87
+            work[304 + k] = doubt1
+            work[320 + k] = -S2
+            work[336 + k] = -v42
+            work[352 + k] = -v43
+            work[368 + k] = v22
+            work[384 + k] = v23
+            work[400 + k] = -v13
+            work[416 + k] = -v14
+            work[432 + k] = v15
+            work[448 + k] = c3_p
+            work[464 + k] = c3_m
+            work[480 + k] = v26
+            work[496 + k] = v27
+            work[512 + k] = c1_p
+            work[528 + k] = c1_m
+        for k in range(320, 432):
             work[k] = _atan2(work[k], work[k + 112])
         for k in range(0, 16):
-            v92 = work[272 + k]
-            v93 = work[288 + k]
-            v96 = work[304 + k]
-            v97 = work[320 + k]
-            doubt1 = work[336 + k] != 0.0
-            angle1 = work[352 + k]
-            angle2 = work[368 + k]
-            angle3 = work[384 + k]
-            angle4 = work[400 + k]
-            angle5 = work[416 + k]
-            angle6 = work[432 + k]
-            angle7 = work[448 + k]
-            v98 = angle4 - angle2
-            v99 = angle5 - angle3
-            q1_p = v96 + (v92 + angle6)
-            q1_m = v97 + (v93 + angle7)
-            q2_p = v96 + (angle1 + v92)
-            q2_m = v97 + (v93 - angle1)
-            q3_p = v96 + (angle2 + v92)
-            q3_m = v97 + (angle3 + v93)
+            v86 = work[272 + k]
+            v87 = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
+            angle2 = work[336 + k]
+            angle3 = work[352 + k]
+            angle4 = work[368 + k]
+            angle5 = work[384 + k]
+            angle6 = work[400 + k]
+            angle7 = work[416 + k]
+            v83 = angle4 - angle2
+            v84 = angle5 - angle3
+            q1_p = v86 + angle6
+            q1_m = v87 + angle7
+            q2_p = angle1 + v86
+            q2_m = v87 - angle1
+            q3_p = angle2 + v86
+            q3_m = angle3 + v87
             q4_p = (
-                v96 + (v92 + (v98 - (m10 if half_turn < v98 else 0.0) + (m10 if v98 <= -half_turn
-                else 0.0)))
+                v86 + (v83 - (m10 if half_turn < v83 else 0.0) + (m10 if v83 <= -half_turn else
+                0.0))
             )
             q4_m = (
-                v97 + (v93 + (v99 - (m10 if half_turn < v99 else 0.0) + (m10 if v99 <= -half_turn
-                else 0.0)))
+                v87 + (v84 - (m10 if half_turn < v84 else 0.0) + (m10 if v84 <= -half_turn else
+                0.0))
             )
-            _576 = q1_p
+            _544 = q1_p
+            work[544 + k] = _544
+            _560 = q2_p
+            work[560 + k] = _560
+            _576 = q3_p
             work[576 + k] = _576
-            _592 = q2_p
+            _592 = q4_p
             work[592 + k] = _592
-            _608 = q3_p
+            _608 = q1_m
             work[608 + k] = _608
-            _624 = q4_p
+            _624 = q2_m
             work[624 + k] = _624
-            _640 = q1_m
+            _640 = q3_m
             work[640 + k] = _640
-            _656 = q2_m
+            _656 = q4_m
             work[656 + k] = _656
-            _672 = q3_m
-            work[672 + k] = _672
-            _688 = q4_m
-            work[688 + k] = _688
-            work[704 + k] = UNREACHABLE if _576 != _576 else OK
-            work[720 + k] = UNREACHABLE if _640 != _640 else OK
+            work[672 + k] = UNREACHABLE if _544 != _544 else OK
+            work[688 + k] = UNREACHABLE if _608 != _608 else OK
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
             if work[256 + k] != 0.0:

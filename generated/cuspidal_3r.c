@@ -117,14 +117,14 @@ static void circle_roots(double a0, double a1, double b1, double a2, double b2, 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[3] = { 3, 7, 11 };
+    double reached[16], sum = 0.0;
     cuspidal_3r_fk(q, reached);
-    off = 0.18181818181818182 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 0.18181818181818182 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 0.18181818181818182 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 3; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.18181818181818182 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -134,6 +134,8 @@ static const int solved[3] = { 0, 1, 2 };
 static const int turning[3] = { 1, 1, 1 };
 static const double unit[3] = { 1.0, 1.0, 1.0 };
 static const double measure[3] = { 0.18181818181818182, 0.18181818181818182, 0.18181818181818182 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -151,18 +153,29 @@ static void look(struct descent *d, const double u[3])
         d->q[solved[j]] = unit[j] * u[j];
     cuspidal_3r_fk(d->q, P);
     cuspidal_3r_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 5.5;
-    for (int j = 0; j < 3; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 5.5;
-    for (int j = 0; j < 3; j++)
-        d->A[1][j] = measure[j] * J[3 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 5.5;
-    for (int j = 0; j < 3; j++)
-        d->A[2][j] = measure[j] * J[6 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 5.5;
+        for (int j = 0; j < 3; j++)
+            d->A[i][j] = measure[j] * J[3 * row + solved[j]];
+    }
     for (int i = 0; i < 3; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[3], double to[3])
+{
+    for (int j = 0; j < 3; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[3])
+{
+    for (int j = 0; j < 3; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -197,14 +210,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[3])
-{
-    for (int j = 0; j < 3; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
  * it misses the pose then. */
 static double tightened(struct descent *d, double exact, double q[3], int *moved)
@@ -223,8 +228,7 @@ static double tightened(struct descent *d, double exact, double q[3], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 3; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -262,9 +266,8 @@ static void tighten(const double T[16], double q[4][3], unsigned char status[4])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 5.5);
-    distance = fmax(distance, fabs(T[7]) / 5.5);
-    distance = fmax(distance, fabs(T[11]) / 5.5);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 5.5);
     const double exact = 1e-12 * distance;
     int moved[4] = { 0 };
     for (int row = 0; row < 4; row++)
@@ -303,23 +306,16 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void cuspidal_3r_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double T13_ = c1 * s2;
-    const double T23_ = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - s1 * s3;
-    const double T21_ = x2_y * c3 + c1 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double T13_ = c1 * s2, T23_ = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double T11_ = x2_x * c3 - s1 * s3, T21_ = x2_y * c3 + c1 * s3;
     const double v1 = s2 * c3;
-    const double T22_ = c1 * c3 - x2_y * s3;
-    const double T32_ = s2 * s3;
-    const double T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + T11_ * a3;
-    const double T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + T21_ * a3;
+    const double T22_ = c1 * c3 - x2_y * s3, T32_ = s2 * s3,
+        T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + T11_ * a3,
+        T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + T21_ * a3;
     T[0] = T11_; T[1] = -(s1 * c3 + x2_x * s3); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = -v1; T[9] = T32_; T[10] = c2; T[11] = -(s2 * a2 + v1 * a3);
@@ -329,30 +325,18 @@ void cuspidal_3r_fk(const double q[3], double T[16])
 
 void cuspidal_3r_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J43 = c1 * s2;
-    const double J53 = s1 * s2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J43 = c1 * s2, J53 = s1 * s2;
     const double v1 = s2 * a2;
-    const double p2_x = p1_x + x2_x * a2 - s1 * d2;
-    const double p2_y = p1_y + x2_y * a2 + c1 * d2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double p2_x = p1_x + x2_x * a2 - s1 * d2, p2_y = p1_y + x2_y * a2 + c1 * d2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double J21 = p2_x + (x2_x * c3 - s1 * s3) * a3;
     const double p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3;
-    const double v2 = v1 + s2 * c3 * a3;
-    const double v3 = J21 - p2_x;
-    const double v4 = p3_y - p2_y;
-    const double v5 = v1 - v2;
-    const double J13 = J53 * v5 - c2 * v4;
-    const double J23 = c2 * v3 - J43 * v5;
-    const double J33 = J43 * v4 - J53 * v3;
+    const double v2 = v1 + s2 * c3 * a3, v3 = J21 - p2_x, v4 = p3_y - p2_y, v5 = v1 - v2;
+    const double J13 = J53 * v5 - c2 * v4, J23 = c2 * v3 - J43 * v5, J33 = J43 * v4 - J53 * v3;
     J[0] = -p3_y; J[1] = -(c1 * v2); J[2] = J13;
     J[3] = J21; J[4] = -(s1 * v2); J[5] = J23;
     J[6] = 0.0; J[7] = -(s1 * (p3_y - p1_y) + c1 * (J21 - p1_x)); J[8] = J33;
@@ -383,16 +367,9 @@ static void solve(
     const double v1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k3));
     const double R2c1 = 2.0 * (T14 * a1);
     const double R2s1 = 2.0 * (T24 * a1);
-    const double v2 = k1 + a3 * v1;
-    const double v3 = a3 * R2c1 + k1 * T24;
-    const double v4 = a3 * R2s1 - k1 * T14;
-    const double v5 = k2 * T24;
-    const double v6 = k2 * T14;
-    const double v7 = v3 * v3;
-    const double v8 = v4 * v4;
-    const double v9 = 2.0 * v2;
-    const double v10 = v5 * v5;
-    const double v11 = v6 * v6;
+    const double v2 = k1 + a3 * v1, v3 = a3 * R2c1 + k1 * T24, v4 = a3 * R2s1 - k1 * T14,
+        v5 = k2 * T24, v6 = k2 * T14, v7 = v3 * v3, v8 = v4 * v4, v9 = 2.0 * v2, v10 = v5 * v5,
+        v11 = v6 * v6;
     double x1_roots[4];
     circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3 * v9 + v5 * k5), v6 *
         k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6, x1_roots);
@@ -401,8 +378,7 @@ static void solve(
         const double x1 = x1_roots[i1];
         /* theta1 */
         if (!(x1 <= 4.0)) continue; /* out of reach */
-        const double c1 = cos(x1);
-        const double s1 = sin(x1);
+        const double c1 = cos(x1), s1 = sin(x1);
 
         /* theta3, type 3: U1[3, 4] and the squared length of column 4 of U1 */
         const double v12 = d2 + (T14 * s1 - T24 * c1);
@@ -416,13 +392,11 @@ static void solve(
         const double w2 = sqrt(v13 * v13 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-        const double s2 = free2 ? sin(seed[1]) : -(v13 * factor2);
+        const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+            s2 = free2 ? sin(seed[1]) : -(v13 * factor2);
         const double q2 = atan2(s2, c2);
         const int row = i1;
-        q[row][0] = x1;
-        q[row][1] = q2;
-        q[row][2] = q3;
+        q[row][0] = x1; q[row][1] = q2; q[row][2] = q3;
         status[row] = (free2) ? CUSPIDAL_3R_FREE_JOINT : CUSPIDAL_3R_OK;
     }
 }

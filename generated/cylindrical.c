@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,20 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -269,6 +221,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -299,10 +253,8 @@ static const double weight[3] = { 1.0, 11.11111111111111, 11.11111111111111 };
 
 void cylindrical_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double T34_ = d1 + q[1];
-    const double T24_ = c1 * q[2];
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double T34_ = d1 + q[1], T24_ = c1 * q[2];
     T[0] = c1; T[1] = 0.0; T[2] = -s1; T[3] = -(s1 * q[2]);
     T[4] = s1; T[5] = 0.0; T[6] = c1; T[7] = T24_;
     T[8] = 0.0; T[9] = -1.0; T[10] = 0.0; T[11] = T34_;
@@ -312,8 +264,7 @@ void cylindrical_fk(const double q[3], double T[16])
 
 void cylindrical_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     J[0] = -(c1 * q[2]); J[1] = 0.0; J[2] = -s1;
     J[3] = -(s1 * q[2]); J[4] = 0.0; J[5] = c1;
     J[6] = 0.0; J[7] = 1.0; J[8] = 0.0;
@@ -326,13 +277,16 @@ void cylindrical_jacobian(const double q[3], double J[18])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -374,34 +328,29 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T11 = T[0], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r2 */
     const wide q2 = T34 - d1;
 
     /* theta1 */
-    const wide v1 = T21 * T21 + T11 * T11;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1, v3 = w1 * v2;
-    const wide c1 = T11 * v3;
-    const wide s1 = T21 * v3;
-    const wide angle1 = atan2_wide(T21, T11);
+    const wide v1 = T21 * T21 + T11 * T11, w1 = sqrt_wide(v1), v2 = 1.0 / v1, v3 = w1 * v2,
+        c1 = T11 * v3, s1 = T21 * v3;
 
     /* r3 */
     const wide q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const wide v4 = T34 - (d1 + q2), v5 = 1.0 + T32, v6 = T24 - c1 * q3, v7 = T23 - c1;
-    const wide v8 = T21 - s1, v9 = T14 + s1 * q3, v10 = s1 + T13, v11 = T11 - c1;
+    const wide v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T21 - s1,
+        v8 = T14 + s1 * q3, v9 = T11 - c1, v10 = s1 + T13;
 
     /* joint values */
-    const wide_mask doubt1 = (m2 < v9 * v9 + (v4 * v4 + v6 * v6)) | ((m3 < T12 * T12 + (v11 * v11 +
-        (v10 * v10 + (v8 * v8 + (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5)))))))) |
-        (v1 <= m1));
+    const wide_mask doubt1 = (m2 < v8 * v8 + (v4 * v4 + v5 * v5)) | (m3 < v10 * v10 + (v9 * v9 + (v7
+        * v7 + (v6 * v6 + (T33 * T33 + T31 * T31))))) | (v1 <= m1);
 
-    q[0] = angle1; q[1] = q2; q[2] = q3;
+    q[0] = atan2_wide(T21, T11); q[1] = q2; q[2] = q3;
     kind[0] = kind_of(q[0] != q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -413,34 +362,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 INLINED
 HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r2 */
     const double q2 = T34 - d1;
 
     /* theta1 */
-    const double v1 = T21 * T21 + T11 * T11;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1, v3 = w1 * v2;
-    const double c1 = T11 * v3;
-    const double s1 = T21 * v3;
+    const double v1 = T21 * T21 + T11 * T11, w1 = sqrt(v1), v2 = 1.0 / v1, v3 = w1 * v2,
+        c1 = T11 * v3, s1 = T21 * v3;
 
     /* r3 */
     const double q3 = w1 * (v2 * (T11 * T24 - T21 * T14));
 
     /* is the pose one that the arm can take? */
-    const double v4 = T34 - (d1 + q2), v5 = 1.0 + T32, v6 = T24 - c1 * q3, v7 = T23 - c1;
-    const double v8 = T21 - s1, v9 = T14 + s1 * q3, v10 = s1 + T13, v11 = T11 - c1;
+    const double v4 = T34 - (d1 + q2), v5 = T24 - c1 * q3, v6 = T23 - c1, v7 = T21 - s1,
+        v8 = T14 + s1 * q3, v9 = T11 - c1, v10 = s1 + T13;
 
     /* joint values */
-    const int doubt1 = (m2 < v9 * v9 + (v4 * v4 + v6 * v6)) | ((m3 < T12 * T12 + (v11 * v11 + (v10 *
-        v10 + (v8 * v8 + (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5)))))))) | (v1 <=
-        m1));
+    const int doubt1 = (m2 < v8 * v8 + (v4 * v4 + v5 * v5)) | (m3 < v10 * v10 + (v9 * v9 + (v7 * v7
+        + (v6 * v6 + (T33 * T33 + T31 * T31))))) | (v1 <= m1);
 
-    const four packed1 = atan2_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four packed1 = atan2_four((four){ T21, T21, T21, T21 }, (four){ T11, T11, T11, T11 }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -509,9 +454,9 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
 static void solve(
     const double T[16], const double seed[3], double q[1][3], unsigned char status[1])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r2, type 1: U0[3, 4] */
     const double r2 = T34 - d1;
@@ -520,24 +465,20 @@ static void solve(
     const double w1 = sqrt(T21 * T21 + T11 * T11);
     const int free1 = w1 <= free_limit_squared;
     const double v1 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : T11 * v1;
-    const double s1 = free1 ? sin(seed[0]) : T21 * v1;
+    const double c1 = free1 ? cos(seed[0]) : T11 * v1, s1 = free1 ? sin(seed[0]) : T21 * v1;
     const double q1 = atan2(s1, c1);
 
     /* r3, type 1: U1[2, 4] */
     const double r3 = c1 * T24 - s1 * T14;
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(T34 - (d1 + r2)) <= pose_slack1 && (fabs(T33) <= pose_slack && (fabs(1.0 + T32) <=
-        pose_slack && (fabs(T31) <= pose_slack && (fabs(T24 - c1 * r3) <= pose_slack1 && (fabs(T23 -
-        c1) <= pose_slack && (fabs(T22) <= pose_slack && (fabs(T21 - s1) <= pose_slack && (fabs(T14
-        + s1 * r3) <= pose_slack1 && (fabs(T13 + s1) <= pose_slack && (fabs(T11 - c1) <= pose_slack
-        && fabs(T12) <= pose_slack))))))))))))
+    if (!(fabs(T34 - (d1 + r2)) <= pose_slack1 && fabs(T33) <= pose_slack && fabs(T31) <= pose_slack
+        && fabs(T24 - c1 * r3) <= pose_slack1 && fabs(T23 - c1) <= pose_slack && fabs(T21 - s1) <=
+        pose_slack && fabs(T14 + s1 * r3) <= pose_slack1 && fabs(T11 - c1) <= pose_slack && fabs(T13
+        + s1) <= pose_slack))
         return; /* the arm can't take this pose */
     const int row = 0;
-    q[row][0] = q1;
-    q[row][1] = r2;
-    q[row][2] = r3;
+    q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
     status[row] = (free1) ? CYLINDRICAL_FREE_JOINT : CYLINDRICAL_OK;
 }
 

@@ -194,7 +194,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # r2, type 1: U0[3, 4]
     r2 = T34 - d1
@@ -212,11 +212,10 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(T34 - (d1 + r2)) <= pose_slack1 and (abs(T33) <= pose_slack and (abs(1.0 + T32) <=
-        pose_slack and (abs(T31) <= pose_slack and (abs(T24 - c1 * r3) <= pose_slack1 and (abs(T23 -
-        c1) <= pose_slack and (abs(T22) <= pose_slack and (abs(T21 - s1) <= pose_slack and (abs(T14
-        + s1 * r3) <= pose_slack1 and (abs(T13 + s1) <= pose_slack and (abs(T11 - c1) <= pose_slack
-        and abs(T12) <= pose_slack)))))))))))
+        not (abs(T34 - (d1 + r2)) <= pose_slack1 and abs(T33) <= pose_slack and abs(T31) <=
+        pose_slack and abs(T24 - c1 * r3) <= pose_slack1 and abs(T23 - c1) <= pose_slack and abs(T21
+        - s1) <= pose_slack and abs(T14 + s1 * r3) <= pose_slack1 and abs(T11 - c1) <= pose_slack
+        and abs(T13 + s1) <= pose_slack)
     ):
         return  # the arm can't take this pose
     row = 0
@@ -313,7 +312,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # r2, type 1: U0[3, 4]
     q2 = T34 - d1
@@ -331,18 +330,17 @@ def _regular(pose, q, status):
 
     # is the pose one that the arm can take?
     v4 = T34 - (d1 + q2)
-    v5 = 1.0 + T32
-    v6 = T24 - c1 * q3
-    v7 = T23 - c1
-    v8 = T21 - s1
-    v9 = T14 + s1 * q3
+    v5 = T24 - c1 * q3
+    v6 = T23 - c1
+    v7 = T21 - s1
+    v8 = T14 + s1 * q3
+    v9 = T11 - c1
     v10 = s1 + T13
-    v11 = T11 - c1
 
     # joint values
     doubt1 = (
-        m2 < v9 * v9 + (v4 * v4 + v6 * v6) or (m3 < T12 * T12 + (v11 * v11 + (v10 * v10 + (v8 * v8 +
-        (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5))))))) or v1 <= m1)
+        m2 < v8 * v8 + (v4 * v4 + v5 * v5) or m3 < v10 * v10 + (v9 * v9 + (v7 * v7 + (v6 * v6 + (T33
+        * T33 + T31 * T31)))) or v1 <= m1
     )
     angle1 = _atan2(T21, T11)
 
@@ -557,15 +555,12 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             q2 = T34 - d1
@@ -577,17 +572,15 @@ def _in_tiles(T, q, status):
             s1 = T21 * v3
             q3 = w1 * (v2 * (T11 * T24 - T21 * T14))
             v4 = T34 - (d1 + q2)
-            v5 = 1.0 + T32
-            v6 = T24 - c1 * q3
-            v7 = T23 - c1
-            v8 = T21 - s1
-            v9 = T14 + s1 * q3
+            v5 = T24 - c1 * q3
+            v6 = T23 - c1
+            v7 = T21 - s1
+            v8 = T14 + s1 * q3
+            v9 = T11 - c1
             v10 = s1 + T13
-            v11 = T11 - c1
             doubt1 = (
-                m2 < v9 * v9 + (v4 * v4 + v6 * v6) or (m3 < T12 * T12 + (v11 * v11 + (v10 * v10 +
-                (v8 * v8 + (T22 * T22 + (v7 * v7 + (T31 * T31 + (T33 * T33 + v5 * v5))))))) or v1 <=
-                m1)
+                m2 < v8 * v8 + (v4 * v4 + v5 * v5) or m3 < v10 * v10 + (v9 * v9 + (v7 * v7 + (v6 *
+                v6 + (T33 * T33 + T31 * T31)))) or v1 <= m1
             )
             work[272 + k] = q2
             work[288 + k] = q3

@@ -83,56 +83,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -172,7 +137,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -194,14 +159,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -270,6 +227,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -303,30 +262,19 @@ static const double weight[6] = { 1.0, 6.249999999999999, 6.249999999999999, 1.0
 
 void cylindrical_wrist_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = c1 * c4;
-    const double x4_y = s1 * c4;
-    const double v1 = c1 * s4;
-    const double v2 = s1 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + s1 * s5;
-    const double x5_y = x4_y * c5 - c1 * s5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = c1 * c4, x4_y = s1 * c4;
+    const double v1 = c1 * s4, v2 = s1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5;
     const double v3 = s4 * c5;
     const double T23_ = c1 * c5 + x4_y * s5;
     const double v4 = s4 * s5;
     const double T13_ = x4_x * s5 - s1 * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - v1 * s6;
-    const double T21_ = x5_y * c6 - v2 * s6;
-    const double T32_ = v3 * s6 - c4 * c6;
-    const double T14_ = T13_ * d6 - s1 * q[2];
-    const double T24_ = c1 * q[2] + T23_ * d6;
-    const double T34_ = d1 + q[1] - v4 * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - v1 * s6, T21_ = x5_y * c6 - v2 * s6, T32_ = v3 * s6 - c4 * c6,
+        T14_ = T13_ * d6 - s1 * q[2], T24_ = c1 * q[2] + T23_ * d6, T34_ = d1 + q[1] - v4 * d6;
     T[0] = T11_; T[1] = -(v1 * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(v2 * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
     T[8] = -(v3 * c6 + c4 * s6); T[9] = T32_; T[10] = -v4; T[11] = T34_;
@@ -336,32 +284,20 @@ void cylindrical_wrist_fk(const double q[6], double T[16])
 
 void cylindrical_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p2_z = d1 + q[1];
     const double v1 = s1 * q[2];
     const double p3_y = c1 * q[2];
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double v2 = c1 * s4;
-    const double v3 = s1 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double v2 = c1 * s4, v3 = s1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double J56 = c1 * c5 + s1 * c4 * s5;
     const double v4 = s4 * s5;
-    const double J46 = c1 * c4 * s5 - s1 * c5;
-    const double J21 = J46 * d6 - v1;
+    const double J46 = c1 * c4 * s5 - s1 * c5, J21 = J46 * d6 - v1;
     const double p6_y = p3_y + J56 * d6;
-    const double v5 = v1 + J21;
-    const double v6 = p6_y - p3_y;
-    const double v7 = p2_z - v4 * d6 - p2_z;
-    const double J14 = c1 * v7;
-    const double J24 = s1 * v7;
-    const double J15 = c4 * v6 - v3 * v7;
-    const double J25 = v2 * v7 - c4 * v5;
-    const double J35 = v3 * v5 - v2 * v6;
-    const double J16 = J56 * v7 + v4 * v6;
-    const double J36 = J46 * v6 - J56 * v5;
+    const double v5 = v1 + J21, v6 = p6_y - p3_y, v7 = p2_z - v4 * d6 - p2_z;
+    const double J14 = c1 * v7, J24 = s1 * v7, J15 = c4 * v6 - v3 * v7, J25 = v2 * v7 - c4 * v5,
+        J35 = v3 * v5 - v2 * v6, J16 = J56 * v7 + v4 * v6, J36 = J46 * v6 - J56 * v5;
     J[0] = -p6_y; J[1] = 0.0; J[2] = -s1; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = 0.0; J[8] = c1; J[9] = J24; J[10] = J25; J[11] = -(v4 * v5 + J46 * v7);
     J[12] = 0.0; J[13] = 1.0; J[14] = 0.0; J[15] = -(s1 * v6 + c1 * v5); J[16] = J35; J[17] = J36;
@@ -374,13 +310,16 @@ void cylindrical_wrist_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -430,28 +369,23 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide q2_pp = T34 - d6 * T33 - d1;
 
     /* theta1, r3 */
-    const wide wy = T24 - d6 * T23;
-    const wide s1 = d6 * T13 - T14;
-    const wide v1 = s1 * s1 + wy * wy;
-    const wide q3_pp = sqrt_wide(v1);
-    const wide factor1 = q3_pp * (1.0 / v1);
-    const wide angle1 = atan2_wide(s1, wy);
-    const wide q1_mp = angle1 - copysign_wide(all_wide(half_turn), s1) * h1;
+    const wide wy = T24 - d6 * T23, s1 = d6 * T13 - T14, v1 = s1 * s1 + wy * wy,
+        q3_pp = sqrt_wide(v1), factor1 = q3_pp * (1.0 / v1), angle1 = atan2_wide(s1, wy),
+        q1_mp = angle1 - copysign_wide(all_wide(half_turn), s1) * h1;
 
     /* theta4 */
-    const wide X4 = wy * T13 + T23 * s1;
-    const wide v2 = factor1 * X4, v3 = T33 * T33 + factor1 * (X4 * v2);
-    const wide angle2 = atan2_wide(T33, -v2);
-    const wide q4_pm = angle2 - h1 * copysign_wide(all_wide(half_turn), T33);
+    const wide X4 = wy * T13 + T23 * s1, v2 = factor1 * X4, v3 = T33 * T33 + factor1 * (X4 * v2),
+        angle2 = atan2_wide(T33, -v2),
+        q4_pm = angle2 - h1 * copysign_wide(all_wide(half_turn), T33);
 
     /* theta5 */
-    const wide angle3 = atan2_wide(-sqrt_wide(v3), factor1 * (T23 * wy - T13 * s1));
-    const wide q5_mp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v3)) - angle3;
+    const wide angle3 = atan2_wide(-sqrt_wide(v3), factor1 * (T23 * wy - T13 * s1)),
+        q5_mp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v3)) - angle3;
 
     /* theta6 */
-    const wide v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21);
-    const wide angle4 = atan2_wide(v4, X4 * T32 - T33 * (wy * T12 + s1 * T22));
-    const wide q6_pm = angle4 - h1 * copysign_wide(all_wide(half_turn), v4);
+    const wide v4 = X4 * T31 - T33 * (wy * T11 + s1 * T21),
+        angle4 = atan2_wide(v4, X4 * T32 - T33 * (wy * T12 + s1 * T22)),
+        q6_pm = angle4 - h1 * copysign_wide(all_wide(half_turn), v4);
 
     /* joint values */
     const wide_mask doubt1 = (v1 <= m1) | (v3 <= m3);
@@ -485,18 +419,13 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double q2 = T34 - d6 * T33 - d1;
 
     /* theta1, r3 */
-    const double wy = T24 - d6 * T23;
-    const double s1 = d6 * T13 - T14;
-    const double v1 = s1 * s1 + wy * wy;
-    const double w3 = sqrt(v1);
-    const double factor1 = w3 * (1.0 / v1);
-    const double v2 = copysign(half_turn, s1);
+    const double wy = T24 - d6 * T23, s1 = d6 * T13 - T14, v1 = s1 * s1 + wy * wy, w3 = sqrt(v1),
+        factor1 = w3 * (1.0 / v1), v2 = copysign(half_turn, s1);
     const four v3 = e1 - 1.0;
 
     /* theta4 */
-    const double X4 = wy * T13 + T23 * s1;
-    const double v4 = factor1 * X4, v5 = T33 * T33 + factor1 * (X4 * v4);
-    const double v6 = copysign(half_turn, T33);
+    const double X4 = wy * T13 + T23 * s1, v4 = factor1 * X4, v5 = T33 * T33 + factor1 * (X4 * v4),
+        v6 = copysign(half_turn, T33);
 
     /* theta5 */
     const double v8 = copysign(half_turn, -sqrt(v5));
@@ -509,17 +438,14 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const int doubt1 = (v1 <= m1) | (v5 <= m3);
 
     const four packed1 = atan2_four((four){ s1, T33, -sqrt(v5), v9 }, (four){ wy, -v4, factor1 *
-        (T23 * wy - T13 * s1), X4 * T32 - T33 * (wy * T12 + s1 * T22) });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q1 = angle1 + v2 * (m2 * v3);
-    const four v7 = e1 * angle2;
-    const four q4 = v7 + v6 * (m2 * (e2 - e1));
-    const four q5_ = e1 * angle3 + v8 * (m2 * -v3);
-    const four q6 = angle4 + v10 * (m2 * (e1 * e2 - 1.0));
-    const four q5 = e2 * q5_;
+        (T23 * wy - T13 * s1), X4 * T32 - T33 * (wy * T12 + s1 * T22) }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four q1 = angle1 + v2 * (m2 * v3), v7 = e1 * angle2, q4 = v7 + v6 * (m2 * (e2 - e1)),
+        q5_ = e1 * angle3 + v8 * (m2 * -v3), q6 = angle4 + v10 * (m2 * (e1 * e2 - 1.0)),
+        q5 = e2 * q5_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -611,8 +537,8 @@ static void solve(
         /* theta1, r3 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : wy * factor1;
-        const double s1 = free1 ? sin(seed[0]) : v1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : wy * factor1,
+            s1 = free1 ? sin(seed[0]) : v1 * factor1;
         const double q1 = atan2(s1, c1);
         const double r3 = w3 * e1;
 
@@ -626,16 +552,15 @@ static void solve(
         const double c5 = T23 * c1 - T13 * s1;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v3 = T12 * c1 + T22 * s1;
-        const double v4 = T11 * c1 + T21 * s1;
+        const double v3 = T12 * c1 + T22 * s1, v4 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
             if (e2 < 0.0 && free4) continue; /* both signs give the same */
             const double factor4 = e2 / divisor4;
-            const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-            const double s4 = free4 ? sin(seed[3]) : T33 * factor4;
+            const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                s4 = free4 ? sin(seed[3]) : T33 * factor4;
             const double q4 = atan2(s4, c4);
 
             /* theta5 */
@@ -644,11 +569,7 @@ static void solve(
             /* theta6 */
             const double q6 = atan2(-(T31 * c4 + s4 * v4), -(T32 * c4 + s4 * v3));
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = r2;
-            q[row][2] = r3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = r2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free1 || free4) ? CYLINDRICAL_WRIST_FREE_JOINT : CYLINDRICAL_WRIST_OK;
         }

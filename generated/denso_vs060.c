@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -274,6 +231,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -346,52 +305,30 @@ static const double highest[6] = { 2.96706, 2.094395, 2.70526, 4.712389, 2.09439
 void denso_vs060_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v6 = v3 * c3 + x2_x * s3;
-    const double v7 = v4 * c3 + x2_y * s3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3;
     const double z3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_y = x3_y * s4 - c1 * c4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
+    const double z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4;
     const double v8 = q[4] + offset5;
-    const double c5 = cos(v8);
-    const double s5 = sin(v8);
-    const double x5_x = x4_x * c5 - v6 * s5;
-    const double x5_y = x4_y * c5 - v7 * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = v6 * c5 + x4_x * s5;
-    const double T23_ = v7 * c5 + x4_y * s5;
-    const double T33_ = x4_z * s5 - z3_z * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = z4_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 + x3_x * a3 - v6 * d4 + T13_ * d6;
-    const double T24_ = x2_y * a2 + x3_y * a3 - v7 * d4 + T23_ * d6;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + T33_ * d6;
+    const double c5 = cos(v8), s5 = sin(v8);
+    const double x5_x = x4_x * c5 - v6 * s5, x5_y = x4_y * c5 - v7 * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = v6 * c5 + x4_x * s5, T23_ = v7 * c5 + x4_y * s5,
+        T33_ = x4_z * s5 - z3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T32_ = z4_z * c6 - x5_z * s6, T14_ = x2_x * a2 + x3_x * a3 - v6 * d4 + T13_ * d6,
+        T24_ = x2_y * a2 + x3_y * a3 - v7 * d4 + T23_ * d6,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -402,65 +339,38 @@ void denso_vs060_fk(const double q[6], double T[16])
 void denso_vs060_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
     const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v6 = v3 * c3 + x2_x * s3;
-    const double v7 = v4 * c3 + x2_y * s3;
+    const double c3 = cos(v5), s3 = sin(v5);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3;
     const double J64 = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p3_x - v6 * d4;
-    const double p4_y = p3_y - v7 * d4;
-    const double p4_z = p3_z + J64 * d4;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
+    const double p4_x = p3_x - v6 * d4, p4_y = p3_y - v7 * d4, p4_z = p3_z + J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
     const double v8 = q[4] + offset5;
-    const double c5 = cos(v8);
-    const double s5 = sin(v8);
-    const double J46 = v6 * c5 + (x3_x * c4 - s1 * s4) * s5;
-    const double J56 = v7 * c5 + (x3_y * c4 + c1 * s4) * s5;
-    const double J66 = x3_z * c4 * s5 - J64 * c5;
-    const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z + J66 * d6;
+    const double c5 = cos(v8), s5 = sin(v8);
+    const double J46 = v6 * c5 + (x3_x * c4 - s1 * s4) * s5,
+        J56 = v7 * c5 + (x3_y * c4 + c1 * s4) * s5, J66 = x3_z * c4 * s5 - J64 * c5,
+        J21 = p4_x + J46 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6;
     const double v9 = p6_z - d1;
     const double J32 = s1 * p6_y + c1 * J21;
     const double v10 = p6_z - p2_z;
     const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
-    const double v11 = J21 - p3_x;
-    const double v12 = p6_y - p3_y;
-    const double v13 = p6_z - p3_z;
-    const double J24 = J64 * v11 + v6 * v13;
-    const double J34 = v7 * v11 - v6 * v12;
-    const double v14 = J21 - p4_x;
-    const double v15 = p6_y - p4_y;
-    const double v16 = p6_z - p4_z;
-    const double J15 = J55 * v16 - J65 * v15;
-    const double J25 = J65 * v14 - J45 * v16;
-    const double J35 = J45 * v15 - J55 * v14;
-    const double J16 = J56 * v16 - J66 * v15;
-    const double J26 = J66 * v14 - J46 * v16;
-    const double J36 = J46 * v15 - J56 * v14;
+    const double v11 = J21 - p3_x, v12 = p6_y - p3_y, v13 = p6_z - p3_z;
+    const double J24 = J64 * v11 + v6 * v13, J34 = v7 * v11 - v6 * v12;
+    const double v14 = J21 - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z;
+    const double J15 = J55 * v16 - J65 * v15, J25 = J65 * v14 - J45 * v16,
+        J35 = J45 * v15 - J55 * v14, J16 = J56 * v16 - J66 * v15, J26 = J66 * v14 - J46 * v16,
+        J36 = J46 * v15 - J56 * v14;
     J[0] = -p6_y; J[1] = -(c1 * v9); J[2] = -(c1 * v10); J[3] = -(v7 * v13 + J64 * v12); J[4] = J15;
     J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v9); J[8] = -(s1 * v10); J[9] = J24; J[10] = J25; J[11] = J26;
@@ -474,13 +384,16 @@ void denso_vs060_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -527,140 +440,121 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = T24 - d6 * T23;
-    const wide v1 = X1 * X1 + wy * wy;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
+    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, v1 = X1 * X1 + wy * wy, w1 = sqrt_wide(v1),
+        v2 = 1.0 / v1;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide N3 = v1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3, v4 = m3 - m4 * N3, v5 = m2 * w3;
-    const wide s3_p = v4 + v5, s3_m = v4 - v5;
-    const wide v6 = m2 * N3 - m5, v7 = m4 * w3;
-    const wide c3_p = v6 + v7, c3_m = v6 - v7;
+    const wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = m3 - m4 * N3,
+        v5 = m2 * w3, s3_p = v4 + v5, s3_m = v4 - v5, v6 = m2 * N3 - m5, v7 = m4 * w3,
+        c3_p = v6 + v7, c3_m = v6 - v7;
 
     /* theta2 */
-    const wide X1_2 = m7 + m6 * N3;
-    const wide v8 = Z1_3 * X1_2, v9 = w3 * (m6 * w1);
-    const wide S2_pp = v8 - v9, S2_pm = v8 + v9;
-    const wide v10 = w3 * (m6 * Z1_3), v11 = w3 * (m6 * -Z1_3), v12 = w1 * X1_2;
-    const wide C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12;
-    const wide factor2 = 1.0 / N3;
+    const wide X1_2 = m7 + m6 * N3, v8 = Z1_3 * X1_2, v9 = w3 * (m6 * w1), S2_pp = v8 - v9,
+        S2_pm = v8 + v9, v10 = w3 * (m6 * Z1_3), v11 = w3 * (m6 * -Z1_3), v12 = w1 * X1_2,
+        C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12,
+        factor2 = 1.0 / N3;
 
     /* theta4 */
-    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm;
-    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp;
-    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm;
-    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm;
-    const wide v13 = w1 * (v2 * (T23 * wy - T13 * X1));
-    const wide c4_pp = T33 * s23_pp + c23_pp * v13, c4_pm = T33 * s23_pm + c23_pm * v13;
-    const wide c4_mp = T33 * s23_mp - c23_mp * v13, c4_mm = T33 * s23_mm - c23_mm * v13;
-    const wide v14 = w1 * (v2 * (T13 * wy + X1 * T23)), v15 = v14 * v14, v16 = factor2 * c4_pp;
-    const wide v17 = factor2 * c4_pm, v18 = factor2 * c4_mp, v19 = factor2 * c4_mm;
-    const wide v20 = v15 + factor2 * (c4_pp * v16), v21 = v15 + factor2 * (c4_pm * v17);
-    const wide v22 = v15 + factor2 * (c4_mp * v18), v23 = v15 + factor2 * (c4_mm * v19);
-    const wide angle1 = atan2_wide(-v14, v16), angle2 = atan2_wide(-v14, v17);
-    const wide angle3 = atan2_wide(v14, v18), angle4 = atan2_wide(v14, v19);
-    const wide v24 = copysign_wide(all_wide(half_turn), -v14) * h1;
-    const wide v25 = copysign_wide(all_wide(half_turn), v14) * h1;
-    const wide q4_ppm = angle1 - v24, q4_pmm = angle2 - v24, q4_mpm = angle3 - v25;
-    const wide q4_mmm = angle4 - v25;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm,
+        c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp,
+        s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm,
+        s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm,
+        v13 = w1 * (v2 * (T23 * wy - T13 * X1)), c4_pp = T33 * s23_pp + c23_pp * v13,
+        c4_pm = T33 * s23_pm + c23_pm * v13, c4_mp = T33 * s23_mp - c23_mp * v13,
+        c4_mm = T33 * s23_mm - c23_mm * v13, v14 = w1 * (v2 * (T13 * wy + X1 * T23)),
+        v15 = v14 * v14, v16 = factor2 * c4_pp, v17 = factor2 * c4_pm, v18 = factor2 * c4_mp,
+        v19 = factor2 * c4_mm, v20 = v15 + factor2 * (c4_pp * v16),
+        v21 = v15 + factor2 * (c4_pm * v17), v22 = v15 + factor2 * (c4_mp * v18),
+        v23 = v15 + factor2 * (c4_mm * v19), angle1 = atan2_wide(-v14, v16),
+        angle2 = atan2_wide(-v14, v17), angle3 = atan2_wide(v14, v18),
+        angle4 = atan2_wide(v14, v19), v24 = copysign_wide(all_wide(half_turn), -v14) * h1,
+        v25 = copysign_wide(all_wide(half_turn), v14) * h1;
 
     /* theta6 */
-    const wide v26 = w1 * (v2 * (X1 * T22 + wy * T12)), v27 = w1 * (v2 * (wy * T22 - X1 * T12));
-    const wide v28 = w1 * (v2 * (X1 * T21 + wy * T11)), v29 = w1 * (v2 * (wy * T21 - X1 * T11));
-    const wide v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29);
-    const wide v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29);
-    const wide v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28;
-    const wide v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28;
-    const wide angle5 = atan2_wide(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27));
-    const wide angle6 = atan2_wide(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27));
-    const wide angle7 = atan2_wide(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26);
-    const wide angle8 = atan2_wide(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26);
-    const wide q6_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v30);
-    const wide q6_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v31);
-    const wide q6_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), v32);
-    const wide q6_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), v33);
+    const wide v26 = w1 * (v2 * (X1 * T22 + wy * T12)), v27 = w1 * (v2 * (wy * T22 - X1 * T12)),
+        v28 = w1 * (v2 * (X1 * T21 + wy * T11)), v29 = w1 * (v2 * (wy * T21 - X1 * T11)),
+        v30 = c4_pp * v28 - v14 * (s23_pp * T31 + c23_pp * v29),
+        v31 = c4_pm * v28 - v14 * (s23_pm * T31 + c23_pm * v29),
+        v32 = v14 * (s23_mp * T31 - c23_mp * v29) - c4_mp * v28,
+        v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28,
+        angle5 = atan2_wide(v30, c4_pp * v26 - v14 * (s23_pp * T32 + c23_pp * v27)),
+        angle6 = atan2_wide(v31, c4_pm * v26 - v14 * (s23_pm * T32 + c23_pm * v27)),
+        angle7 = atan2_wide(v32, v14 * (s23_mp * T32 - c23_mp * v27) - c4_mp * v26),
+        angle8 = atan2_wide(v33, v14 * (s23_mm * T32 - c23_mm * v27) - c4_mm * v26);
 
     /* joint values */
-    const wide angle9 = atan2_wide(wy, -X1);
-    const wide v34 = angle9 - offset1;
-    const wide v35 = angle9 - h1 * copysign_wide(all_wide(half_turn), wy) - offset1;
-    const wide q1__p = v34 + only_wide(v34 <= -half_turn, m10);
-    const wide q1__m = v35 + only_wide(v35 <= -half_turn, m10);
-    const wide angle10 = atan2_wide(S2_pp, C2_pp);
-    const wide v36 = angle10 - offset2;
-    const wide angle11 = atan2_wide(S2_pm, C2_pm);
-    const wide v37 = angle11 - offset2;
-    const wide angle12 = atan2_wide(S2_pm, C2_mp);
-    const wide v38 = angle12 - offset2;
-    const wide angle13 = atan2_wide(S2_pp, C2_mm);
-    const wide v39 = angle13 - offset2;
-    const wide q2_ppp = v36 + only_wide(v36 <= -half_turn, m10);
-    const wide q2_pmp = v37 + only_wide(v37 <= -half_turn, m10);
-    const wide q2_mpp = v38 + only_wide(v38 <= -half_turn, m10);
-    const wide q2_mmp = v39 + only_wide(v39 <= -half_turn, m10);
-    const wide angle14 = atan2_wide(w3, N3 - k3);
-    const wide v40 = angle14 - turn1 - offset3, v41 = offset3 + (turn1 + angle14);
-    const wide q3_ppp = v40 - only_wide(half_turn < v40, m10);
-    const wide angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp));
-    const wide angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm));
-    const wide angle17 = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp)));
-    const wide angle18 = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm)));
-    const wide v42 = angle15 - offset5, v43 = offset5 + angle15, v44 = angle16 - offset5;
-    const wide v45 = offset5 + angle16, v46 = angle17 - offset5, v47 = offset5 + angle17;
-    const wide v48 = angle18 - offset5, v49 = offset5 + angle18;
-    const wide q5_ppp = v42 + only_wide(v42 <= -half_turn, m10);
-    const wide q5_ppm = only_wide(-v43 <= -half_turn, m10) - v43;
-    const wide q5_pmp = v44 + only_wide(v44 <= -half_turn, m10);
-    const wide q5_pmm = only_wide(-v45 <= -half_turn, m10) - v45;
-    const wide q5_mpp = v46 + only_wide(v46 <= -half_turn, m10);
-    const wide q5_mpm = only_wide(-v47 <= -half_turn, m10) - v47;
-    const wide q5_mmp = v48 + only_wide(v48 <= -half_turn, m10);
-    const wide q5_mmm = only_wide(-v49 <= -half_turn, m10) - v49;
-    const wide_mask v50 = (q1__p < low1) | (high1 < q1__p), v51 = (q1__m < low1) | (high1 < q1__m);
-    const wide_mask v52 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v53 = (-(v41 + only_wide(half_turn < -v41, m10)) < low3) | (high3 < -(v41 +
-        only_wide(half_turn < -v41, m10)));
+    const wide angle9 = atan2_wide(wy, -X1), v34 = angle9 - offset1,
+        v35 = angle9 - h1 * copysign_wide(all_wide(half_turn), wy) - offset1,
+        q1__p = v34 + only_wide(v34 <= -half_turn, m10),
+        q1__m = v35 + only_wide(v35 <= -half_turn, m10), angle10 = atan2_wide(S2_pp, C2_pp),
+        v36 = angle10 - offset2, angle11 = atan2_wide(S2_pm, C2_pm), v37 = angle11 - offset2,
+        angle12 = atan2_wide(S2_pm, C2_mp), v38 = angle12 - offset2,
+        angle13 = atan2_wide(S2_pp, C2_mm), v39 = angle13 - offset2,
+        q2_ppp = v36 + only_wide(v36 <= -half_turn, m10),
+        q2_pmp = v37 + only_wide(v37 <= -half_turn, m10),
+        q2_mpp = v38 + only_wide(v38 <= -half_turn, m10),
+        q2_mmp = v39 + only_wide(v39 <= -half_turn, m10), angle14 = atan2_wide(w3, N3 - k3),
+        v40 = angle14 - turn1 - offset3, v41 = offset3 + (turn1 + angle14),
+        q3_ppp = v40 - only_wide(half_turn < v40, m10),
+        angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp)),
+        angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm)),
+        angle17 = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp))),
+        angle18 = atan2_wide(sqrt_wide(v23), -(factor2 * (s23_mm * v13 + T33 * c23_mm))),
+        v42 = angle15 - offset5, v43 = offset5 + angle15, v44 = angle16 - offset5,
+        v45 = offset5 + angle16, v46 = angle17 - offset5, v47 = offset5 + angle17,
+        v48 = angle18 - offset5, v49 = offset5 + angle18,
+        q5_ppp = v42 + only_wide(v42 <= -half_turn, m10),
+        q5_ppm = only_wide(-v43 <= -half_turn, m10) - v43,
+        q5_pmp = v44 + only_wide(v44 <= -half_turn, m10),
+        q5_pmm = only_wide(-v45 <= -half_turn, m10) - v45,
+        q5_mpp = v46 + only_wide(v46 <= -half_turn, m10),
+        q5_mpm = only_wide(-v47 <= -half_turn, m10) - v47,
+        q5_mmp = v48 + only_wide(v48 <= -half_turn, m10),
+        q5_mmm = only_wide(-v49 <= -half_turn, m10) - v49;
+    const wide_mask v50 = beyond(q1__p, low1, high1), v51 = beyond(q1__m, low1, high1),
+        v52 = beyond(q3_ppp, low3, high3),
+        v53 = beyond(-(v41 + only_wide(half_turn < -v41, m10)), low3, high3);
     const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
-    const wide_mask v54 = v52 | (v50 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v55 = v53 | (v50 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v56 = v52 | (v51 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v57 = v53 | (v51 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v54 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v54 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v55 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v55 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v56 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v56 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v57 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v57 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((N3 <=
-        doubt_limit_squared2) | ((v23 <= m8) | ((v22 <= m8) | ((v20 <= m8) | (v21 <= m8))))));
+    const wide_mask v54 = v52 | v50 | beyond(q2_ppp, low2, high2),
+        v55 = v53 | v50 | beyond(q2_pmp, low2, high2),
+        v56 = v52 | v51 | beyond(q2_mpp, low2, high2),
+        v57 = v53 | v51 | beyond(q2_mmp, low2, high2),
+        outside_ppp = v54 | beyond(q5_ppp, low5, high5),
+        outside_ppm = v54 | beyond(q5_ppm, low5, high5),
+        outside_pmp = v55 | beyond(q5_pmp, low5, high5),
+        outside_pmm = v55 | beyond(q5_pmm, low5, high5),
+        outside_mpp = v56 | beyond(q5_mpp, low5, high5),
+        outside_mpm = v56 | beyond(q5_mpm, low5, high5),
+        outside_mmp = v57 | beyond(q5_mmp, low5, high5),
+        outside_mmm = v57 | beyond(q5_mmm, low5, high5),
+        doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3
+            < longest3_apart)) == 0)) | (v1 <= m1) | (N3 <= doubt_limit_squared2) | (v23 <= m8) |
+            (v22 <= m8) | (v20 <= m8) | (v21 <= m8);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = angle5;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v24; q[10] = q5_ppm;
+    q[11] = angle5 - h1 * copysign_wide(all_wide(half_turn), v30);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v41 + only_wide(half_turn < -v41, m10));
     q[15] = angle2; q[16] = q5_pmp; q[17] = angle6;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[21] = angle2 - v24; q[22] = q5_pmm;
+    q[23] = angle6 - h1 * copysign_wide(all_wide(half_turn), v31);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = angle7;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v25; q[34] = q5_mpm;
+    q[35] = angle7 - h1 * copysign_wide(all_wide(half_turn), v32);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v41 + only_wide(half_turn < -v41, m10));
     q[39] = angle4; q[40] = q5_mmp; q[41] = angle8;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[45] = angle4 - v25; q[46] = q5_mmm;
+    q[47] = angle8 - h1 * copysign_wide(all_wide(half_turn), v33);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -680,32 +574,24 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = T24 - d6 * T23;
-    const double v1 = X1 * X1 + wy * wy;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, v1 = X1 * X1 + wy * wy, w1 = sqrt(v1),
+        v2 = 1.0 / v1;
 
     /* theta3 */
-    const double Z1_3 = T34 - d6 * T33 - d1;
-    const double N3 = v1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v3 = w3 - w3, v4 = m3 - m4 * N3;
+    const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = m3 - m4 * N3;
     const four s3 = v4 + w3 * (m2 * e2);
     const double v5 = m2 * N3 - m5;
     const four c3 = v5 + w3 * (m4 * e2);
 
     /* theta2 */
-    const double X1_2 = m7 + m6 * N3;
-    const double v6 = Z1_3 * X1_2;
-    const four S2 = v6 - w3 * (m6 * (w1 * (e1 * e2)));
-    const four v7 = w3 * (m6 * (e2 * Z1_3)), v8 = w1 * (e1 * X1_2);
-    const four C2 = v7 + v8;
+    const double X1_2 = m7 + m6 * N3, v6 = Z1_3 * X1_2;
+    const four S2 = v6 - w3 * (m6 * (w1 * (e1 * e2))), v7 = w3 * (m6 * (e2 * Z1_3)),
+        v8 = w1 * (e1 * X1_2), C2 = v7 + v8;
     const double factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * C2 - s3 * S2;
-    const four s23 = c3 * S2 + s3 * C2;
+    const four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2;
     const double v9 = w1 * (v2 * (T23 * wy - T13 * X1));
     const four c4 = T33 * s23 + e1 * (c23 * v9);
     const double v10 = w1 * (v2 * (T13 * wy + X1 * T23)), v11 = v10 * v10;
@@ -714,38 +600,33 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v14 = copysign_four(all_four(half_turn), -(e1 * v10)) * h1;
 
     /* theta6 */
-    const double v15 = w1 * (v2 * (X1 * T22 + wy * T12)), v16 = w1 * (v2 * (wy * T22 - X1 * T12));
-    const double v17 = w1 * (v2 * (X1 * T21 + wy * T11)), v18 = w1 * (v2 * (wy * T21 - X1 * T11));
+    const double v15 = w1 * (v2 * (X1 * T22 + wy * T12)), v16 = w1 * (v2 * (wy * T22 - X1 * T12)),
+        v17 = w1 * (v2 * (X1 * T21 + wy * T11)), v18 = w1 * (v2 * (wy * T21 - X1 * T11));
     const four v19 = e1 * (c4 * v17 - v10 * (s23 * T31 + e1 * (c23 * v18)));
 
     /* joint values */
     const double v20 = copysign(half_turn, wy);
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | (v1 <= m1));
+    const int doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3)
+        & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2) | (v1 <= m1);
 
-    const four angle1 = atan2_four(-(e1 * v10), v12);
-    const four angle2 = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16))));
-    const four angle4 = atan2_four(S2, C2);
-    const four angle6 = atan2_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23));
-    const four packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1 });
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1 - v14;
-    const four q6_m = angle2 - h1 * copysign_four(all_four(half_turn), v19);
-    const four v21 = angle3 + v20 * (m9 * (e1 - 1.0)) - offset1;
-    const four q1_ = v21 + only_four(v21 <= -half_turn, m10);
-    const four v22 = angle4 - offset2;
-    const four q2_p = v22 + only_four(v22 <= -half_turn, m10);
-    const four v23 = e2 * angle5 - turn1 - offset3;
-    const four q3_p = v23 - only_four(half_turn < v23, m10);
-    const four v24 = angle6 - offset5, v25 = offset5 + angle6;
-    const four q5_p = v24 + only_four(v24 <= -half_turn, m10);
-    const four q5_m = only_four(-v25 <= -half_turn, m10) - v25;
-    const four_mask v26 = (q1_ < low1) | (high1 < q1_), v27 = (q3_p < low3) | (high3 < q3_p);
+    const four angle1 = atan2_four(-(e1 * v10), v12),
+        angle2 = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16)))),
+        angle4 = atan2_four(S2, C2),
+        angle6 = atan2_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23)),
+        packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1 }),
+        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
+        angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle1 - v14, q6_m = angle2 - h1 * copysign_four(all_four(half_turn), v19),
+        v21 = angle3 + v20 * (m9 * (e1 - 1.0)) - offset1,
+        q1_ = v21 + only_four(v21 <= -half_turn, m10), v22 = angle4 - offset2,
+        q2_p = v22 + only_four(v22 <= -half_turn, m10), v23 = e2 * angle5 - turn1 - offset3,
+        q3_p = v23 - only_four(half_turn < v23, m10), v24 = angle6 - offset5,
+        v25 = offset5 + angle6, q5_p = v24 + only_four(v24 <= -half_turn, m10),
+        q5_m = only_four(-v25 <= -half_turn, m10) - v25;
+    const four_mask v26 = beyond(q1_, low1, high1), v27 = beyond(q3_p, low3, high3);
     const four q1_p = v3 + q1_;
-    const four_mask v28 = v27 | (v26 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v28 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v28 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v28 = v27 | v26 | beyond(q2_p, low2, high2),
+        outside_p = v28 | beyond(q5_p, low5, high5), outside_m = v28 | beyond(q5_m, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -845,8 +726,7 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(v1) : -(X1 * factor1);
-        const double s1 = free1 ? sin(v1) : wy * factor1;
+        const double c1 = free1 ? cos(v1) : -(X1 * factor1), s1 = free1 ? sin(v1) : wy * factor1;
         const double root1 = w1 * e1;
 
         /* theta3 */
@@ -856,8 +736,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v3 = k1 * K3;
-        const double v4 = k2 * K3;
+        const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v6 = T13 * c1 + T23 * s1;
@@ -865,10 +744,8 @@ static void solve(
         const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T12 * s1 - T22 * c1;
-        const double v10 = T12 * c1 + T22 * s1;
-        const double v12 = T11 * s1 - T21 * c1;
-        const double v13 = T11 * c1 + T21 * s1;
+        const double v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
+            v13 = T11 * c1 + T21 * s1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -878,8 +755,7 @@ static void solve(
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k2 * root3 - v3) * k4;
-            const double c3 = k4 * (v4 + k1 * root3);
+            const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
 
             /* theta2 */
             const double X1_2 = a2 + (a3 * c3 - d4 * s3);
@@ -889,12 +765,10 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v5) : C2 * factor2;
-            const double s2 = free2 ? sin(v5) : S2 * factor2;
+            const double c2 = free2 ? cos(v5) : C2 * factor2, s2 = free2 ? sin(v5) : S2 * factor2;
 
             /* theta4 */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double v7 = c23 * v6 + T33 * s23;
             const double w4 = sqrt(v7 * v7 + v8);
             const int free4 = w4 <= free_limit;
@@ -904,8 +778,7 @@ static void solve(
             const double c5 = s23 * v6 - T33 * c23;
 
             /* theta6 */
-            const double v11 = c23 * v10 + T32 * s23;
-            const double v14 = c23 * v13 + T31 * s23;
+            const double v11 = c23 * v10 + T32 * s23, v14 = c23 * v13 + T31 * s23;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -916,24 +789,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : v7 * factor4;
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : v7 * factor4,
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v9 + s4 * v11;
-                const double s6 = c4 * v12 + s4 * v14;
+                const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 + s4 * v14;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q5 = wrap(atan2(s5, c5) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? DENSO_VS060_FREE_JOINT : DENSO_VS060_OK;
             }

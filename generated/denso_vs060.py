@@ -659,8 +659,8 @@ def _regular(pose, q, status):
     # joint values
     doubt1 = (
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v23 <= m8 or (v22 <= m8 or
-        (v20 <= m8 or v21 <= m8)))))
+        longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v23 <= m8 or v22 <= m8 or v20
+        <= m8 or v21 <= m8
     )
 
     # angles, side by side
@@ -776,18 +776,18 @@ def _regular(pose, q, status):
     )
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
-    v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
-    v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
-    v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
-    v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v54 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v54 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v55 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v55 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v56 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v56 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v57 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v57 or (q5_mmm < low5 or high5 < q5_mmm)
+    v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
+    v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
+    v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
+    v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = v54 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v54 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v55 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v55 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v56 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v56 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v57 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v57 or q5_mmm < low5 or high5 < q5_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1133,8 +1133,8 @@ def _in_tiles(T, q, status):
             v33 = v14 * (s23_mm * T31 - c23_mm * v29) - c4_mm * v28
             doubt1 = (
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or (v1 <= m1 or (N3 <= doubt_limit_squared2 or (v23 <= m8 or (v22
-                <= m8 or (v20 <= m8 or v21 <= m8)))))
+                < longest3_apart)) or v1 <= m1 or N3 <= doubt_limit_squared2 or v23 <= m8 or v22 <=
+                m8 or v20 <= m8 or v21 <= m8
             )
             work[272 + k] = wy
             work[288 + k] = v3
@@ -1259,18 +1259,18 @@ def _in_tiles(T, q, status):
             )
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
-            v54 = v52 or (v50 or (q2_ppp < low2 or high2 < q2_ppp))
-            v55 = v53 or (v50 or (q2_pmp < low2 or high2 < q2_pmp))
-            v56 = v52 or (v51 or (q2_mpp < low2 or high2 < q2_mpp))
-            v57 = v53 or (v51 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v54 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v54 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v55 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v55 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v56 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v56 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v57 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v57 or (q5_mmm < low5 or high5 < q5_mmm)
+            v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
+            v55 = v53 or v50 or q2_pmp < low2 or high2 < q2_pmp
+            v56 = v52 or v51 or q2_mpp < low2 or high2 < q2_mpp
+            v57 = v53 or v51 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = v54 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v54 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v55 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v55 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v56 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v56 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v57 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v57 or q5_mmm < low5 or high5 < q5_mmm
             _992 = q1_ppp
             work[992 + k] = _992
             _1008 = q2_ppp

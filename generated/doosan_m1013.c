@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -335,53 +294,30 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void doosan_m1013_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double z3_x = v2 * c3 + x2_x * s3;
-    const double z3_y = v3 * c3 + x2_y * s3;
-    const double z3_z = s2 * s3 - c2 * c3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double z3_x = v2 * c3 + x2_x * s3, z3_y = v3 * c3 + x2_y * s3, z3_z = s2 * s3 - c2 * c3;
     const double v5 = q[3] + offset4;
-    const double c4 = cos(v5);
-    const double s4 = sin(v5);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = x3_y * c4 - c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double z4_y = c1 * c4 + x3_y * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_x = x3_x * s4 - s1 * c4;
+    const double c4 = cos(v5), s4 = sin(v5);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4, x4_z = x3_z * c4;
+    const double z4_y = c1 * c4 + x3_y * s4, z4_z = x3_z * s4, z4_x = x3_x * s4 - s1 * c4;
     const double v6 = q[4] + offset5;
-    const double c5 = cos(v6);
-    const double s5 = sin(v6);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = x4_x * s5 - z3_x * c5;
-    const double T23_ = x4_y * s5 - z3_y * c5;
-    const double T33_ = x4_z * s5 - z3_z * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = z4_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 + s1 * d2 + z3_x * d4 + T13_ * d6;
-    const double T24_ = x2_y * a2 - c1 * d2 + z3_y * d4 + T23_ * d6;
-    const double T34_ = d1 + s2 * a2 + z3_z * d4 + T33_ * d6;
+    const double c5 = cos(v6), s5 = sin(v6);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = x4_x * s5 - z3_x * c5, T23_ = x4_y * s5 - z3_y * c5,
+        T33_ = x4_z * s5 - z3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T32_ = z4_z * c6 - x5_z * s6, T14_ = x2_x * a2 + s1 * d2 + z3_x * d4 + T13_ * d6,
+        T24_ = x2_y * a2 - c1 * d2 + z3_y * d4 + T23_ * d6,
+        T34_ = d1 + s2 * a2 + z3_z * d4 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -391,63 +327,36 @@ void doosan_m1013_fk(const double q[6], double T[16])
 
 void doosan_m1013_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double p2_z = d1 + s2 * a2;
-    const double p2_x = x2_x * a2 + s1 * d2;
-    const double p2_y = x2_y * a2 - c1 * d2;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double p2_z = d1 + s2 * a2, p2_x = x2_x * a2 + s1 * d2, p2_y = x2_y * a2 - c1 * d2;
     const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double J44 = v2 * c3 + x2_x * s3;
-    const double J54 = v3 * c3 + x2_y * s3;
-    const double J64 = s2 * s3 - c2 * c3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double J44 = v2 * c3 + x2_x * s3, J54 = v3 * c3 + x2_y * s3, J64 = s2 * s3 - c2 * c3;
     const double v5 = q[3] + offset4;
-    const double c4 = cos(v5);
-    const double s4 = sin(v5);
-    const double J55 = c1 * c4 + x3_y * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p2_x + J44 * d4;
-    const double p4_y = p2_y + J54 * d4;
-    const double p4_z = p2_z + J64 * d4;
+    const double c4 = cos(v5), s4 = sin(v5);
+    const double J55 = c1 * c4 + x3_y * s4, J65 = x3_z * s4;
+    const double p4_x = p2_x + J44 * d4, p4_y = p2_y + J54 * d4, p4_z = p2_z + J64 * d4;
     const double J45 = x3_x * s4 - s1 * c4;
     const double v6 = q[4] + offset5;
-    const double c5 = cos(v6);
-    const double s5 = sin(v6);
-    const double J46 = (x3_x * c4 + s1 * s4) * s5 - J44 * c5;
-    const double J56 = (x3_y * c4 - c1 * s4) * s5 - J54 * c5;
-    const double J66 = x3_z * c4 * s5 - J64 * c5;
-    const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z + J66 * d6;
+    const double c5 = cos(v6), s5 = sin(v6);
+    const double J46 = (x3_x * c4 + s1 * s4) * s5 - J44 * c5,
+        J56 = (x3_y * c4 - c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
+        J21 = p4_x + J46 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6;
     const double v7 = p6_z - d1;
     const double J32 = s1 * p6_y + c1 * J21;
-    const double v8 = J21 - p2_x;
-    const double v9 = p6_y - p2_y;
-    const double v10 = p6_z - p2_z;
-    const double J33 = s1 * v9 + c1 * v8;
-    const double J14 = J54 * v10 - J64 * v9;
-    const double J24 = J64 * v8 - J44 * v10;
-    const double J34 = J44 * v9 - J54 * v8;
-    const double v11 = J21 - p4_x;
-    const double v12 = p6_y - p4_y;
-    const double v13 = p6_z - p4_z;
-    const double J15 = J55 * v13 - J65 * v12;
-    const double J25 = J65 * v11 - J45 * v13;
-    const double J35 = J45 * v12 - J55 * v11;
-    const double J16 = J56 * v13 - J66 * v12;
-    const double J26 = J66 * v11 - J46 * v13;
-    const double J36 = J46 * v12 - J56 * v11;
+    const double v8 = J21 - p2_x, v9 = p6_y - p2_y, v10 = p6_z - p2_z;
+    const double J33 = s1 * v9 + c1 * v8, J14 = J54 * v10 - J64 * v9, J24 = J64 * v8 - J44 * v10,
+        J34 = J44 * v9 - J54 * v8;
+    const double v11 = J21 - p4_x, v12 = p6_y - p4_y, v13 = p6_z - p4_z;
+    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13,
+        J35 = J45 * v12 - J55 * v11, J16 = J56 * v13 - J66 * v12, J26 = J66 * v11 - J46 * v13,
+        J36 = J46 * v12 - J56 * v11;
     J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v10); J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v7); J[8] = -(s1 * v10); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -460,13 +369,16 @@ void doosan_m1013_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -513,146 +425,114 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = T24 - d6 * T23;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (d2 * wy), v3 = v2 + w1 * (X1 * inverse1);
-    const wide v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d2 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
+    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d2 * wy),
+        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d2 * X1),
+        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = w3 - w3, v7 = k4 * (N3 - k5);
-    const wide s3 = k6 * v7;
-    const wide v8 = k4 * w3, v9 = k6 * v8;
+    const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3, v7 = k4 * (N3 - k5),
+        s3 = k6 * v7, v8 = k4 * w3, v9 = k6 * v8;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * s3;
-    const wide Y1_2 = d4 * v9;
-    const wide v10 = Z1_3 * X1_2, v11 = w1 * Y1_2, v12 = v10 - v11, v13 = v10 + v11;
-    const wide v14 = m2 + m1 * N3, v15 = Z1_3 * v14, v16 = w3 * (m1 * w1);
-    const wide S2_pp = v15 - v16, S2_pm = v15 + v16;
-    const wide v17 = w1 * X1_2, v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18;
-    const wide v21 = w3 * (m1 * Z1_3), v22 = w3 * (m1 * -Z1_3), v23 = w1 * v14;
-    const wide C2_pp = v21 + v23, C2_pm = v22 + v23, C2_mp = v21 - v23, C2_mm = v22 - v23;
-    const wide v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp, v26 = S2_pm * S2_pm;
-    const wide v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp, v29 = v24 + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v25), w2_pm = sqrt_wide(v27), w2_mp = sqrt_wide(v28);
-    const wide w2_mm = sqrt_wide(v29);
-    const wide v30 = 1.0 / v25, v31 = 1.0 / v27, v32 = 1.0 / v28, v33 = 1.0 / v29;
+    const wide X1_2 = a2 + d4 * s3, Y1_2 = d4 * v9, v10 = Z1_3 * X1_2, v11 = w1 * Y1_2,
+        v12 = v10 - v11, v13 = v10 + v11, v14 = m2 + m1 * N3, v15 = Z1_3 * v14,
+        v16 = w3 * (m1 * w1), S2_pp = v15 - v16, S2_pm = v15 + v16, v17 = w1 * X1_2,
+        v18 = Z1_3 * Y1_2, v19 = v17 + v18, v20 = v17 - v18, v21 = w3 * (m1 * Z1_3),
+        v22 = w3 * (m1 * -Z1_3), v23 = w1 * v14, C2_pp = v21 + v23, C2_pm = v22 + v23,
+        C2_mp = v21 - v23, C2_mm = v22 - v23, v24 = S2_pp * S2_pp, v25 = v24 + C2_pp * C2_pp,
+        v26 = S2_pm * S2_pm, v27 = v26 + C2_pm * C2_pm, v28 = v26 + C2_mp * C2_mp,
+        v29 = v24 + C2_mm * C2_mm, w2_pp = sqrt_wide(v25), w2_pm = sqrt_wide(v27),
+        w2_mp = sqrt_wide(v28), w2_mm = sqrt_wide(v29), v30 = 1.0 / v25, v31 = 1.0 / v27,
+        v32 = 1.0 / v28, v33 = 1.0 / v29;
 
     /* theta4 */
-    const wide v34 = v9 * v19 + s3 * v12, v35 = w2_pp * (v30 * v34), v36 = s3 * v13;
-    const wide v37 = w2_pm * (v31 * (v36 - v9 * v20)), v38 = w2_mp * (v32 * (v36 + v9 * -v20));
-    const wide v39 = w2_mm * (v33 * v34), v40 = s3 * v19 - v9 * v12;
-    const wide s23_pp = w2_pp * (v30 * v40);
-    const wide v41 = v9 * v13;
-    const wide s23_pm = w2_pm * (v31 * (s3 * v20 + v41));
-    const wide s23_mp = w2_mp * (v32 * (s3 * -v20 - v41)), s23_mm = w2_mm * (v33 * -v40);
-    const wide v42 = T23 * s1_p - T13 * v3, v43 = T23 * s1_m - T13 * v4;
-    const wide X4_pp = v35 * v42 - T33 * s23_pp, X4_pm = v37 * v42 - T33 * s23_pm;
-    const wide X4_mp = v38 * v43 - T33 * s23_mp, X4_mm = v39 * v43 - T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v3, Y4_m = T13 * s1_m + T23 * v4;
-    const wide v44 = Y4_p * Y4_p, v45 = Y4_m * Y4_m, v46 = v44 + X4_pp * X4_pp;
-    const wide v47 = v44 + X4_pm * X4_pm, v48 = v45 + X4_mp * X4_mp, v49 = v45 + X4_mm * X4_mm;
+    const wide v34 = v9 * v19 + s3 * v12, v35 = w2_pp * (v30 * v34), v36 = s3 * v13,
+        v37 = w2_pm * (v31 * (v36 - v9 * v20)), v38 = w2_mp * (v32 * (v36 + v9 * -v20)),
+        v39 = w2_mm * (v33 * v34), v40 = s3 * v19 - v9 * v12, s23_pp = w2_pp * (v30 * v40),
+        v41 = v9 * v13, s23_pm = w2_pm * (v31 * (s3 * v20 + v41)),
+        s23_mp = w2_mp * (v32 * (s3 * -v20 - v41)), s23_mm = w2_mm * (v33 * -v40),
+        v42 = T23 * s1_p - T13 * v3, v43 = T23 * s1_m - T13 * v4, X4_pp = v35 * v42 - T33 * s23_pp,
+        X4_pm = v37 * v42 - T33 * s23_pm, X4_mp = v38 * v43 - T33 * s23_mp,
+        X4_mm = v39 * v43 - T33 * s23_mm, Y4_p = T13 * s1_p + T23 * v3,
+        Y4_m = T13 * s1_m + T23 * v4, v44 = Y4_p * Y4_p, v45 = Y4_m * Y4_m,
+        v46 = v44 + X4_pp * X4_pp, v47 = v44 + X4_pm * X4_pm, v48 = v45 + X4_mp * X4_mp,
+        v49 = v45 + X4_mm * X4_mm;
 
     /* theta6 */
-    const wide v50 = v3 * T22 + s1_p * T12, v51 = v4 * T22 + s1_m * T12;
-    const wide v52 = s1_p * T22 - v3 * T12, v53 = s1_m * T22 - v4 * T12;
-    const wide v54 = v3 * T21 + s1_p * T11, v55 = v4 * T21 + s1_m * T11;
-    const wide v56 = s1_p * T21 - v3 * T11, v57 = s1_m * T21 - v4 * T11;
-    const wide s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp;
-    const wide s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm;
-    const wide s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp;
-    const wide s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm;
-    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp);
-    const wide angle2 = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm);
-    const wide angle3 = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp);
-    const wide angle4 = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm);
-    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide v50 = v3 * T22 + s1_p * T12, v51 = v4 * T22 + s1_m * T12,
+        v52 = s1_p * T22 - v3 * T12, v53 = s1_m * T22 - v4 * T12, v54 = v3 * T21 + s1_p * T11,
+        v55 = v4 * T21 + s1_m * T11, v56 = s1_p * T21 - v3 * T11, v57 = s1_m * T21 - v4 * T11,
+        s6_pp = Y4_p * (s23_pp * T31 - v35 * v56) - v54 * -X4_pp,
+        s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm,
+        s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp,
+        s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm,
+        angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - v35 * v52) - v50 * -X4_pp),
+        angle2 = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - v37 * v52) - v50 * -X4_pm),
+        angle3 = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - v38 * v53) - v51 * -X4_mp),
+        angle4 = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - v39 * v53) - v51 * -X4_mm);
 
     /* joint values */
-    const wide angle5 = atan2_wide(S2_pp, C2_pp);
-    const wide v58 = angle5 - offset2;
-    const wide angle6 = atan2_wide(S2_pm, C2_pm);
-    const wide v59 = angle6 - offset2;
-    const wide angle7 = atan2_wide(S2_pm, C2_mp);
-    const wide v60 = angle7 - offset2;
-    const wide angle8 = atan2_wide(S2_pp, C2_mm);
-    const wide v61 = angle8 - offset2;
-    const wide q2_ppp = v58 + only_wide(v58 <= -half_turn, m6);
-    const wide q2_pmp = v59 + only_wide(v59 <= -half_turn, m6);
-    const wide q2_mpp = v60 + only_wide(v60 <= -half_turn, m6);
-    const wide q2_mmp = v61 + only_wide(v61 <= -half_turn, m6);
-    const wide angle9 = atan2_wide(v7, -v8);
-    const wide v62 = angle9 - offset3;
-    const wide v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle9 - offset3;
-    const wide angle10 = atan2_wide(Y4_p, -X4_pp), angle11 = atan2_wide(Y4_p, -X4_pm);
-    const wide angle12 = atan2_wide(Y4_m, -X4_mp), angle13 = atan2_wide(Y4_m, -X4_mm);
-    const wide v64 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v66 = angle10 - offset4;
-    const wide v67 = angle10 - v64 - offset4, v68 = angle11 - offset4;
-    const wide v69 = angle11 - v64 - offset4, v70 = angle12 - offset4;
-    const wide v71 = angle12 - v65 - offset4, v72 = angle13 - offset4;
-    const wide v73 = angle13 - v65 - offset4;
-    const wide q4_ppp = v66 + only_wide(v66 <= -half_turn, m6);
-    const wide q4_ppm = v67 + only_wide(v67 <= -half_turn, m6);
-    const wide q4_pmp = v68 + only_wide(v68 <= -half_turn, m6);
-    const wide q4_pmm = v69 + only_wide(v69 <= -half_turn, m6);
-    const wide q4_mpp = v70 + only_wide(v70 <= -half_turn, m6);
-    const wide q4_mpm = v71 + only_wide(v71 <= -half_turn, m6);
-    const wide q4_mmp = v72 + only_wide(v72 <= -half_turn, m6);
-    const wide q4_mmm = v73 + only_wide(v73 <= -half_turn, m6);
-    const wide angle14 = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42));
-    const wide angle15 = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42));
-    const wide angle16 = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43));
-    const wide angle17 = atan2_wide(sqrt_wide(v49), -(T33 * v39 + s23_mm * v43));
-    const wide v74 = angle14 - offset5, v75 = offset5 + angle14, v76 = angle15 - offset5;
-    const wide v77 = offset5 + angle15, v78 = angle16 - offset5, v79 = offset5 + angle16;
-    const wide v80 = angle17 - offset5, v81 = offset5 + angle17;
-    const wide q5_ppp = v74 + only_wide(v74 <= -half_turn, m6);
-    const wide q5_ppm = only_wide(-v75 <= -half_turn, m6) - v75;
-    const wide q5_pmp = v76 + only_wide(v76 <= -half_turn, m6);
-    const wide q5_pmm = only_wide(-v77 <= -half_turn, m6) - v77;
-    const wide q5_mpp = v78 + only_wide(v78 <= -half_turn, m6);
-    const wide q5_mpm = only_wide(-v79 <= -half_turn, m6) - v79;
-    const wide q5_mmp = v80 + only_wide(v80 <= -half_turn, m6);
-    const wide q5_mmm = only_wide(-v81 <= -half_turn, m6) - v81;
-    const wide angle18 = atan2_wide(s1_p, -v3);
-    const wide q1_ppp = v6 + angle18;
-    const wide angle19 = atan2_wide(s1_m, -v4);
-    const wide q1_mpp = v6 + angle19;
-    const wide q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, m6));
-    const wide q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, m6));
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((v49 <= m4) |
-        ((v29 <= m3) | ((v48 <= m4) | ((v28 <= m3) | ((v47 <= m4) | ((v27 <= m3) | ((v46 <= m4) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v25 <= m3))))))))));
+    const wide angle5 = atan2_wide(S2_pp, C2_pp), v58 = angle5 - offset2,
+        angle6 = atan2_wide(S2_pm, C2_pm), v59 = angle6 - offset2,
+        angle7 = atan2_wide(S2_pm, C2_mp), v60 = angle7 - offset2,
+        angle8 = atan2_wide(S2_pp, C2_mm), v61 = angle8 - offset2,
+        q2_ppp = v58 + only_wide(v58 <= -half_turn, m6),
+        q2_pmp = v59 + only_wide(v59 <= -half_turn, m6),
+        q2_mpp = v60 + only_wide(v60 <= -half_turn, m6),
+        q2_mmp = v61 + only_wide(v61 <= -half_turn, m6), angle9 = atan2_wide(v7, -v8),
+        v62 = angle9 - offset3,
+        v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle9 - offset3,
+        angle10 = atan2_wide(Y4_p, -X4_pp), angle11 = atan2_wide(Y4_p, -X4_pm),
+        angle12 = atan2_wide(Y4_m, -X4_mp), angle13 = atan2_wide(Y4_m, -X4_mm),
+        v64 = h1 * copysign_wide(all_wide(half_turn), Y4_p),
+        v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v66 = angle10 - offset4,
+        v67 = angle10 - v64 - offset4, v68 = angle11 - offset4, v69 = angle11 - v64 - offset4,
+        v70 = angle12 - offset4, v71 = angle12 - v65 - offset4, v72 = angle13 - offset4,
+        v73 = angle13 - v65 - offset4,
+        angle14 = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42)),
+        angle15 = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42)),
+        angle16 = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43)),
+        angle17 = atan2_wide(sqrt_wide(v49), -(T33 * v39 + s23_mm * v43)), v74 = angle14 - offset5,
+        v75 = offset5 + angle14, v76 = angle15 - offset5, v77 = offset5 + angle15,
+        v78 = angle16 - offset5, v79 = offset5 + angle16, v80 = angle17 - offset5,
+        v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
+        angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19,
+        q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, m6)),
+        q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, m6));
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v49 <= m4) |
+        (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) | (v27 <= m3) | (v46 <= m4) |
+        ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (v25 <= m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v66 + only_wide(v66 <= -half_turn, m6);
+    q[4] = v74 + only_wide(v74 <= -half_turn, m6); q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v67 + only_wide(v67 <= -half_turn, m6);
+    q[10] = only_wide(-v75 <= -half_turn, m6) - v75;
+    q[11] = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v68 + only_wide(v68 <= -half_turn, m6);
+    q[16] = v76 + only_wide(v76 <= -half_turn, m6); q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v69 + only_wide(v69 <= -half_turn, m6);
+    q[22] = only_wide(-v77 <= -half_turn, m6) - v77;
+    q[23] = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = v70 + only_wide(v70 <= -half_turn, m6);
+    q[28] = v78 + only_wide(v78 <= -half_turn, m6); q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = v71 + only_wide(v71 <= -half_turn, m6);
+    q[34] = only_wide(-v79 <= -half_turn, m6) - v79;
+    q[35] = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = v72 + only_wide(v72 <= -half_turn, m6);
+    q[40] = v80 + only_wide(v80 <= -half_turn, m6); q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = v73 + only_wide(v73 <= -half_turn, m6);
+    q[46] = only_wide(-v81 <= -half_turn, m6) - v81;
+    q[47] = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -672,80 +552,58 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = T24 - d6 * T23;
-    const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v2 = inverse1 * (d2 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d2 * wy);
     const four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d2 * X1);
     const four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta3 */
-    const double Z1_3 = T34 - d6 * T33 - d1;
-    const double N3 = D1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = w3 - w3, v6 = k4 * (N3 - k5);
-    const double s3 = k6 * v6;
-    const double v7 = k4 * w3, v8 = k6 * v7;
+    const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v5 = w3 - w3, v6 = k4 * (N3 - k5),
+        s3 = k6 * v6, v7 = k4 * w3, v8 = k6 * v7;
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * s3;
-    const double Y1_2 = d4 * v8;
-    const double v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
+    const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
     const four v11 = e1 * e2, v12 = v9 - v10 * v11;
     const double v13 = m2 + m1 * N3, v14 = Z1_3 * v13;
     const four S2 = v14 - w3 * (m1 * (w1 * v11));
     const double v15 = w1 * X1_2, v16 = Z1_3 * Y1_2;
-    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m1 * (e2 * Z1_3));
-    const four v21 = w1 * (e1 * v13);
-    const four C2 = v20 + v21;
-    const four v22 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v22);
-    const four v23 = 1.0 / v22;
+    const four v17 = e1 * v15, v18 = e2 * v16, v19 = v17 + v18, v20 = w3 * (m1 * (e2 * Z1_3)),
+        v21 = w1 * (e1 * v13), C2 = v20 + v21, v22 = S2 * S2 + C2 * C2, w2 = sqrt_four(v22),
+        v23 = 1.0 / v22;
 
     /* theta4 */
-    const four v24 = e2 * v8, v25 = w2 * (v23 * (v19 * v24 + s3 * v12));
-    const four s23 = w2 * (v23 * (s3 * v19 - v12 * v24));
-    const four v26 = T23 * s1 - T13 * v3;
-    const four X4 = v25 * v26 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v3;
-    const four v27 = Y4 * Y4, v28 = v27 + X4 * X4;
+    const four v24 = e2 * v8, v25 = w2 * (v23 * (v19 * v24 + s3 * v12)),
+        s23 = w2 * (v23 * (s3 * v19 - v12 * v24)), v26 = T23 * s1 - T13 * v3,
+        X4 = v25 * v26 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v27 = Y4 * Y4, v28 = v27 + X4 * X4;
 
     /* theta6 */
-    const four v29 = v3 * T22 + s1 * T12, v30 = s1 * T22 - v3 * T12, v31 = v3 * T21 + s1 * T11;
-    const four v32 = s1 * T21 - v3 * T11;
-    const four s6 = Y4 * (s23 * T31 - v25 * v32) - v31 * -X4;
+    const four v29 = v3 * T22 + s1 * T12, v30 = s1 * T22 - v3 * T12, v31 = v3 * T21 + s1 * T11,
+        v32 = s1 * T21 - v3 * T11, s6 = Y4 * (s23 * T31 - v25 * v32) - v31 * -X4;
 
     /* joint values */
     const double v34 = copysign(half_turn, v6);
     const four v36 = h1 * copysign_four(all_four(half_turn), Y4);
     const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
-    const int doubt1 = (fabs(D1) <= k2) | ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4);
-    const four angle2 = atan2_four(S2, C2), angle4 = atan2_four(Y4, -X4);
-    const four angle5 = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26));
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
-        __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3));
-    const four angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v33 = angle2 - offset2;
-    const four q2_p = v33 + only_four(v33 <= -half_turn, m6);
-    const four v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4;
-    const four v38 = angle4 - v36 - offset4;
-    const four q4_p = v37 + only_four(v37 <= -half_turn, m6);
-    const four q4_m = v38 + only_four(v38 <= -half_turn, m6);
-    const four v39 = angle5 - offset5, v40 = offset5 + angle5;
-    const four q5_p = v39 + only_four(v39 <= -half_turn, m6);
-    const four q5_m = only_four(-v40 <= -half_turn, m6) - v40;
-    const four q1_p = v5 + angle6;
-    const four q3_p = v1 + (v35 + only_four(v35 <= -half_turn, m6));
+    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4),
+        angle2 = atan2_four(S2, C2), angle4 = atan2_four(Y4, -X4),
+        angle5 = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26)),
+        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
+            __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3)),
+        angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1, v33 = angle2 - offset2,
+        q2_p = v33 + only_four(v33 <= -half_turn, m6),
+        v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
+        v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, m6),
+        q4_m = v38 + only_four(v38 <= -half_turn, m6), v39 = angle5 - offset5,
+        v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, m6),
+        q5_m = only_four(-v40 <= -half_turn, m6) - v40, q1_p = v5 + angle6,
+        q3_p = v1 + (v35 + only_four(v35 <= -half_turn, m6));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -831,8 +689,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
-    const double v1 = X1 * d2;
-    const double v2 = wy * d2;
+    const double v1 = X1 * d2, v2 = wy * d2;
 
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
@@ -850,8 +707,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + X1 * root1));
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (wy * root1 - v1);
+        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + X1 * root1)),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (wy * root1 - v1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -865,8 +722,7 @@ static void solve(
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
-        const double v5 = Z1_3 * X1_2;
-        const double v6 = root1 * X1_2;
+        const double v5 = Z1_3 * X1_2, v6 = root1 * X1_2;
 
         /* theta4 */
         const double v9 = T13 * c1 + T23 * s1;
@@ -874,10 +730,8 @@ static void solve(
         const double v10 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v12 = T22 * c1 - T12 * s1;
-        const double v13 = T12 * c1 + T22 * s1;
-        const double v15 = T21 * c1 - T11 * s1;
-        const double v16 = T11 * c1 + T21 * s1;
+        const double v12 = T22 * c1 - T12 * s1, v13 = T12 * c1 + T22 * s1,
+            v15 = T21 * c1 - T11 * s1, v16 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -892,8 +746,7 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v7) : C2 * factor2;
-            const double s2 = free2 ? sin(v7) : S2 * factor2;
+            const double c2 = free2 ? cos(v7) : C2 * factor2, s2 = free2 ? sin(v7) : S2 * factor2;
 
             /* theta4 */
             const double v8 = v4 * c2 + s3 * s2;
@@ -904,8 +757,7 @@ static void solve(
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v14 = T32 * s23 - v8 * v13;
-            const double v17 = T31 * s23 - v8 * v16;
+            const double v14 = T32 * s23 - v8 * v13, v17 = T31 * s23 - v8 * v16;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -916,24 +768,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v11) : -(X4 * factor4);
-                const double s4 = free4 ? sin(v11) : Y4 * factor4;
+                const double c4 = free4 ? cos(v11) : -(X4 * factor4),
+                    s4 = free4 ? sin(v11) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v12 + s4 * v14;
-                const double s6 = c4 * v15 + s4 * v17;
+                const double c6 = c4 * v12 + s4 * v14, s6 = c4 * v15 + s4 * v17;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
                 const double q5 = wrap(atan2(s5, -(T33 * v8 + s23 * v9)) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? DOOSAN_M1013_FREE_JOINT : DOOSAN_M1013_OK;
             }

@@ -681,9 +681,9 @@ def _regular(pose, q, status):
     v64 = h1 * math.copysign(half_turn, Y4_p)
     v65 = h1 * math.copysign(half_turn, Y4_m)
     doubt1 = (
-        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v49 <= m4 or (v29 <= m3 or (v48 <= m4 or
-        (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or ((shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <= m3)))))))))
+        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <=
+        m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach
+        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <= m3
     )
 
     # angles, side by side
@@ -1180,10 +1180,10 @@ def _in_tiles(T, q, status):
             v64 = h1 * math.copysign(half_turn, Y4_p)
             v65 = h1 * math.copysign(half_turn, Y4_m)
             doubt1 = (
-                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v49 <= m4 or (v29 <= m3 or (v48 <=
-                m4 or (v28 <= m3 or (v47 <= m4 or (v27 <= m3 or (v46 <= m4 or ((shortest3_reach <=
-                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))
-                or v25 <= m3)))))))))
+                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v49 <= m4 or v29 <= m3 or v48 <= m4
+                or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or (shortest3_reach <= N3 and N3
+                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v25 <=
+                m3
             )
             work[272 + k] = v1
             work[288 + k] = v6

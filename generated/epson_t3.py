@@ -243,7 +243,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     w12m4 = math.sqrt(T21 * T21 + T11 * T11)
@@ -271,10 +271,9 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
-        and (abs(T23) <= pose_slack and (abs(T22 + c12m4) <= pose_slack and (abs(T21 - s12m4) <=
-        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c12m4) <= pose_slack and abs(T12 -
-        s12m4) <= pose_slack))))))))
+        not (abs(1.0 + T33) <= pose_slack and abs(T31) <= pose_slack and abs(T23) <= pose_slack and
+        abs(T21 - s12m4) <= pose_slack and abs(T11 - c12m4) <= pose_slack and abs(T13) <=
+        pose_slack)
     ):
         return  # the arm can't take this pose
 
@@ -404,14 +403,12 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta12m4, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
     v2 = math.sqrt(v1) * (1.0 / v1)
-    c12m4 = T11 * v2
-    s12m4 = T21 * v2
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
@@ -426,19 +423,16 @@ def _regular(pose, q, status):
 
     # is the pose one that the arm can take?
     v8 = 1.0 + T33
-    v9 = c12m4 + T22
-    v10 = T21 - s12m4
-    v11 = T11 - c12m4
-    v12 = T12 - s12m4
+    v9 = T21 - T21 * v2
+    v10 = T11 - T11 * v2
 
     # joint values
-    v15 = T34 < low3 or high3 < T34
+    v13 = T34 < low3 or high3 < T34
     q3_p = T34 + (w2 - w2)
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10 * v10 +
-        (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N2 <=
-        doubt_limit_squared2))
+        longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 *
+        v8 + T31 * T31)))) or N2 <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -460,12 +454,12 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v13 = angle2 + angle3 - angle1
-    v14 = angle4 - angle2 - angle1
-    q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
-    q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
-    outside_p = v15 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-    outside_m = v15 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+    v11 = angle2 + angle3 - angle1
+    v12 = angle4 - angle2 - angle1
+    q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+    q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+    outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+    outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -685,21 +679,16 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
-            c12m4 = T11 * v2
-            s12m4 = T21 * v2
             N2 = T14 * T14 + T24 * T24
             w2 = math.sqrt((longest2 - N2) * (N2 - shortest2))
             v3 = m3 + m2 * N2
@@ -708,19 +697,16 @@ def _in_tiles(T, q, status):
             v6 = w2 * (m2 * T14)
             v7 = w2 * (m2 * T24)
             v8 = 1.0 + T33
-            v9 = c12m4 + T22
-            v10 = T21 - s12m4
-            v11 = T11 - c12m4
-            v12 = T12 - s12m4
-            v15 = T34 < low3 or high3 < T34
+            v9 = T21 - T21 * v2
+            v10 = T11 - T11 * v2
+            v13 = T34 < low3 or high3 < T34
             q3_p = T34 + (w2 - w2)
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10
-                * v10 + (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N2 <=
-                doubt_limit_squared2))
+                < longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 *
+                T23 + (v8 * v8 + T31 * T31)))) or N2 <= doubt_limit_squared2
             )
-            work[272 + k] = v15
+            work[272 + k] = v13
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
@@ -734,23 +720,19 @@ def _in_tiles(T, q, status):
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v15 = work[272 + k] != 0.0
+            v13 = work[272 + k] != 0.0
             q3_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            v13 = angle2 + angle3 - angle1
-            v14 = angle4 - angle2 - angle1
-            q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
-            q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
-            outside_p = (
-                v15 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-            )
-            outside_m = (
-                v15 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
-            )
+            v11 = angle2 + angle3 - angle1
+            v12 = angle4 - angle2 - angle1
+            q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+            q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+            outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+            outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
             _448 = angle3
             work[448 + k] = _448
             _464 = angle2

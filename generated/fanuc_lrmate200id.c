@@ -89,56 +89,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -178,7 +143,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -200,14 +165,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -352,48 +311,30 @@ static const double highest[6] = {
 
 void fanuc_lrmate200id_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double y2_x = c1 * s2;
-    const double y2_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * s3 - s2 * c3;
-    const double z3_x = y2_x * c3 - x2_x * s3;
-    const double z3_y = y2_y * c3 - x2_y * s3;
-    const double z3_z = c2 * c3 + s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_y = x3_y * s4 - c1 * c4;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double y2_x = c1 * s2, y2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * s3 - s2 * c3;
+    const double z3_x = y2_x * c3 - x2_x * s3, z3_y = y2_y * c3 - x2_y * s3,
+        z3_z = c2 * c3 + s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
+    const double z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4;
     const double v2 = q[4] + offset5;
-    const double c5 = cos(v2);
-    const double s5 = sin(v2);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T11_ = z3_x * c5 - x4_x * s5;
-    const double T21_ = z3_y * c5 - x4_y * s5;
-    const double T31_ = z3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6;
-    const double T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6;
-    const double T12_ = x5_x * s6 - z4_x * c6;
-    const double T22_ = x5_y * s6 - z4_y * c6;
-    const double T32_ = x5_z * s6 - z4_z * c6;
+    const double c5 = cos(v2), s5 = sin(v2);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T11_ = z3_x * c5 - x4_x * s5, T21_ = z3_y * c5 - x4_y * s5,
+        T31_ = z3_z * c5 - x4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6,
+        T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6, T12_ = x5_x * s6 - z4_x * c6,
+        T22_ = x5_y * s6 - z4_y * c6, T32_ = x5_z * s6 - z4_z * c6;
     T[0] = T11_; T[1] = T12_; T[2] = -(x5_x * c6 + z4_x * s6); T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -(x5_y * c6 + z4_y * s6); T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -(x5_z * c6 + z4_z * s6); T[11] = T34_;
@@ -403,68 +344,37 @@ void fanuc_lrmate200id_fk(const double q[6], double T[16])
 
 void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double y2_x = c1 * s2;
-    const double y2_y = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * s3 - s2 * c3;
-    const double J44 = y2_x * c3 - x2_x * s3;
-    const double J54 = y2_y * c3 - x2_y * s3;
-    const double J64 = c2 * c3 + s2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p3_x - J44 * d4;
-    const double p4_y = p3_y - J54 * d4;
-    const double p4_z = p3_z - J64 * d4;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double y2_x = c1 * s2, y2_y = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * s3 - s2 * c3;
+    const double J44 = y2_x * c3 - x2_x * s3, J54 = y2_y * c3 - x2_y * s3, J64 = c2 * c3 + s2 * s3;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
+    const double p4_x = p3_x - J44 * d4, p4_y = p3_y - J54 * d4, p4_z = p3_z - J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
     const double v2 = q[4] + offset5;
-    const double c5 = cos(v2);
-    const double s5 = sin(v2);
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
-    const double J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5;
-    const double J66 = x3_z * c4 * s5 - J64 * c5;
-    const double J21 = p4_x - J46 * d6;
-    const double v3 = p4_y - J56 * d6;
-    const double v4 = p4_z - J66 * d6;
-    const double v5 = v4 - d1;
-    const double J12 = c1 * v5;
-    const double J22 = s1 * v5;
+    const double c5 = cos(v2), s5 = sin(v2);
+    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
+        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
+        J21 = p4_x - J46 * d6;
+    const double v3 = p4_y - J56 * d6, v4 = p4_z - J66 * d6, v5 = v4 - d1;
+    const double J12 = c1 * v5, J22 = s1 * v5;
     const double v6 = v4 - p2_z;
     const double J33 = s1 * (v3 - p2_y) + c1 * (J21 - p2_x);
-    const double v7 = J21 - p3_x;
-    const double v8 = v3 - p3_y;
-    const double v9 = v4 - p3_z;
-    const double J14 = J54 * v9 - J64 * v8;
-    const double J24 = J64 * v7 - J44 * v9;
-    const double J34 = J44 * v8 - J54 * v7;
-    const double v10 = J21 - p4_x;
-    const double v11 = v3 - p4_y;
-    const double v12 = v4 - p4_z;
-    const double J15 = J55 * v12 - J65 * v11;
-    const double J25 = J65 * v10 - J45 * v12;
-    const double J35 = J45 * v11 - J55 * v10;
-    const double J16 = J56 * v12 - J66 * v11;
-    const double J26 = J66 * v10 - J46 * v12;
-    const double J36 = J46 * v11 - J56 * v10;
+    const double v7 = J21 - p3_x, v8 = v3 - p3_y, v9 = v4 - p3_z;
+    const double J14 = J54 * v9 - J64 * v8, J24 = J64 * v7 - J44 * v9, J34 = J44 * v8 - J54 * v7;
+    const double v10 = J21 - p4_x, v11 = v3 - p4_y, v12 = v4 - p4_z;
+    const double J15 = J55 * v12 - J65 * v11, J25 = J65 * v10 - J45 * v12,
+        J35 = J45 * v11 - J55 * v10, J16 = J56 * v12 - J66 * v11, J26 = J66 * v10 - J46 * v12,
+        J36 = J46 * v11 - J56 * v10;
     J[0] = -v3; J[1] = J12; J[2] = -(c1 * v6); J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = -(s1 * v6); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = -(s1 * (v3 - p1_y) + c1 * (J21 - p1_x)); J[14] = J33; J[15] = J34;
@@ -478,13 +388,16 @@ void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -531,149 +444,128 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide t14 = T14 - d6 * T11;
-    const wide Y1 = d6 * T21 - T24;
-    const wide v1 = t14 * t14 + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(Y1, -t14);
-    const wide q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
+    const wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1,
+        w1 = sqrt_wide(v1), v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -t14),
+        q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle2 - turn1;
-    const wide v6 = turn1 + angle2;
-    const wide q3__mp = angle3 - turn1;
-    const wide v7 = turn1 + angle3;
+    const wide Z1_3 = T34 - d6 * T31 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
+        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
+        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m3 * N3_p - m4, Y1_2_m = m3 * N3_m - m4;
-    const wide v8 = Z1_3 * Y1_2_p, v9 = Z1_3 * Y1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3;
-    const wide v12 = v3 * -Y1_2_p, v13 = v4 * -Y1_2_m;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m3 * N3_p - m4, Y1_2_m = m3 * N3_m - m4, v8 = Z1_3 * Y1_2_p,
+        v9 = Z1_3 * Y1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3, v12 = v3 * -Y1_2_p,
+        v13 = v4 * -Y1_2_m, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m6 + m7 * factor2_p;
-    const wide v18 = m6 + m7 * factor2_m, v19 = m5 + m8 * factor2_p, v20 = m5 + m8 * factor2_m;
-    const wide v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20;
-    const wide c2m3_pp = w3_p * (factor2_p * v15) - v21, c2m3_pm = w3_p * (factor2_p * -v15) - v21;
-    const wide c2m3_mp = w3_m * (factor2_m * v16) - v22, c2m3_mm = w3_m * (factor2_m * -v16) - v22;
-    const wide v23 = m6 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20;
-    const wide v26 = w3_p * (factor2_p * (v23 + m5 * v3));
-    const wide s2m3_pp = v24 + v26, s2m3_pm = v24 - v26;
-    const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
-    const wide s2m3_mp = v25 + v27, s2m3_mm = v25 - v27;
-    const wide v28 = w1 * (v2 * (T21 * Y1 - T11 * t14));
-    const wide X4_pp = c2m3_pp * v28 - T31 * s2m3_pp, X4_pm = c2m3_pm * v28 - T31 * s2m3_pm;
-    const wide v29 = c2m3_mp * v28 + T31 * s2m3_mp, v30 = c2m3_mm * v28 + T31 * s2m3_mm;
-    const wide Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21));
-    const wide v31 = Y4 * Y4, v32 = v31 + X4_pp * X4_pp, v33 = v31 + X4_pm * X4_pm;
-    const wide v34 = v31 + v29 * v29, v35 = v31 + v30 * v30;
-    const wide angle4 = atan2_wide(Y4, -X4_pp), angle5 = atan2_wide(Y4, -X4_pm);
-    const wide angle6 = atan2_wide(-Y4, v29), angle7 = atan2_wide(-Y4, v30);
-    const wide v36 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v37 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle4 - v36, q4_pmm = angle5 - v36, q4_mpm = angle6 - v37;
-    const wide q4_mmm = angle7 - v37;
+    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m6 + m7 * factor2_p,
+        v18 = m6 + m7 * factor2_m, v19 = m5 + m8 * factor2_p, v20 = m5 + m8 * factor2_m,
+        v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20,
+        c2m3_pp = w3_p * (factor2_p * v15) - v21, c2m3_pm = w3_p * (factor2_p * -v15) - v21,
+        c2m3_mp = w3_m * (factor2_m * v16) - v22, c2m3_mm = w3_m * (factor2_m * -v16) - v22,
+        v23 = m6 * Z1_3, v24 = v3 * v17 - Z1_3 * v19, v25 = v4 * v18 - Z1_3 * v20,
+        v26 = w3_p * (factor2_p * (v23 + m5 * v3)), s2m3_pp = v24 + v26, s2m3_pm = v24 - v26,
+        v27 = w3_m * (factor2_m * (v23 + m5 * v4)), s2m3_mp = v25 + v27, s2m3_mm = v25 - v27,
+        v28 = w1 * (v2 * (T21 * Y1 - T11 * t14)), X4_pp = c2m3_pp * v28 - T31 * s2m3_pp,
+        X4_pm = c2m3_pm * v28 - T31 * s2m3_pm, v29 = c2m3_mp * v28 + T31 * s2m3_mp,
+        v30 = c2m3_mm * v28 + T31 * s2m3_mm, Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21)), v31 = Y4 * Y4,
+        v32 = v31 + X4_pp * X4_pp, v33 = v31 + X4_pm * X4_pm, v34 = v31 + v29 * v29,
+        v35 = v31 + v30 * v30, angle4 = atan2_wide(Y4, -X4_pp), angle5 = atan2_wide(Y4, -X4_pm),
+        angle6 = atan2_wide(-Y4, v29), angle7 = atan2_wide(-Y4, v30),
+        v36 = h1 * copysign_wide(all_wide(half_turn), Y4),
+        v37 = h1 * copysign_wide(all_wide(half_turn), -Y4);
 
     /* theta6 */
-    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const wide v40 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v41 = w1 * (v2 * (Y1 * T23 - t14 * T13));
-    const wide v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40;
-    const wide v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40;
-    const wide v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41);
-    const wide v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41);
-    const wide angle8 = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38);
-    const wide angle9 = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38);
-    const wide angle10 = atan2_wide(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39));
-    const wide angle11 = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
-    const wide q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
+        v40 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v41 = w1 * (v2 * (Y1 * T23 - t14 * T13)),
+        v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40,
+        v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40,
+        v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41),
+        v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41),
+        angle8 = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38),
+        angle9 = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38),
+        angle10 = atan2_wide(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)),
+        angle11 = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
 
     /* joint values */
-    const wide v46 = w3_p * (m3 * v3);
-    const wide angle12 = atan2_wide(-(v8 + v46), v12 + w3_p * v10);
-    const wide v47 = angle12 - offset2;
-    const wide angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11);
-    const wide v48 = angle13 - offset2;
-    const wide angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10);
-    const wide v49 = angle14 - offset2;
-    const wide angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11);
-    const wide v50 = angle15 - offset2;
-    const wide q2_ppp = v47 - only_wide(half_turn < v47, m10);
-    const wide q2_pmp = v48 - only_wide(half_turn < v48, m10);
-    const wide q2_mpp = v49 - only_wide(half_turn < v49, m10);
-    const wide q2_mmp = v50 - only_wide(half_turn < v50, m10);
-    const wide angle16 = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28);
-    const wide angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28);
-    const wide angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28);
-    const wide angle19 = atan2_wide(sqrt_wide(v35), T31 * c2m3_mm - s2m3_mm * v28);
-    const wide v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5;
-    const wide v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18;
-    const wide v57 = angle19 - offset5, v58 = offset5 + angle19;
-    const wide q5_ppp = v51 + only_wide(v51 <= -half_turn, m10);
-    const wide q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52;
-    const wide q5_pmp = v53 + only_wide(v53 <= -half_turn, m10);
-    const wide q5_pmm = only_wide(-v54 <= -half_turn, m10) - v54;
-    const wide q5_mpp = v55 + only_wide(v55 <= -half_turn, m10);
-    const wide q5_mpm = only_wide(-v56 <= -half_turn, m10) - v56;
-    const wide q5_mmp = v57 + only_wide(v57 <= -half_turn, m10);
-    const wide q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58;
-    const wide v59 = q3__pp - only_wide(half_turn < q3__pp, m10);
-    const wide v60 = v6 + only_wide(half_turn < -v6, m10);
-    const wide v61 = q3__mp - only_wide(half_turn < q3__mp, m10);
-    const wide v62 = v7 + only_wide(half_turn < -v7, m10);
-    const wide_mask v63 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v64 = (q1__m < low1) | (high1 < q1__m);
-    const wide v65 = v59 + only_wide(v59 < low3, whole_turn);
-    const wide v66 = only_wide(-v60 < low3, whole_turn) - v60;
-    const wide v67 = v61 + only_wide(v61 < low3, whole_turn);
-    const wide v68 = only_wide(-v62 < low3, whole_turn) - v62;
-    const wide_mask v69 = (v65 < low3) | (high3 < v65), v70 = (v66 < low3) | (high3 < v66);
-    const wide_mask v71 = (v67 < low3) | (high3 < v67), v72 = (v68 < low3) | (high3 < v68);
-    const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, -v60, v66);
-    const wide q3_mpp = pick_wide(v71, v61, v67), q3_mmp = pick_wide(v72, -v62, v68);
-    const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v73 = v69 | (v63 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v74 = v70 | (v63 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v75 = v71 | (v64 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v76 = v72 | (v64 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v73 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v73 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v74 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v74 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v75 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v75 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v76 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v76 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v34 <= m9) |
-        ((v33 <= m9) | ((v1 <= m1) | (v32 <= m9))))))));
+    const wide v46 = w3_p * (m3 * v3), angle12 = atan2_wide(-(v8 + v46), v12 + w3_p * v10),
+        v47 = angle12 - offset2, angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11),
+        v48 = angle13 - offset2, angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10),
+        v49 = angle14 - offset2, angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11),
+        v50 = angle15 - offset2, q2_ppp = v47 - only_wide(half_turn < v47, m10),
+        q2_pmp = v48 - only_wide(half_turn < v48, m10),
+        q2_mpp = v49 - only_wide(half_turn < v49, m10),
+        q2_mmp = v50 - only_wide(half_turn < v50, m10),
+        angle16 = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28),
+        angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28),
+        angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28),
+        angle19 = atan2_wide(sqrt_wide(v35), T31 * c2m3_mm - s2m3_mm * v28),
+        v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5,
+        v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18,
+        v57 = angle19 - offset5, v58 = offset5 + angle19,
+        q5_ppp = v51 + only_wide(v51 <= -half_turn, m10),
+        q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52,
+        q5_pmp = v53 + only_wide(v53 <= -half_turn, m10),
+        q5_pmm = only_wide(-v54 <= -half_turn, m10) - v54,
+        q5_mpp = v55 + only_wide(v55 <= -half_turn, m10),
+        q5_mpm = only_wide(-v56 <= -half_turn, m10) - v56,
+        q5_mmp = v57 + only_wide(v57 <= -half_turn, m10),
+        q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58,
+        v59 = q3__pp - only_wide(half_turn < q3__pp, m10),
+        v60 = v6 + only_wide(half_turn < -v6, m10),
+        v61 = q3__mp - only_wide(half_turn < q3__mp, m10),
+        v62 = v7 + only_wide(half_turn < -v7, m10);
+    const wide_mask v63 = beyond(angle1, low1, high1), v64 = beyond(q1__m, low1, high1);
+    const wide v65 = v59 + only_wide(v59 < low3, whole_turn),
+        v66 = only_wide(-v60 < low3, whole_turn) - v60,
+        v67 = v61 + only_wide(v61 < low3, whole_turn),
+        v68 = only_wide(-v62 < low3, whole_turn) - v62;
+    const wide_mask v69 = beyond(v65, low3, high3), v70 = beyond(v66, low3, high3),
+        v71 = beyond(v67, low3, high3), v72 = beyond(v68, low3, high3);
+    const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, -v60, v66),
+        q3_mpp = pick_wide(v71, v61, v67), q3_mmp = pick_wide(v72, -v62, v68),
+        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
+    const wide_mask v73 = v69 | v63 | beyond(q2_ppp, low2, high2),
+        v74 = v70 | v63 | beyond(q2_pmp, low2, high2),
+        v75 = v71 | v64 | beyond(q2_mpp, low2, high2),
+        v76 = v72 | v64 | beyond(q2_mmp, low2, high2),
+        outside_ppp = v73 | beyond(q5_ppp, low5, high5),
+        outside_ppm = v73 | beyond(q5_ppm, low5, high5),
+        outside_pmp = v74 | beyond(q5_pmp, low5, high5),
+        outside_pmm = v74 | beyond(q5_pmm, low5, high5),
+        outside_mpp = v75 | beyond(q5_mpp, low5, high5),
+        outside_mpm = v75 | beyond(q5_mpm, low5, high5),
+        outside_mmp = v76 | beyond(q5_mmp, low5, high5),
+        outside_mmm = v76 | beyond(q5_mmm, low5, high5),
+        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
+            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v35 <= m9) | (v34 <= m9)
+            | (v33 <= m9) | (v1 <= m1) | (v32 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v36; q[10] = q5_ppm;
+    q[11] = angle8 - h1 * copysign_wide(all_wide(half_turn), v42);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = angle9;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v36; q[22] = q5_pmm;
+    q[23] = angle9 - h1 * copysign_wide(all_wide(half_turn), v43);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = angle10;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v37; q[34] = q5_mpm;
+    q[35] = angle10 - h1 * copysign_wide(all_wide(half_turn), v44);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = angle11;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v37; q[46] = q5_mmm;
+    q[47] = angle11 - h1 * copysign_wide(all_wide(half_turn), v45);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -693,10 +585,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double t14 = T14 - d6 * T11;
-    const double Y1 = d6 * T21 - T24;
-    const double v1 = t14 * t14 + Y1 * Y1;
-    const double w1 = sqrt(v1);
+    const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
     const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
@@ -704,65 +593,56 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T31 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four Y1_2 = m3 * N3 - m4;
-    const four v6 = Z1_3 * Y1_2, v7 = m3 * (e2 * Z1_3), v8 = v4 * -Y1_2;
-    const four factor2 = 1.0 / N3;
+    const four Y1_2 = m3 * N3 - m4, v6 = Z1_3 * Y1_2, v7 = m3 * (e2 * Z1_3), v8 = v4 * -Y1_2,
+        factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = m6 * v4 - v9, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2;
-    const four v13 = Z1_3 * v11 + v4 * v12;
-    const four c2m3 = w3 * (factor2 * (e2 * v10)) - v13;
+    const four v10 = m6 * v4 - v9, v11 = m6 + m7 * factor2, v12 = m5 + m8 * factor2,
+        v13 = Z1_3 * v11 + v4 * v12, c2m3 = w3 * (factor2 * (e2 * v10)) - v13;
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = v4 * v11 - Z1_3 * v12;
-    const four s2m3 = v16 + w3 * (factor2 * (e2 * v15));
+    const four v15 = v14 + m5 * v4, v16 = v4 * v11 - Z1_3 * v12,
+        s2m3 = v16 + w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T21 * Y1 - T11 * t14));
     const four X4 = e1 * (c2m3 * v17) - T31 * s2m3;
-    const double Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21));
-    const double v18 = Y4 * Y4;
+    const double Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
     const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const double v24 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
+    const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
+        v24 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
     const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) - -X4 * v24);
 
     /* joint values */
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle3 = atan2_four(v20, -X4);
-    const four angle4 = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22));
-    const four angle5 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7);
-    const four angle6 = atan2_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3));
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
-    const four q3_ = e2 * angle2 - turn1;
-    const four q4_m = angle3 - v21;
-    const four q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = angle5 - offset2;
-    const four q2_p = v27 - only_four(half_turn < v27, m10);
-    const four v28 = angle6 - offset5, v29 = offset5 + angle6;
-    const four q5_p = v28 + only_four(v28 <= -half_turn, m10);
-    const four q5_m = only_four(-v29 <= -half_turn, m10) - v29;
-    const four v30 = q3_ - only_four(half_turn < q3_, m10);
-    const four_mask v31 = (q1_ < low1) | (high1 < q1_);
+    const four angle3 = atan2_four(v20, -X4),
+        angle4 = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22)),
+        angle5 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7),
+        angle6 = atan2_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17)),
+        packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+            __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3)),
+        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
+        q4_m = angle3 - v21, q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26),
+        v27 = angle5 - offset2, q2_p = v27 - only_four(half_turn < v27, m10),
+        v28 = angle6 - offset5, v29 = offset5 + angle6,
+        q5_p = v28 + only_four(v28 <= -half_turn, m10),
+        q5_m = only_four(-v29 <= -half_turn, m10) - v29,
+        v30 = q3_ - only_four(half_turn < q3_, m10);
+    const four_mask v31 = beyond(q1_, low1, high1);
     const four v32 = v30 + only_four(v30 < low3, whole_turn);
-    const four_mask v33 = (v32 < low3) | (high3 < v32);
-    const four q3_p = pick_four(v33, v30, v32);
-    const four q1_p = q1_ + (w3 - w3);
-    const four_mask v34 = v33 | (v31 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v34 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v34 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v33 = beyond(v32, low3, high3);
+    const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
+    const four_mask v34 = v33 | v31 | beyond(q2_p, low2, high2),
+        outside_p = v34 | beyond(q5_p, low5, high5), outside_m = v34 | beyond(q5_m, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -861,8 +741,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(t14 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(t14 * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -873,8 +753,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v3 = k1 * K3;
-        const double v4 = k2 * K3;
+        const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v7 = T11 * c1 + T21 * s1;
@@ -882,18 +761,15 @@ static void solve(
         const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T22 * c1 - T12 * s1;
-        const double v10 = T12 * c1 + T22 * s1;
-        const double v12 = T23 * c1 - T13 * s1;
-        const double v13 = T13 * c1 + T23 * s1;
+        const double v9 = T22 * c1 - T12 * s1, v10 = T12 * c1 + T22 * s1, v12 = T23 * c1 - T13 * s1,
+            v13 = T13 * c1 + T23 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v3 + k2 * root3) * k4;
-            const double c3 = k4 * (v4 - k1 * root3);
+            const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -904,8 +780,8 @@ static void solve(
             const double w2 = sqrt(v5 * v5 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2;
-            const double s2 = free2 ? sin(v6) : -(v5 * factor2);
+            const double c2 = free2 ? cos(v6) : C2 * factor2,
+                s2 = free2 ? sin(v6) : -(v5 * factor2);
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
@@ -919,8 +795,7 @@ static void solve(
             const double c5 = T31 * c2m3 + s2m3 * v7;
 
             /* theta6 */
-            const double v11 = T32 * s2m3 - c2m3 * v10;
-            const double v14 = T33 * s2m3 - c2m3 * v13;
+            const double v11 = T32 * s2m3 - c2m3 * v10, v14 = T33 * s2m3 - c2m3 * v13;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -930,24 +805,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v9 + s4 * v11;
-                const double s6 = c4 * v12 + s4 * v14;
+                const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 + s4 * v14;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q5 = wrap(atan2(s5, c5) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? FANUC_LRMATE200ID_FREE_JOINT :
                     FANUC_LRMATE200ID_OK;

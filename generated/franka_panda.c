@@ -82,84 +82,33 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v cos_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = cos(x[k]); \
+    return x; \
+} \
+HELPER v sin_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = sin(x[k]); \
+    return x; \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four cos_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER four sin_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide cos_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER wide sin_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -201,7 +150,7 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -299,6 +248,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -373,57 +324,37 @@ static const double highest[7] = { 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.75
 
 void franka_panda_fk(const double q[7], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z3_x = c1 * s2;
-    const double z3_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3;
-    const double x3_y = x2_y * c3 + c1 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z3_x = c1 * s2, z3_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3;
     const double v1 = s2 * c3;
     const double z4_x = s1 * c3 + x2_x * s3;
-    const double y3_y = c1 * c3 - x2_y * s3;
-    const double y3_z = s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z3_x * s4;
-    const double x4_y = x3_y * c4 + z3_y * s4;
-    const double x4_z = c2 * s4 - v1 * c4;
-    const double y4_x = z3_x * c4 - x3_x * s4;
-    const double y4_y = z3_y * c4 - x3_y * s4;
-    const double y4_z = c2 * c4 + v1 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - z4_x * s5;
-    const double x5_y = x4_y * c5 + y3_y * s5;
-    const double x5_z = x4_z * c5 + y3_z * s5;
-    const double z6_x = z4_x * c5 + x4_x * s5;
-    const double z6_y = x4_y * s5 - y3_y * c5;
-    const double z6_z = x4_z * s5 - y3_z * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double x6_x = x5_x * c6 + y4_x * s6;
-    const double x6_y = x5_y * c6 + y4_y * s6;
-    const double x6_z = x5_z * c6 + y4_z * s6;
-    const double T13_ = x5_x * s6 - y4_x * c6;
-    const double T23_ = x5_y * s6 - y4_y * c6;
-    const double T33_ = x5_z * s6 - y4_z * c6;
-    const double c7 = cos(q[6]);
-    const double s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + z6_x * s7;
-    const double T21_ = x6_y * c7 + z6_y * s7;
-    const double T31_ = x6_z * c7 + z6_z * s7;
-    const double T12_ = z6_x * c7 - x6_x * s7;
-    const double T22_ = z6_y * c7 - x6_y * s7;
-    const double T32_ = z6_z * c7 - x6_z * s7;
-    const double T14_ = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + T13_ * d7;
-    const double T24_ = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + T23_ * d7;
-    const double T34_ = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + T33_ * d7;
+    const double y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + z3_x * s4, x4_y = x3_y * c4 + z3_y * s4,
+        x4_z = c2 * s4 - v1 * c4;
+    const double y4_x = z3_x * c4 - x3_x * s4, y4_y = z3_y * c4 - x3_y * s4,
+        y4_z = c2 * c4 + v1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - z4_x * s5, x5_y = x4_y * c5 + y3_y * s5,
+        x5_z = x4_z * c5 + y3_z * s5;
+    const double z6_x = z4_x * c5 + x4_x * s5, z6_y = x4_y * s5 - y3_y * c5,
+        z6_z = x4_z * s5 - y3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double x6_x = x5_x * c6 + y4_x * s6, x6_y = x5_y * c6 + y4_y * s6,
+        x6_z = x5_z * c6 + y4_z * s6;
+    const double T13_ = x5_x * s6 - y4_x * c6, T23_ = x5_y * s6 - y4_y * c6,
+        T33_ = x5_z * s6 - y4_z * c6;
+    const double c7 = cos(q[6]), s7 = sin(q[6]);
+    const double T11_ = x6_x * c7 + z6_x * s7, T21_ = x6_y * c7 + z6_y * s7,
+        T31_ = x6_z * c7 + z6_z * s7, T12_ = z6_x * c7 - x6_x * s7, T22_ = z6_y * c7 - x6_y * s7,
+        T32_ = z6_z * c7 - x6_z * s7,
+        T14_ = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + T13_ * d7,
+        T24_ = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + T23_ * d7,
+        T34_ = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + T33_ * d7;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -433,87 +364,45 @@ void franka_panda_fk(const double q[7], double T[16])
 
 void franka_panda_jacobian(const double q[7], double J[42])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J43 = c1 * s2;
-    const double J53 = s1 * s2;
-    const double p3_x = J43 * d3;
-    const double p3_y = J53 * d3;
-    const double p3_z = d1 + c2 * d3;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3;
-    const double x3_y = x2_y * c3 + c1 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J43 = c1 * s2, J53 = s1 * s2;
+    const double p3_x = J43 * d3, p3_y = J53 * d3, p3_z = d1 + c2 * d3;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3;
     const double v1 = s2 * c3;
     const double J44 = s1 * c3 + x2_x * s3;
-    const double y3_y = c1 * c3 - x2_y * s3;
-    const double y3_z = s2 * s3;
-    const double p4_x = p3_x + x3_x * a3;
-    const double p4_y = p3_y + x3_y * a3;
-    const double p4_z = p3_z - v1 * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 + J53 * s4;
-    const double x4_z = c2 * s4 - v1 * c4;
-    const double J45 = J43 * c4 - x3_x * s4;
-    const double J55 = J53 * c4 - x3_y * s4;
-    const double J65 = c2 * c4 + v1 * s4;
-    const double p5_x = p4_x - x4_x * a4 + J45 * d5;
-    const double p5_y = p4_y - x4_y * a4 + J55 * d5;
-    const double p5_z = p4_z - x4_z * a4 + J65 * d5;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - J44 * s5;
-    const double x5_y = x4_y * c5 + y3_y * s5;
-    const double x5_z = x4_z * c5 + y3_z * s5;
-    const double J46 = J44 * c5 + x4_x * s5;
-    const double J56 = x4_y * s5 - y3_y * c5;
-    const double J66 = x4_z * s5 - y3_z * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6;
-    const double p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6;
-    const double p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
-    const double J47 = x5_x * s6 - J45 * c6;
-    const double J57 = x5_y * s6 - J55 * c6;
-    const double J67 = x5_z * s6 - J65 * c6;
-    const double J21 = p7_x + J47 * d7;
-    const double v2 = p7_y + J57 * d7;
-    const double v3 = p7_z + J67 * d7;
-    const double v4 = v3 - d1;
-    const double J12 = c1 * v4;
-    const double J22 = s1 * v4;
-    const double v5 = J21 - p3_x;
-    const double v6 = v2 - p3_y;
-    const double v7 = v3 - p3_z;
-    const double J13 = J53 * v7 - c2 * v6;
-    const double J23 = c2 * v5 - J43 * v7;
-    const double J33 = J43 * v6 - J53 * v5;
-    const double v8 = J21 - p4_x;
-    const double v9 = v2 - p4_y;
-    const double v10 = v3 - p4_z;
-    const double J14 = -y3_y * v10 + y3_z * v9;
-    const double J34 = J44 * v9 - -y3_y * v8;
-    const double v11 = J21 - p5_x;
-    const double v12 = v2 - p5_y;
-    const double v13 = v3 - p5_z;
-    const double J15 = J55 * v13 - J65 * v12;
-    const double J25 = J65 * v11 - J45 * v13;
-    const double J35 = J45 * v12 - J55 * v11;
-    const double J16 = J56 * v13 - J66 * v12;
-    const double J26 = J66 * v11 - J46 * v13;
-    const double J36 = J46 * v12 - J56 * v11;
-    const double v14 = J21 - p7_x;
-    const double v15 = v2 - p7_y;
-    const double v16 = v3 - p7_z;
-    const double J17 = J57 * v16 - J67 * v15;
-    const double J27 = J67 * v14 - J47 * v16;
-    const double J37 = J47 * v15 - J57 * v14;
+    const double y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
+    const double p4_x = p3_x + x3_x * a3, p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4, x4_z = c2 * s4 - v1 * c4;
+    const double J45 = J43 * c4 - x3_x * s4, J55 = J53 * c4 - x3_y * s4, J65 = c2 * c4 + v1 * s4;
+    const double p5_x = p4_x - x4_x * a4 + J45 * d5, p5_y = p4_y - x4_y * a4 + J55 * d5,
+        p5_z = p4_z - x4_z * a4 + J65 * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - J44 * s5, x5_y = x4_y * c5 + y3_y * s5,
+        x5_z = x4_z * c5 + y3_z * s5;
+    const double J46 = J44 * c5 + x4_x * s5, J56 = x4_y * s5 - y3_y * c5,
+        J66 = x4_z * s5 - y3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6,
+        p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6, p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
+    const double J47 = x5_x * s6 - J45 * c6, J57 = x5_y * s6 - J55 * c6, J67 = x5_z * s6 - J65 * c6,
+        J21 = p7_x + J47 * d7;
+    const double v2 = p7_y + J57 * d7, v3 = p7_z + J67 * d7, v4 = v3 - d1;
+    const double J12 = c1 * v4, J22 = s1 * v4;
+    const double v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z;
+    const double J13 = J53 * v7 - c2 * v6, J23 = c2 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5;
+    const double v8 = J21 - p4_x, v9 = v2 - p4_y, v10 = v3 - p4_z;
+    const double J14 = -y3_y * v10 + y3_z * v9, J34 = J44 * v9 - -y3_y * v8;
+    const double v11 = J21 - p5_x, v12 = v2 - p5_y, v13 = v3 - p5_z;
+    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13,
+        J35 = J45 * v12 - J55 * v11, J16 = J56 * v13 - J66 * v12, J26 = J66 * v11 - J46 * v13,
+        J36 = J46 * v12 - J56 * v11;
+    const double v14 = J21 - p7_x, v15 = v2 - p7_y, v16 = v3 - p7_z;
+    const double J17 = J57 * v16 - J67 * v15, J27 = J67 * v14 - J47 * v16,
+        J37 = J47 * v15 - J57 * v14;
     J[0] = -v2; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
     J[7] = J21; J[8] = J22; J[9] = J23; J[10] = -(y3_z * v8 + J44 * v10); J[11] = J25; J[12] = J26;
     J[13] = J27;
@@ -528,13 +417,16 @@ void franka_panda_jacobian(const double q[7], double J[42])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -580,194 +472,162 @@ HELPER wide_mask solve_wide(
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
-    const wide c7 = cos_wide(free_joints[0]);
-    const wide s7 = sin_wide(free_joints[0]);
+    const wide c7 = cos_wide(free_joints[0]), s7 = sin_wide(free_joints[0]);
 
     /* theta4 */
-    const wide v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33);
-    const wide w2x = v1 * T11 + v2 * T21 + v3 * T31;
-    const wide w2y = v1 * T12 + v2 * T22 + v3 * T32;
-    const wide w2z = T13 * v1 + T23 * v2 + T33 * v3;
-    const wide Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
-        (w2z * w2z - k4)));
-    const wide D4 = k3 - Z4 * Z4;
-    const wide w4 = sqrt_wide(D4);
-    const wide v4 = m2 * Z4, v5 = m1 * w4;
-    const wide c4_p = v4 + v5, c4_m = v4 - v5;
-    const wide v6 = m1 * Z4, v7 = m2 * w4;
-    const wide s4_p = v7 - v6;
-    const wide v8 = v6 + v7;
-    const wide angle1 = atan2_wide(w4, Z4);
-    const wide q4__p = angle1 - turn1;
-    const wide v9 = turn1 + angle1;
+    const wide v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33),
+        w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
+        w2z = T13 * v1 + T23 * v2 + T33 * v3,
+        Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt_wide(D4), v4 = m2 * Z4, v5 = m1 * w4,
+        c4_p = v4 + v5, c4_m = v4 - v5, v6 = m1 * Z4, v7 = m2 * w4, s4_p = v7 - v6, v8 = v6 + v7,
+        angle1 = atan2_wide(w4, Z4), q4__p = angle1 - turn1, v9 = turn1 + angle1;
 
     /* theta5 */
-    const wide v10 = a3 * c4_p + d3 * s4_p - a4, v11 = a3 * c4_m - d3 * v8 - a4, v12 = m4 + m5 * Z4;
-    const wide v13 = m3 * w4, v14 = v12 - v13, v15 = v12 + v13;
-    const wide N5_p = v14 * v14, N5_m = v15 * v15;
-    const wide Z5 = c7 * w2y + s7 * w2x;
-    const wide v16 = Z5 * Z5;
-    const wide D5_p = N5_p - v16, D5_m = N5_m - v16;
-    const wide w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m);
-    const wide v17 = w5_p - w5_p, v18 = w5_m - w5_m;
-    const wide v19 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5));
-    const wide inverse5_p = 1.0 / N5_p, inverse5_m = 1.0 / N5_m;
-    const wide v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20, v23 = inverse5_m * v21;
-    const wide v24 = v14 * Z5, v25 = v15 * Z5;
-    const wide s5_p = inverse5_p * v24, s5_m = inverse5_m * v25;
-    const wide angle2 = atan2_wide(v24, -v20), angle3 = atan2_wide(v25, -v21);
-    const wide q5_pmp = copysign_wide(all_wide(half_turn), v24) * h1 - angle2;
-    const wide q5_mmp = copysign_wide(all_wide(half_turn), v25) * h1 - angle3;
+    const wide v10 = a3 * c4_p + d3 * s4_p - a4, v11 = a3 * c4_m - d3 * v8 - a4, v12 = m4 + m5 * Z4,
+        v13 = m3 * w4, v14 = v12 - v13, v15 = v12 + v13, N5_p = v14 * v14, N5_m = v15 * v15,
+        Z5 = c7 * w2y + s7 * w2x, v16 = Z5 * Z5, D5_p = N5_p - v16, D5_m = N5_m - v16,
+        w5_p = sqrt_wide(D5_p), w5_m = sqrt_wide(D5_m), v17 = w5_p - w5_p, v18 = w5_m - w5_m,
+        v19 = reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z5)), inverse5_p = 1.0 / N5_p,
+        inverse5_m = 1.0 / N5_m, v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20,
+        v23 = inverse5_m * v21, v24 = v14 * Z5, v25 = v15 * Z5, s5_p = inverse5_p * v24,
+        s5_m = inverse5_m * v25, angle2 = atan2_wide(v24, -v20), angle3 = atan2_wide(v25, -v21),
+        q5_pmp = copysign_wide(all_wide(half_turn), v24) * h1 - angle2,
+        q5_mmp = copysign_wide(all_wide(half_turn), v25) * h1 - angle3;
 
     /* theta6 */
-    const wide v26 = m7 + m3 * Z4, v27 = m5 * w4;
-    const wide Y1_6_p = v26 + v27, Y1_6_m = v26 - v27;
-    const wide Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const wide v28 = Y1_6_p * Z2_6, v29 = Y1_6_m * Z2_6;
-    const wide v30 = w5_p * (inverse5_p * (v10 * (w2z * v14))), v31 = v28 - v30, v32 = v28 + v30;
-    const wide v33 = w5_m * (inverse5_m * (v11 * (w2z * v15))), v34 = v29 - v33, v35 = v29 + v33;
-    const wide v36 = w2z * Y1_6_p, v37 = w2z * Y1_6_m;
-    const wide v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6)));
-    const wide C6_pp = v36 + v38, C6_pm = v36 - v38;
-    const wide v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6)));
-    const wide C6_mp = v37 + v39, C6_mm = v37 - v39;
-    const wide v40 = v31 * v31 + C6_pp * C6_pp, v41 = v32 * v32 + C6_pm * C6_pm;
-    const wide v42 = v34 * v34 + C6_mp * C6_mp, v43 = v35 * v35 + C6_mm * C6_mm;
-    const wide factor6_pp = sqrt_wide(v40) * (1.0 / v40), factor6_pm = sqrt_wide(v41) * (1.0 / v41);
-    const wide factor6_mp = sqrt_wide(v42) * (1.0 / v42), factor6_mm = sqrt_wide(v43) * (1.0 / v43);
-    const wide angle4 = atan2_wide(-v31, C6_pp), angle5 = atan2_wide(-v32, C6_pm);
-    const wide angle6 = atan2_wide(-v34, C6_mp), angle7 = atan2_wide(-v35, C6_mm);
+    const wide v26 = m7 + m3 * Z4, v27 = m5 * w4, Y1_6_p = v26 + v27, Y1_6_m = v26 - v27,
+        Z2_6 = a6 + (c7 * w2x - s7 * w2y), v28 = Y1_6_p * Z2_6, v29 = Y1_6_m * Z2_6,
+        v30 = w5_p * (inverse5_p * (v10 * (w2z * v14))), v31 = v28 - v30, v32 = v28 + v30,
+        v33 = w5_m * (inverse5_m * (v11 * (w2z * v15))), v34 = v29 - v33, v35 = v29 + v33,
+        v36 = w2z * Y1_6_p, v37 = w2z * Y1_6_m, v38 = w5_p * (inverse5_p * (v10 * (v14 * Z2_6))),
+        C6_pp = v36 + v38, C6_pm = v36 - v38, v39 = w5_m * (inverse5_m * (v11 * (v15 * Z2_6))),
+        C6_mp = v37 + v39, C6_mm = v37 - v39, v40 = v31 * v31 + C6_pp * C6_pp,
+        v41 = v32 * v32 + C6_pm * C6_pm, v42 = v34 * v34 + C6_mp * C6_mp,
+        v43 = v35 * v35 + C6_mm * C6_mm, factor6_pp = sqrt_wide(v40) * (1.0 / v40),
+        factor6_pm = sqrt_wide(v41) * (1.0 / v41), factor6_mp = sqrt_wide(v42) * (1.0 / v42),
+        factor6_mm = sqrt_wide(v43) * (1.0 / v43), angle4 = atan2_wide(-v31, C6_pp),
+        angle5 = atan2_wide(-v32, C6_pm), angle6 = atan2_wide(-v34, C6_mp),
+        angle7 = atan2_wide(-v35, C6_mm);
 
     /* theta1 */
-    const wide v44 = c7 * T11 - s7 * T12, v45 = T13 * c4_p, v46 = T13 * c4_m, v47 = c4_p * v44;
-    const wide v48 = c4_m * v44, v49 = c7 * T12 + s7 * T11, v50 = s5_p * (s4_p * v49);
-    const wide v51 = s5_m * (v8 * v49), v52 = v22 * (s4_p * v44), v53 = v23 * (v8 * v44);
-    const wide v54 = v22 * (T13 * s4_p), v55 = v23 * (T13 * v8);
-    const wide X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52));
-    const wide X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52));
-    const wide X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51;
-    const wide v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53));
-    const wide v57 = c7 * T21 - s7 * T22, v58 = T23 * c4_p, v59 = T23 * c4_m, v60 = c4_p * v57;
-    const wide v61 = c4_m * v57, v62 = c7 * T22 + s7 * T21, v63 = s5_p * (s4_p * v62);
-    const wide v64 = s5_m * (v8 * v62), v65 = v22 * (s4_p * v57), v66 = v23 * (v8 * v57);
-    const wide v67 = v22 * (T23 * s4_p), v68 = v23 * (T23 * v8);
-    const wide v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65));
-    const wide v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65));
-    const wide v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64;
-    const wide v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66));
-    const wide v73 = X1_pp * X1_pp + v69 * v69, v74 = X1_pm * X1_pm + v70 * v70;
-    const wide v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72;
-    const wide angle8 = atan2_wide(-v69, -X1_pp), angle9 = atan2_wide(-v70, -X1_pm);
-    const wide angle10 = atan2_wide(-v71, -X1_mp), angle11 = atan2_wide(v72, v56);
-    const wide q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v69);
-    const wide q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v70);
-    const wide q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v71);
-    const wide q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v72);
+    const wide v44 = c7 * T11 - s7 * T12, v45 = T13 * c4_p, v46 = T13 * c4_m, v47 = c4_p * v44,
+        v48 = c4_m * v44, v49 = c7 * T12 + s7 * T11, v50 = s5_p * (s4_p * v49),
+        v51 = s5_m * (v8 * v49), v52 = v22 * (s4_p * v44), v53 = v23 * (v8 * v44),
+        v54 = v22 * (T13 * s4_p), v55 = v23 * (T13 * v8),
+        X1_pp = v50 + factor6_pp * (-v31 * (v47 - v54) - C6_pp * (v45 + v52)),
+        X1_pm = v50 - factor6_pm * (v32 * (v47 + v54) + C6_pm * (v45 - v52)),
+        X1_mp = factor6_mp * (-v34 * (v48 + v55) - C6_mp * (v46 - v53)) - v51,
+        v56 = v51 + factor6_mm * (v35 * (v48 - v55) + C6_mm * (v46 + v53)),
+        v57 = c7 * T21 - s7 * T22, v58 = T23 * c4_p, v59 = T23 * c4_m, v60 = c4_p * v57,
+        v61 = c4_m * v57, v62 = c7 * T22 + s7 * T21, v63 = s5_p * (s4_p * v62),
+        v64 = s5_m * (v8 * v62), v65 = v22 * (s4_p * v57), v66 = v23 * (v8 * v57),
+        v67 = v22 * (T23 * s4_p), v68 = v23 * (T23 * v8),
+        v69 = v63 + factor6_pp * (-v31 * (v60 - v67) - C6_pp * (v58 + v65)),
+        v70 = v63 - factor6_pm * (v32 * (v60 + v67) + C6_pm * (v58 - v65)),
+        v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64,
+        v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66)),
+        v73 = X1_pp * X1_pp + v69 * v69, v74 = X1_pm * X1_pm + v70 * v70,
+        v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72,
+        angle8 = atan2_wide(-v69, -X1_pp), angle9 = atan2_wide(-v70, -X1_pm),
+        angle10 = atan2_wide(-v71, -X1_mp), angle11 = atan2_wide(v72, v56),
+        q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v69),
+        q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v70),
+        q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v71),
+        q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v72);
 
     /* theta3 */
-    const wide v77 = a4 * v57, v78 = d5 * T23, v79 = a4 * T23, v80 = d5 * v57, v81 = a4 * v62;
-    const wide v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v83 = s5_p * v81 - v82;
-    const wide v84 = s5_m * v81 - v82, v85 = v22 * v77, v86 = v23 * v77, v87 = v22 * v79;
-    const wide v88 = v23 * v79, v89 = a4 * v44, v90 = d5 * T13, v91 = a4 * T13, v92 = d5 * v44;
-    const wide v93 = a4 * v49, v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const wide v95 = s5_p * v93 - v94, v96 = s5_m * v93 - v94, v97 = v22 * v89, v98 = v23 * v89;
-    const wide v99 = v22 * v91, v100 = v23 * v91, v101 = s5_p * v57, v102 = s5_m * v57;
-    const wide v103 = T23 * s5_p, v104 = T23 * s5_m, v105 = v22 * v62, v106 = v23 * v62;
-    const wide v107 = s5_p * v44, v108 = s5_m * v44, v109 = T13 * s5_p, v110 = T13 * s5_m;
-    const wide v111 = v22 * v49, v112 = v23 * v49;
-    const wide s3_pp = (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) -
-        v69 * (v95 + factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3;
-    const wide s3_pm = (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70
-        * (v95 + factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3;
-    const wide s3_mp = (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) -
-        v71 * (v96 + factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3;
-    const wide s3_mm = (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56
-        * (v84 + factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3;
-    const wide v113 = a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105
-        + factor6_pp * (C6_pp * v101 + -v31 * v103))) / -a3;
-    const wide v114 = a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm *
-        (factor6_pm * (C6_pm * v101 - v32 * v103) - v105)) / -a3;
-    const wide v115 = a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106
-        + factor6_mp * (C6_mp * v102 + -v34 * v104))) / -a3;
-    const wide v116 = a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 *
-        (factor6_mm * (C6_mm * v108 - v35 * v110) - v112)) / -a3;
-    const wide angle12 = atan2_wide(s3_pp, -v113), angle13 = atan2_wide(s3_pm, -v114);
-    const wide angle14 = atan2_wide(s3_mp, -v115), angle15 = atan2_wide(s3_mm, -v116);
-    const wide q3_ppm = angle12 - h1 * copysign_wide(all_wide(half_turn), s3_pp);
-    const wide q3_pmm = angle13 - h1 * copysign_wide(all_wide(half_turn), s3_pm);
-    const wide q3_mpm = angle14 - h1 * copysign_wide(all_wide(half_turn), s3_mp);
-    const wide q3_mmm = angle15 - h1 * copysign_wide(all_wide(half_turn), s3_mm);
+    const wide v77 = a4 * v57, v78 = d5 * T23, v79 = a4 * T23, v80 = d5 * v57, v81 = a4 * v62,
+        v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v83 = s5_p * v81 - v82,
+        v84 = s5_m * v81 - v82, v85 = v22 * v77, v86 = v23 * v77, v87 = v22 * v79, v88 = v23 * v79,
+        v89 = a4 * v44, v90 = d5 * T13, v91 = a4 * T13, v92 = d5 * v44, v93 = a4 * v49,
+        v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12)), v95 = s5_p * v93 - v94,
+        v96 = s5_m * v93 - v94, v97 = v22 * v89, v98 = v23 * v89, v99 = v22 * v91, v100 = v23 * v91,
+        v101 = s5_p * v57, v102 = s5_m * v57, v103 = T23 * s5_p, v104 = T23 * s5_m,
+        v105 = v22 * v62, v106 = v23 * v62, v107 = s5_p * v44, v108 = s5_m * v44, v109 = T13 * s5_p,
+        v110 = T13 * s5_m, v111 = v22 * v49, v112 = v23 * v49,
+        s3_pp = (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) - v69 *
+            (v95 + factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3,
+        s3_pm = (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70 * (v95
+            + factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3,
+        s3_mp = (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) - v71 *
+            (v96 + factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3,
+        s3_mm = (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56 * (v84
+            + factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3,
+        v113 = a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105 +
+            factor6_pp * (C6_pp * v101 + -v31 * v103))) / -a3,
+        v114 = a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm * (factor6_pm *
+            (C6_pm * v101 - v32 * v103) - v105)) / -a3,
+        v115 = a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106 +
+            factor6_mp * (C6_mp * v102 + -v34 * v104))) / -a3,
+        v116 = a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm *
+            (C6_mm * v108 - v35 * v110) - v112)) / -a3, angle12 = atan2_wide(s3_pp, -v113),
+        angle13 = atan2_wide(s3_pm, -v114), angle14 = atan2_wide(s3_mp, -v115),
+        angle15 = atan2_wide(s3_mm, -v116),
+        q3_ppm = angle12 - h1 * copysign_wide(all_wide(half_turn), s3_pp),
+        q3_pmm = angle13 - h1 * copysign_wide(all_wide(half_turn), s3_pm),
+        q3_mpm = angle14 - h1 * copysign_wide(all_wide(half_turn), s3_mp),
+        q3_mmm = angle15 - h1 * copysign_wide(all_wide(half_turn), s3_mm);
 
     /* theta2 */
-    const wide v117 = c7 * T31 - s7 * T32, v118 = s4_p * v117, v119 = v8 * v117, v120 = T33 * c4_p;
-    const wide v121 = T33 * c4_m, v122 = T33 * s4_p, v123 = T33 * v8, v124 = c4_p * v117;
-    const wide v125 = c4_m * v117, v126 = c7 * T32 + s7 * T31, v127 = s5_p * (s4_p * v126);
-    const wide v128 = s5_m * (v8 * v126), v129 = v22 * v118, v130 = v23 * v119, v131 = v22 * v122;
-    const wide v132 = v23 * v123, v133 = s5_p * (c4_p * v126), v134 = s5_m * (c4_m * v126);
-    const wide v135 = v22 * v124, v136 = v23 * v125, v137 = v22 * v120, v138 = v23 * v121;
-    const wide v139 = s5_p * v117, v140 = s5_m * v117, v141 = T33 * s5_p, v142 = T33 * s5_m;
-    const wide v143 = v22 * v126, v144 = v23 * v126;
-    const wide angle16 = atan2_wide(sqrt_wide(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp *
-        (C6_pp * (v122 - v135) - -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139
-        + -v31 * v141))), v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129)));
-    const wide angle17 = atan2_wide(sqrt_wide(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm *
-        (C6_pm * (v122 + v135) + v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 *
-        v141) - v143)), v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129)));
-    const wide angle18 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp *
-        (C6_mp * (v123 + v136) + -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140
-        + -v34 * v142))), factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128);
-    const wide angle19 = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm *
-        (C6_mm * (v136 - v123) - v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 *
-        v142) - v144)), -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130))));
+    const wide v117 = c7 * T31 - s7 * T32, v118 = s4_p * v117, v119 = v8 * v117, v120 = T33 * c4_p,
+        v121 = T33 * c4_m, v122 = T33 * s4_p, v123 = T33 * v8, v124 = c4_p * v117,
+        v125 = c4_m * v117, v126 = c7 * T32 + s7 * T31, v127 = s5_p * (s4_p * v126),
+        v128 = s5_m * (v8 * v126), v129 = v22 * v118, v130 = v23 * v119, v131 = v22 * v122,
+        v132 = v23 * v123, v133 = s5_p * (c4_p * v126), v134 = s5_m * (c4_m * v126),
+        v135 = v22 * v124, v136 = v23 * v125, v137 = v22 * v120, v138 = v23 * v121,
+        v139 = s5_p * v117, v140 = s5_m * v117, v141 = T33 * s5_p, v142 = T33 * s5_m,
+        v143 = v22 * v126, v144 = v23 * v126,
+        angle16 = atan2_wide(sqrt_wide(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp *
+            (v122 - v135) - -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 +
+            -v31 * v141))), v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))),
+        angle17 = atan2_wide(sqrt_wide(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm *
+            (v122 + v135) + v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 *
+            v141) - v143)), v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))),
+        angle18 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp *
+            (v123 + v136) + -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 +
+            -v34 * v142))), factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128),
+        angle19 = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm *
+            (v136 - v123) - v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 *
+            v142) - v144)), -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130))));
 
     /* joint values */
-    const wide v145 = q4__p + only_wide(q4__p <= -half_turn, m10);
-    const wide v146 = only_wide(-v9 <= -half_turn, m10) - v9;
-    const wide_mask v147 = (v145 < low4) | (high4 < v145), v148 = (v146 < low4) | (high4 < v146);
-    const wide_mask v149 = (angle2 < low5) | (high5 < angle2);
-    const wide_mask v150 = (q5_pmp < low5) | (high5 < q5_pmp);
-    const wide_mask v151 = (angle3 < low5) | (high5 < angle3);
-    const wide_mask v152 = (q5_mmp < low5) | (high5 < q5_mmp);
-    const wide v153 = angle4 + only_wide(angle4 < low6, whole_turn);
-    const wide v154 = angle5 + only_wide(angle5 < low6, whole_turn);
-    const wide v155 = angle6 + only_wide(angle6 < low6, whole_turn);
-    const wide v156 = angle7 + only_wide(angle7 < low6, whole_turn);
-    const wide_mask v157 = (v153 < low6) | (high6 < v153), v158 = (v154 < low6) | (high6 < v154);
-    const wide_mask v159 = (v155 < low6) | (high6 < v155), v160 = (v156 < low6) | (high6 < v156);
-    const wide q6_ppp = pick_wide(v157, angle4, v153), q6_pmp = pick_wide(v158, angle5, v154);
-    const wide q6_mpp = pick_wide(v159, angle6, v155), q6_mmp = pick_wide(v160, angle7, v156);
-    const wide_mask v161 = (free_joints[0] < low7) | (high7 < free_joints[0]);
-    const wide q4_ppp = v17 + v145, q4_mpp = v18 + v146;
-    const wide v162 = free_joints[0] + (w4 - w4);
-    const wide q7_ppp = v17 + v162, q7_mpp = v18 + v162;
-    const wide_mask outside_ppp = v161 | (v157 | (v149 | (v147 | (((angle12 < low3) | (high3 <
-        angle12)) | (((angle8 < low1) | (high1 < angle8)) | ((angle16 < low2) | (high2 <
-        angle16)))))));
-    const wide_mask outside_ppm = v161 | (v157 | (v149 | (v147 | (((q3_ppm < low3) | (high3 <
-        q3_ppm)) | (((q1_ppm < low1) | (high1 < q1_ppm)) | ((-angle16 < low2) | (high2 <
-        -angle16)))))));
-    const wide_mask outside_pmp = v161 | (v158 | (v150 | (v147 | (((angle13 < low3) | (high3 <
-        angle13)) | (((angle9 < low1) | (high1 < angle9)) | ((angle17 < low2) | (high2 <
-        angle17)))))));
-    const wide_mask outside_pmm = v161 | (v158 | (v150 | (v147 | (((q3_pmm < low3) | (high3 <
-        q3_pmm)) | (((q1_pmm < low1) | (high1 < q1_pmm)) | ((-angle17 < low2) | (high2 <
-        -angle17)))))));
-    const wide_mask outside_mpp = v161 | (v159 | (v151 | (v148 | (((angle14 < low3) | (high3 <
-        angle14)) | (((angle10 < low1) | (high1 < angle10)) | ((angle18 < low2) | (high2 <
-        angle18)))))));
-    const wide_mask outside_mpm = v161 | (v159 | (v151 | (v148 | (((q3_mpm < low3) | (high3 <
-        q3_mpm)) | (((q1_mpm < low1) | (high1 < q1_mpm)) | ((-angle18 < low2) | (high2 <
-        -angle18)))))));
-    const wide_mask outside_mmp = v161 | (v160 | (v152 | (v148 | (((angle15 < low3) | (high3 <
-        angle15)) | (((angle11 < low1) | (high1 < angle11)) | ((angle19 < low2) | (high2 <
-        angle19)))))));
-    const wide_mask outside_mmm = v161 | (v160 | (v152 | (v148 | (((q3_mmm < low3) | (high3 <
-        q3_mmm)) | (((q1_mmm < low1) | (high1 < q1_mmm)) | ((-angle19 < low2) | (high2 <
-        -angle19)))))));
-    const wide_mask doubt1 = (v76 <= m9) | ((v43 <= m8) | ((v75 <= m9) | ((v42 <= m8) | ((v74 <= m9)
-        | ((v41 <= m8) | ((v73 <= m9) | ((v40 <= m8) | ((abs_wide(D5_m) <= v19) | ((N5_m <=
-        doubt_limit_squared2) | ((abs_wide(D5_p) <= v19) | ((abs_wide(D4) <= reach_slack2 *
-        (reach_slack2 + 2.0 * abs_wide(Z4))) | (N5_p <= doubt_limit_squared2))))))))))));
+    const wide v145 = q4__p + only_wide(q4__p <= -half_turn, m10),
+        v146 = only_wide(-v9 <= -half_turn, m10) - v9;
+    const wide_mask v147 = beyond(v145, low4, high4), v148 = beyond(v146, low4, high4),
+        v149 = beyond(angle2, low5, high5), v150 = beyond(q5_pmp, low5, high5),
+        v151 = beyond(angle3, low5, high5), v152 = beyond(q5_mmp, low5, high5);
+    const wide v153 = angle4 + only_wide(angle4 < low6, whole_turn),
+        v154 = angle5 + only_wide(angle5 < low6, whole_turn),
+        v155 = angle6 + only_wide(angle6 < low6, whole_turn),
+        v156 = angle7 + only_wide(angle7 < low6, whole_turn);
+    const wide_mask v157 = beyond(v153, low6, high6), v158 = beyond(v154, low6, high6),
+        v159 = beyond(v155, low6, high6), v160 = beyond(v156, low6, high6);
+    const wide q6_ppp = pick_wide(v157, angle4, v153), q6_pmp = pick_wide(v158, angle5, v154),
+        q6_mpp = pick_wide(v159, angle6, v155), q6_mmp = pick_wide(v160, angle7, v156);
+    const wide_mask v161 = beyond(free_joints[0], low7, high7);
+    const wide q4_ppp = v17 + v145, q4_mpp = v18 + v146, v162 = free_joints[0] + (w4 - w4),
+        q7_ppp = v17 + v162, q7_mpp = v18 + v162;
+    const wide_mask outside_ppp = v161 | v157 | v149 | v147 | beyond(angle12, low3, high3) |
+        beyond(angle8, low1, high1) | beyond(angle16, low2, high2),
+        outside_ppm = v161 | v157 | v149 | v147 | beyond(q3_ppm, low3, high3) | beyond(q1_ppm, low1,
+            high1) | beyond(-angle16, low2, high2),
+        outside_pmp = v161 | v158 | v150 | v147 | beyond(angle13, low3, high3) | beyond(angle9,
+            low1, high1) | beyond(angle17, low2, high2),
+        outside_pmm = v161 | v158 | v150 | v147 | beyond(q3_pmm, low3, high3) | beyond(q1_pmm, low1,
+            high1) | beyond(-angle17, low2, high2),
+        outside_mpp = v161 | v159 | v151 | v148 | beyond(angle14, low3, high3) | beyond(angle10,
+            low1, high1) | beyond(angle18, low2, high2),
+        outside_mpm = v161 | v159 | v151 | v148 | beyond(q3_mpm, low3, high3) | beyond(q1_mpm, low1,
+            high1) | beyond(-angle18, low2, high2),
+        outside_mmp = v161 | v160 | v152 | v148 | beyond(angle15, low3, high3) | beyond(angle11,
+            low1, high1) | beyond(angle19, low2, high2),
+        outside_mmm = v161 | v160 | v152 | v148 | beyond(q3_mmm, low3, high3) | beyond(q1_mmm, low1,
+            high1) | beyond(-angle19, low2, high2),
+        doubt1 = (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8) | (v74 <= m9) | (v41 <= m8) |
+            (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <= doubt_limit_squared2) |
+            (abs_wide(D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 * (reach_slack2 + 2.0 *
+            abs_wide(Z4))) | (N5_p <= doubt_limit_squared2);
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
@@ -810,18 +670,14 @@ HELPER int solve_regular(
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
-    const double c7 = cos(free_joints[0]);
-    const double s7 = sin(free_joints[0]);
+    const double c7 = cos(free_joints[0]), s7 = sin(free_joints[0]);
 
     /* theta4 */
-    const double v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33);
-    const double w2x = v1 * T11 + v2 * T21 + v3 * T31;
-    const double w2y = v1 * T12 + v2 * T22 + v3 * T32;
-    const double w2z = T13 * v1 + T23 * v2 + T33 * v3;
-    const double Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y +
-        (w2z * w2z - k4)));
-    const double D4 = k3 - Z4 * Z4;
-    const double w4 = sqrt(D4);
+    const double v1 = d7 * T13 - T14, v2 = d7 * T23 - T24, v3 = d1 - (T34 - d7 * T33),
+        w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
+        w2z = T13 * v1 + T23 * v2 + T33 * v3,
+        Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4);
     const int doubt1 = fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4));
     const double v4 = m2 * Z4;
     const four c4 = v4 + w4 * (m1 * e1);
@@ -831,93 +687,82 @@ HELPER int solve_regular(
     /* theta5 */
     const four v6 = a3 * c4 + d3 * s4 - a4;
     const double v7 = m4 + m5 * Z4;
-    const four v8 = v7 - w4 * (m3 * e1);
-    const four N5 = v8 * v8;
-    const double Z5 = c7 * w2y + s7 * w2x;
-    const double v9 = Z5 * Z5;
-    const four D5 = N5 - v9;
-    const four w5 = sqrt_four(D5);
-    const four v10 = w5 - w5;
+    const four v8 = v7 - w4 * (m3 * e1), N5 = v8 * v8;
+    const double Z5 = c7 * w2y + s7 * w2x, v9 = Z5 * Z5;
+    const four D5 = N5 - v9, w5 = sqrt_four(D5), v10 = w5 - w5;
     const double v11 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
-    const four inverse5 = 1.0 / N5;
-    const four v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5;
-    const four s5 = inverse5 * v14;
-    const four v15 = copysign_four(all_four(half_turn), v14), v16 = m6 * (1.0 - e2);
+    const four inverse5 = 1.0 / N5, v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5,
+        s5 = inverse5 * v14, v15 = copysign_four(all_four(half_turn), v14), v16 = m6 * (1.0 - e2);
 
     /* theta6 */
     const double v17 = m7 + m3 * Z4;
     const four Y1_6 = v17 + w4 * (m5 * e1);
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
-    const four v18 = Y1_6 * Z2_6, v19 = e2 * w2z, v20 = v18 - w5 * (inverse5 * (v6 * (v8 * v19)));
-    const four v21 = w2z * Y1_6, v22 = e2 * Z2_6;
-    const four C6 = v21 + w5 * (inverse5 * (v6 * (v8 * v22)));
-    const four v23 = v20 * v20 + C6 * C6;
-    const four factor6 = sqrt_four(v23) * (1.0 / v23);
+    const four v18 = Y1_6 * Z2_6, v19 = e2 * w2z, v20 = v18 - w5 * (inverse5 * (v6 * (v8 * v19))),
+        v21 = w2z * Y1_6, v22 = e2 * Z2_6, C6 = v21 + w5 * (inverse5 * (v6 * (v8 * v22))),
+        v23 = v20 * v20 + C6 * C6, factor6 = sqrt_four(v23) * (1.0 / v23);
 
     /* theta1 */
     const double v24 = c7 * T11 - s7 * T12;
     const four v25 = T13 * c4, v26 = c4 * v24;
     const double v27 = c7 * T12 + s7 * T11;
-    const four v28 = s5 * (s4 * v27), v29 = v13 * (s4 * v24), v30 = v13 * (T13 * s4);
-    const four X1 = v28 + factor6 * (-v20 * (v26 - e2 * v30) - C6 * (v25 + e2 * v29));
+    const four v28 = s5 * (s4 * v27), v29 = v13 * (s4 * v24), v30 = v13 * (T13 * s4),
+        X1 = v28 + factor6 * (-v20 * (v26 - e2 * v30) - C6 * (v25 + e2 * v29));
     const double v31 = c7 * T21 - s7 * T22;
     const four v32 = T23 * c4, v33 = c4 * v31;
     const double v34 = c7 * T22 + s7 * T21;
-    const four v35 = s5 * (s4 * v34), v36 = v13 * (s4 * v31), v37 = v13 * (T23 * s4);
-    const four v38 = v35 + factor6 * (-v20 * (v33 - e2 * v37) - C6 * (v32 + e2 * v36));
-    const four v39 = X1 * X1 + v38 * v38;
+    const four v35 = s5 * (s4 * v34), v36 = v13 * (s4 * v31), v37 = v13 * (T23 * s4),
+        v38 = v35 + factor6 * (-v20 * (v33 - e2 * v37) - C6 * (v32 + e2 * v36)),
+        v39 = X1 * X1 + v38 * v38;
 
     /* theta3 */
-    const double v40 = a4 * v31, v41 = d5 * T23, v42 = a4 * T23, v43 = d5 * v31, v44 = a4 * v34;
-    const double v45 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const double v40 = a4 * v31, v41 = d5 * T23, v42 = a4 * T23, v43 = d5 * v31, v44 = a4 * v34,
+        v45 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
     const four v46 = s5 * v44 - v45, v47 = v13 * v40, v48 = v13 * v42;
-    const double v49 = a4 * v24, v50 = d5 * T13, v51 = a4 * T13, v52 = d5 * v24, v53 = a4 * v27;
-    const double v54 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const four v55 = s5 * v53 - v54, v56 = v13 * v49, v57 = v13 * v51, v58 = s5 * v31;
-    const four v59 = T23 * s5, v60 = v13 * v34, v61 = s5 * v24, v62 = T13 * s5, v63 = v13 * v27;
-    const four s3 = (X1 * (v46 + factor6 * (C6 * (v41 - e2 * v47) - -v20 * (v43 + e2 * v48))) - v38
-        * (v55 + factor6 * (C6 * (v50 - e2 * v56) - -v20 * (v52 + e2 * v57)))) / -a3;
-    const four v64 = a3 * (v38 * (e2 * v63 + factor6 * (C6 * v61 + -v20 * v62)) - X1 * (factor6 *
-        (C6 * v58 + -v20 * v59) + e2 * v60)) / -a3;
+    const double v49 = a4 * v24, v50 = d5 * T13, v51 = a4 * T13, v52 = d5 * v24, v53 = a4 * v27,
+        v54 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const four v55 = s5 * v53 - v54, v56 = v13 * v49, v57 = v13 * v51, v58 = s5 * v31,
+        v59 = T23 * s5, v60 = v13 * v34, v61 = s5 * v24, v62 = T13 * s5, v63 = v13 * v27,
+        s3 = (X1 * (v46 + factor6 * (C6 * (v41 - e2 * v47) - -v20 * (v43 + e2 * v48))) - v38 * (v55
+            + factor6 * (C6 * (v50 - e2 * v56) - -v20 * (v52 + e2 * v57)))) / -a3,
+        v64 = a3 * (v38 * (e2 * v63 + factor6 * (C6 * v61 + -v20 * v62)) - X1 * (factor6 * (C6 * v58
+            + -v20 * v59) + e2 * v60)) / -a3;
 
     /* theta2 */
     const double v65 = c7 * T31 - s7 * T32;
     const four v66 = s4 * v65, v67 = T33 * c4, v68 = T33 * s4, v69 = c4 * v65;
     const double v70 = c7 * T32 + s7 * T31;
-    const four v71 = s5 * (s4 * v70), v72 = v13 * v66, v73 = v13 * v68, v74 = s5 * (c4 * v70);
-    const four v75 = v13 * v69, v76 = v13 * v67, v77 = s5 * v65, v78 = T33 * s5, v79 = v13 * v70;
+    const four v71 = s5 * (s4 * v70), v72 = v13 * v66, v73 = v13 * v68, v74 = s5 * (c4 * v70),
+        v75 = v13 * v69, v76 = v13 * v67, v77 = s5 * v65, v78 = T33 * s5, v79 = v13 * v70;
 
     /* joint values */
-    const int v85 = (free_joints[0] < low7) | (high7 < free_joints[0]);
+    const int v85 = beyond(free_joints[0], low7, high7);
     const double v86 = free_joints[0] + (w4 - w4);
     const four q7_p = v10 + v86;
-    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11);
-    const four_mask doubt3 = (v23 <= m8) | (v39 <= m9);
+    const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11),
+        doubt3 = (v23 <= m8) | (v39 <= m9);
 
-    const four angle3 = atan2_four(-v20, C6), angle4 = atan2_four(-v38, -X1);
-    const four angle5 = atan2_four(s3, -v64);
-    const four angle6 = atan2_four(sqrt_four(v39) * (1.0 / v39) * (v64 * (v74 + factor6 * (C6 * (v68
-        - e2 * v75) - -v20 * (v66 + e2 * v76))) + s3 * (e2 * v79 + factor6 * (C6 * v77 + -v20 *
-        v78))), v71 + factor6 * (-v20 * (v69 - e2 * v73) - C6 * (v67 + e2 * v72)));
-    const four packed5 = atan2_four(__builtin_shufflevector(v14, all_four(w4), 0, 5, 2, 3),
-        __builtin_shufflevector(-v12, all_four(Z4), 0, 5, 2, 3));
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_ = e1 * angle1 - turn1;
-    const four q5_p = e2 * angle2 + v15 * v16;
-    const four q1_m = angle4 - copysign_four(all_four(half_turn), -v38) * h1;
-    const four q3_m = angle5 - h1 * copysign_four(all_four(half_turn), s3);
-    const four v80 = q4_ + only_four(q4_ <= -half_turn, m10);
-    const four_mask v81 = (v80 < low4) | (high4 < v80), v82 = (q5_p < low5) | (high5 < q5_p);
+    const four angle3 = atan2_four(-v20, C6), angle4 = atan2_four(-v38, -X1),
+        angle5 = atan2_four(s3, -v64),
+        angle6 = atan2_four(sqrt_four(v39) * (1.0 / v39) * (v64 * (v74 + factor6 * (C6 * (v68 - e2 *
+            v75) - -v20 * (v66 + e2 * v76))) + s3 * (e2 * v79 + factor6 * (C6 * v77 + -v20 * v78))),
+            v71 + factor6 * (-v20 * (v69 - e2 * v73) - C6 * (v67 + e2 * v72))),
+        packed5 = atan2_four(__builtin_shufflevector(v14, all_four(w4), 0, 5, 2, 3),
+            __builtin_shufflevector(-v12, all_four(Z4), 0, 5, 2, 3)),
+        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
+        q1_m = angle4 - copysign_four(all_four(half_turn), -v38) * h1,
+        q3_m = angle5 - h1 * copysign_four(all_four(half_turn), s3),
+        v80 = q4_ + only_four(q4_ <= -half_turn, m10);
+    const four_mask v81 = beyond(v80, low4, high4), v82 = beyond(q5_p, low5, high5);
     const four v83 = angle3 + only_four(angle3 < low6, whole_turn);
-    const four_mask v84 = (v83 < low6) | (high6 < v83);
-    const four q6_p = pick_four(v84, angle3, v83);
-    const four q4_p = v10 + v80;
-    const four_mask outside_p = where_four(v85) | (v84 | (v82 | (v81 | (((angle5 < low3) | (high3 <
-        angle5)) | (((angle4 < low1) | (high1 < angle4)) | ((angle6 < low2) | (high2 <
-        angle6)))))));
-    const four_mask outside_m = where_four(v85) | (v84 | (v82 | (v81 | (((q3_m < low3) | (high3 <
-        q3_m)) | (((q1_m < low1) | (high1 < q1_m)) | ((-angle6 < low2) | (high2 < -angle6)))))));
+    const four_mask v84 = beyond(v83, low6, high6);
+    const four q6_p = pick_four(v84, angle3, v83), q4_p = v10 + v80;
+    const four_mask outside_p = where_four(v85) | v84 | v82 | v81 | beyond(angle5, low3, high3) |
+        beyond(angle4, low1, high1) | beyond(angle6, low2, high2),
+        outside_m = where_four(v85) | v84 | v82 | v81 | beyond(q3_m, low3, high3) | beyond(q1_m,
+            low1, high1) | beyond(-angle6, low2, high2);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -1007,12 +852,10 @@ static void solve(
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    const double c7 = cos(free_joints[0]);
-    const double s7 = sin(free_joints[0]);
+    const double c7 = cos(free_joints[0]), s7 = sin(free_joints[0]);
 
     /* theta4, type 2: the squared length of column 4 of A7 U0^-1 A1 */
-    const double v1 = d7 * T13 - T14;
-    const double v2 = d7 * T23 - T24;
+    const double v1 = d7 * T13 - T14, v2 = d7 * T23 - T24;
     const double t34 = T34 - d7 * T33;
     const double v3 = d1 - t34;
     const double w2x = T11 * v1 + T21 * v2 + T31 * v3;
@@ -1025,50 +868,35 @@ static void solve(
     const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
     if (!(-(reach_slack2 * (v4 + reach_slack2)) <= D4)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
-    const double v5 = k1 * Z4;
-    const double v6 = k2 * Z4;
+    const double v5 = k1 * Z4, v6 = k2 * Z4;
 
     /* theta5, type 2: A7 U0^-1 A1 [3, 4] */
     const double Z5 = c7 * w2y + s7 * w2x;
-    const double v8 = Z5 * Z5;
-    const double v9 = fabs(Z5);
-    const double v10 = 2.0 * v9;
-    const double v11 = merge_slack1 * (v10 + merge_slack1);
+    const double v8 = Z5 * Z5, v9 = fabs(Z5), v10 = 2.0 * v9,
+        v11 = merge_slack1 * (v10 + merge_slack1);
 
     /* theta6, type 3: A7 U0^-1 A1 [2, 4] and A7 U0^-1 A1 [1, 4] */
     const double Z2_6 = a6 + (c7 * w2x - s7 * w2y);
 
     /* theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3] */
-    const double v16 = c7 * T11 - s7 * T12;
-    const double v21 = c7 * T12 + s7 * T11;
-    const double v23 = c7 * T21 - s7 * T22;
-    const double v28 = c7 * T22 + s7 * T21;
+    const double v16 = c7 * T11 - s7 * T12, v21 = c7 * T12 + s7 * T11, v23 = c7 * T21 - s7 * T22,
+        v28 = c7 * T22 + s7 * T21;
 
     /* theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3] */
-    const double v31 = a4 * v23;
-    const double v32 = d5 * T23;
-    const double v33 = a4 * T23;
-    const double v34 = d5 * v23;
-    const double v35 = a4 * v28;
-    const double v36 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6));
-    const double v39 = a4 * v16;
-    const double v40 = d5 * T13;
-    const double v41 = a4 * T13;
-    const double v42 = d5 * v16;
-    const double v43 = a4 * v21;
-    const double v44 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6));
+    const double v31 = a4 * v23, v32 = d5 * T23, v33 = a4 * T23, v34 = d5 * v23, v35 = a4 * v28,
+        v36 = v2 + (c7 * (T21 * a6) - s7 * (T22 * a6)), v39 = a4 * v16, v40 = d5 * T13,
+        v41 = a4 * T13, v42 = d5 * v16, v43 = a4 * v21,
+        v44 = v1 + (c7 * (T11 * a6) - s7 * (T12 * a6));
 
     /* theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1] */
-    const double v54 = c7 * T31 - s7 * T32;
-    const double v59 = c7 * T32 + s7 * T31;
+    const double v54 = c7 * T31 - s7 * T32, v59 = c7 * T32 + s7 * T31;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e1 < 0.0 && !apart4) continue; /* both signs give the same */
         const double root4 = w4 * e1;
-        const double c4 = k5 * (v6 + k1 * root4);
-        const double s4 = k5 * (k2 * root4 - v5);
+        const double c4 = k5 * (v6 + k1 * root4), s4 = k5 * (k2 * root4 - v5);
         const double q4 = atan2(s4, c4);
 
         /* theta5 */
@@ -1084,38 +912,20 @@ static void solve(
 
         /* theta6 */
         const double Y1_6 = d5 + (d3 * c4 - a3 * s4);
-        const double v13 = Y1_6 * Z2_6;
-        const double v15 = w2z * Y1_6;
+        const double v13 = Y1_6 * Z2_6, v15 = w2z * Y1_6;
 
         /* theta1 */
-        const double v17 = s4 * v16;
-        const double v18 = T13 * c4;
-        const double v19 = T13 * s4;
-        const double v20 = c4 * v16;
-        const double v22 = s5 * (s4 * v21);
-        const double v24 = s4 * v23;
-        const double v25 = T23 * c4;
-        const double v26 = T23 * s4;
-        const double v27 = c4 * v23;
-        const double v29 = s5 * (s4 * v28);
+        const double v17 = s4 * v16, v18 = T13 * c4, v19 = T13 * s4, v20 = c4 * v16,
+            v22 = s5 * (s4 * v21), v24 = s4 * v23, v25 = T23 * c4, v26 = T23 * s4, v27 = c4 * v23,
+            v29 = s5 * (s4 * v28);
 
         /* theta3 */
-        const double v37 = s5 * v35 - v36;
-        const double v45 = s5 * v43 - v44;
-        const double v47 = s5 * v23;
-        const double v48 = T23 * s5;
-        const double v50 = s5 * v16;
-        const double v51 = T13 * s5;
+        const double v37 = s5 * v35 - v36, v45 = s5 * v43 - v44, v47 = s5 * v23, v48 = T23 * s5,
+            v50 = s5 * v16, v51 = T13 * s5;
 
         /* theta2 */
-        const double v55 = s4 * v54;
-        const double v56 = T33 * c4;
-        const double v57 = T33 * s4;
-        const double v58 = c4 * v54;
-        const double v60 = s5 * (s4 * v59);
-        const double v61 = s5 * (c4 * v59);
-        const double v63 = s5 * v54;
-        const double v64 = T33 * s5;
+        const double v55 = s4 * v54, v56 = T33 * c4, v57 = T33 * s4, v58 = c4 * v54,
+            v60 = s5 * (s4 * v59), v61 = s5 * (c4 * v59), v63 = s5 * v54, v64 = T33 * s5;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -1125,14 +935,13 @@ static void solve(
             const double q5 = atan2(s5, c5);
 
             /* theta6 */
-            const double v12 = v7 * c5;
-            const double v14 = w2z * v12 + v13;
+            const double v12 = v7 * c5, v14 = w2z * v12 + v13;
             const double C6 = v15 - v12 * Z2_6;
             const double w6 = sqrt(v14 * v14 + C6 * C6);
             const int free6 = w6 <= free_limit_squared2;
             const double factor6 = 1.0 / (free6 ? 1.0 : w6);
-            const double c6 = free6 ? cos(seed[5]) : C6 * factor6;
-            const double s6 = free6 ? sin(seed[5]) : -(v14 * factor6);
+            const double c6 = free6 ? cos(seed[5]) : C6 * factor6,
+                s6 = free6 ? sin(seed[5]) : -(v14 * factor6);
             const double q6 = atan2(s6, c6);
 
             /* theta1 */
@@ -1143,23 +952,22 @@ static void solve(
             const double divisor1 = free1 ? 1.0 : w1;
 
             /* theta3 */
-            const double v38 = c6 * (c5 * v31 + v32) + s6 * (c5 * v33 - v34) + v37;
-            const double v46 = c6 * (c5 * v39 + v40) + s6 * (c5 * v41 - v42) + v45;
-            const double v49 = c6 * v47 + s6 * v48 - c5 * v28;
-            const double v52 = c5 * v21 - (c6 * v50 + s6 * v51);
+            const double v38 = c6 * (c5 * v31 + v32) + s6 * (c5 * v33 - v34) + v37,
+                v46 = c6 * (c5 * v39 + v40) + s6 * (c5 * v41 - v42) + v45,
+                v49 = c6 * v47 + s6 * v48 - c5 * v28, v52 = c5 * v21 - (c6 * v50 + s6 * v51);
 
             /* theta2 */
             const double c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60;
-            const double v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61;
-            const double v65 = c5 * v59 - (c6 * v63 + s6 * v64);
+            const double v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61,
+                v65 = c5 * v59 - (c6 * v63 + s6 * v64);
 
             for (int i3 = 0; i3 < 2; i3++) { /* left, right */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta1 */
                 if (e3 < 0.0 && free1) continue; /* both signs give the same */
                 const double factor1 = e3 / divisor1;
-                const double c1 = free1 ? cos(seed[0]) : -(X1 * factor1);
-                const double s1 = free1 ? sin(seed[0]) : -(v30 * factor1);
+                const double c1 = free1 ? cos(seed[0]) : -(X1 * factor1),
+                    s1 = free1 ? sin(seed[0]) : -(v30 * factor1);
                 const double q1 = atan2(s1, c1);
 
                 /* theta3 */
@@ -1171,13 +979,8 @@ static void solve(
                 const double s2 = v53 * v62 - s3 * v65;
                 const double q2 = atan2(s2, c2);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
-                q[row][5] = q6;
-                q[row][6] = free_joints[0];
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
+                q[row][5] = q6; q[row][6] = free_joints[0];
                 status[row] = (free1 || free5 || free6) ? FRANKA_PANDA_FREE_JOINT : FRANKA_PANDA_OK;
             }
         }

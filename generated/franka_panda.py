@@ -911,10 +911,9 @@ def _regular(pose, q_free, q, status):
     q7_ppp = v17 + v162
     q7_mpp = v18 + v162
     doubt1 = (
-        v76 <= m9 or (v43 <= m8 or (v75 <= m9 or (v42 <= m8 or (v74 <= m9 or (v41 <= m8 or (v73 <=
-        m9 or (v40 <= m8 or (abs(D5_m) <= v19 or (N5_m <= doubt_limit_squared2 or (abs(D5_p) <= v19
-        or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <=
-        doubt_limit_squared2)))))))))))
+        v76 <= m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or
+        v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or abs(D4)
+        <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -1036,36 +1035,36 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v17 + v145
     q4_mpp = v18 + v146
     outside_ppp = (
-        v161 or (v157 or (v149 or (v147 or (angle12 < low3 or high3 < angle12 or (angle8 < low1 or
-        high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
+        v161 or v157 or v149 or v147 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
+        < angle8 or angle16 < low2 or high2 < angle16
     )
     outside_ppm = (
-        v161 or (v157 or (v149 or (v147 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm < low1 or
-        high1 < q1_ppm or (-angle16 < low2 or high2 < -angle16))))))
+        v161 or v157 or v149 or v147 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
+        q1_ppm or -angle16 < low2 or high2 < -angle16
     )
     outside_pmp = (
-        v161 or (v158 or (v150 or (v147 or (angle13 < low3 or high3 < angle13 or (angle9 < low1 or
-        high1 < angle9 or (angle17 < low2 or high2 < angle17))))))
+        v161 or v158 or v150 or v147 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1
+        < angle9 or angle17 < low2 or high2 < angle17
     )
     outside_pmm = (
-        v161 or (v158 or (v150 or (v147 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm < low1 or
-        high1 < q1_pmm or (-angle17 < low2 or high2 < -angle17))))))
+        v161 or v158 or v150 or v147 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
+        q1_pmm or -angle17 < low2 or high2 < -angle17
     )
     outside_mpp = (
-        v161 or (v159 or (v151 or (v148 or (angle14 < low3 or high3 < angle14 or (angle10 < low1 or
-        high1 < angle10 or (angle18 < low2 or high2 < angle18))))))
+        v161 or v159 or v151 or v148 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1
+        < angle10 or angle18 < low2 or high2 < angle18
     )
     outside_mpm = (
-        v161 or (v159 or (v151 or (v148 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm < low1 or
-        high1 < q1_mpm or (-angle18 < low2 or high2 < -angle18))))))
+        v161 or v159 or v151 or v148 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
+        q1_mpm or -angle18 < low2 or high2 < -angle18
     )
     outside_mmp = (
-        v161 or (v160 or (v152 or (v148 or (angle15 < low3 or high3 < angle15 or (angle11 < low1 or
-        high1 < angle11 or (angle19 < low2 or high2 < angle19))))))
+        v161 or v160 or v152 or v148 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1
+        < angle11 or angle19 < low2 or high2 < angle19
     )
     outside_mmm = (
-        v161 or (v160 or (v152 or (v148 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm < low1 or
-        high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
+        v161 or v160 or v152 or v148 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
+        q1_mmm or -angle19 < low2 or high2 < -angle19
     )
 
     # a joint is free, or branches meet
@@ -1616,10 +1615,10 @@ def _in_tiles(T, q_free, q, status):
             q7_ppp = v17 + v162
             q7_mpp = v18 + v162
             doubt1 = (
-                v76 <= m9 or (v43 <= m8 or (v75 <= m9 or (v42 <= m8 or (v74 <= m9 or (v41 <= m8 or
-                (v73 <= m9 or (v40 <= m8 or (abs(D5_m) <= v19 or (N5_m <= doubt_limit_squared2 or
-                (abs(D5_p) <= v19 or (abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or
-                N5_p <= doubt_limit_squared2)))))))))))
+                v76 <= m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <=
+                m9 or v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <=
+                v19 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <=
+                doubt_limit_squared2
             )
             work[480 + k] = v17
             work[496 + k] = v18
@@ -1759,36 +1758,36 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v17 + v145
             q4_mpp = v18 + v146
             outside_ppp = (
-                v161 or (v157 or (v149 or (v147 or (angle12 < low3 or high3 < angle12 or (angle8 <
-                low1 or high1 < angle8 or (angle16 < low2 or high2 < angle16))))))
+                v161 or v157 or v149 or v147 or angle12 < low3 or high3 < angle12 or angle8 < low1
+                or high1 < angle8 or angle16 < low2 or high2 < angle16
             )
             outside_ppm = (
-                v161 or (v157 or (v149 or (v147 or (q3_ppm < low3 or high3 < q3_ppm or (q1_ppm <
-                low1 or high1 < q1_ppm or (-angle16 < low2 or high2 < -angle16))))))
+                v161 or v157 or v149 or v147 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or
+                high1 < q1_ppm or -angle16 < low2 or high2 < -angle16
             )
             outside_pmp = (
-                v161 or (v158 or (v150 or (v147 or (angle13 < low3 or high3 < angle13 or (angle9 <
-                low1 or high1 < angle9 or (angle17 < low2 or high2 < angle17))))))
+                v161 or v158 or v150 or v147 or angle13 < low3 or high3 < angle13 or angle9 < low1
+                or high1 < angle9 or angle17 < low2 or high2 < angle17
             )
             outside_pmm = (
-                v161 or (v158 or (v150 or (v147 or (q3_pmm < low3 or high3 < q3_pmm or (q1_pmm <
-                low1 or high1 < q1_pmm or (-angle17 < low2 or high2 < -angle17))))))
+                v161 or v158 or v150 or v147 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or
+                high1 < q1_pmm or -angle17 < low2 or high2 < -angle17
             )
             outside_mpp = (
-                v161 or (v159 or (v151 or (v148 or (angle14 < low3 or high3 < angle14 or (angle10 <
-                low1 or high1 < angle10 or (angle18 < low2 or high2 < angle18))))))
+                v161 or v159 or v151 or v148 or angle14 < low3 or high3 < angle14 or angle10 < low1
+                or high1 < angle10 or angle18 < low2 or high2 < angle18
             )
             outside_mpm = (
-                v161 or (v159 or (v151 or (v148 or (q3_mpm < low3 or high3 < q3_mpm or (q1_mpm <
-                low1 or high1 < q1_mpm or (-angle18 < low2 or high2 < -angle18))))))
+                v161 or v159 or v151 or v148 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or
+                high1 < q1_mpm or -angle18 < low2 or high2 < -angle18
             )
             outside_mmp = (
-                v161 or (v160 or (v152 or (v148 or (angle15 < low3 or high3 < angle15 or (angle11 <
-                low1 or high1 < angle11 or (angle19 < low2 or high2 < angle19))))))
+                v161 or v160 or v152 or v148 or angle15 < low3 or high3 < angle15 or angle11 < low1
+                or high1 < angle11 or angle19 < low2 or high2 < angle19
             )
             outside_mmm = (
-                v161 or (v160 or (v152 or (v148 or (q3_mmm < low3 or high3 < q3_mmm or (q1_mmm <
-                low1 or high1 < q1_mmm or (-angle19 < low2 or high2 < -angle19))))))
+                v161 or v160 or v152 or v148 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or
+                high1 < q1_mmm or -angle19 < low2 or high2 < -angle19
             )
             _1328 = angle8
             work[1328 + k] = _1328

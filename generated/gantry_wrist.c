@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,7 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -193,14 +158,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -269,6 +226,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -302,22 +261,15 @@ static const double weight[6] = {
 
 void gantry_wrist_fk(const double q[6], double T[16])
 {
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double v1 = s4 * c5;
     const double x5_z = c4 * c5;
     const double v2 = s4 * s5;
     const double T33_ = c4 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T31_ = x5_z * c6 - s4 * s6;
-    const double T12_ = s5 * s6;
-    const double T22_ = v1 * s6 - c4 * c6;
-    const double T14_ = q[2] + d4 + c5 * d6;
-    const double T24_ = q[1] - v2 * d6;
-    const double T34_ = q[0] + T33_ * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T31_ = x5_z * c6 - s4 * s6, T12_ = s5 * s6, T22_ = v1 * s6 - c4 * c6,
+        T14_ = q[2] + d4 + c5 * d6, T24_ = q[1] - v2 * d6, T34_ = q[0] + T33_ * d6;
     T[0] = -(s5 * c6); T[1] = T12_; T[2] = c5; T[3] = T14_;
     T[4] = -(v1 * c6 + c4 * s6); T[5] = T22_; T[6] = -v2; T[7] = T24_;
     T[8] = T31_; T[9] = -(s4 * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
@@ -327,20 +279,14 @@ void gantry_wrist_fk(const double q[6], double T[16])
 
 void gantry_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double p4_x = q[2] + d4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double v1 = s4 * s5;
-    const double J66 = c4 * s5;
-    const double J34 = q[1] - v1 * d6 - q[1];
-    const double v2 = q[0] + J66 * d6 - q[0];
-    const double v3 = p4_x + c5 * d6 - p4_x;
-    const double J15 = s4 * J34 - c4 * v2;
-    const double J35 = c4 * v3;
-    const double J26 = J66 * v3 - c5 * v2;
-    const double J36 = c5 * J34 + v1 * v3;
+    const double J66 = c4 * s5, J34 = q[1] - v1 * d6 - q[1];
+    const double v2 = q[0] + J66 * d6 - q[0], v3 = p4_x + c5 * d6 - p4_x;
+    const double J15 = s4 * J34 - c4 * v2, J35 = c4 * v3, J26 = J66 * v3 - c5 * v2,
+        J36 = c5 * J34 + v1 * v3;
     J[0] = 0.0; J[1] = 0.0; J[2] = 1.0; J[3] = 0.0; J[4] = J15; J[5] = -(v1 * v2 + J66 * J34);
     J[6] = 0.0; J[7] = 1.0; J[8] = 0.0; J[9] = -v2; J[10] = -(s4 * v3); J[11] = J26;
     J[12] = 1.0; J[13] = 0.0; J[14] = 0.0; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -353,13 +299,16 @@ void gantry_wrist_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -418,19 +367,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[2])
     const wide v1 = T33 * T33 + T23 * T23;
     const wide_mask doubt1 = v1 <= m1;
     const wide angle1 = atan2_wide(T23, -T33);
-    const wide q4_m = angle1 - copysign_wide(all_wide(half_turn), T23) * h1;
 
     /* theta5 */
     const wide angle2 = atan2_wide(-sqrt_wide(v1), T13);
 
     /* theta6 */
-    const wide v2 = T33 * T21 - T23 * T31;
-    const wide angle3 = atan2_wide(v2, T33 * T22 - T23 * T32);
-    const wide q6_m = angle3 - h1 * copysign_wide(all_wide(half_turn), v2);
+    const wide v2 = T33 * T21 - T23 * T31, angle3 = atan2_wide(v2, T33 * T22 - T23 * T32);
 
     q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = angle1; q[4] = angle2; q[5] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_p; q[7] = q2_p; q[8] = q3_p; q[9] = q4_m; q[10] = -angle2; q[11] = q6_m;
+    q[6] = q1_p; q[7] = q2_p; q[8] = q3_p;
+    q[9] = angle1 - copysign_wide(all_wide(half_turn), T23) * h1; q[10] = -angle2;
+    q[11] = angle3 - h1 * copysign_wide(all_wide(half_turn), v2);
     kind[1] = kind_of(q[6] != q[6], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -467,13 +415,10 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
     const double v4 = T33 * T21 - T23 * T31, v5 = copysign(half_turn, v4);
 
     const four packed1 = atan2_four((four){ T23, -sqrt(v1), v4, T23 }, (four){ -T33, T13, T33 * T22
-        - T23 * T32, -T33 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four q4 = angle1 + v2 * v3;
-    const four q6 = angle3 + v3 * v5;
-    const four q5 = e1 * angle2;
+        - T23 * T32, -T33 }), angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q4 = angle1 + v2 * v3, q6 = angle3 + v3 * v5, q5 = e1 * angle2;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -566,8 +511,8 @@ static void solve(
         /* theta4 */
         if (e1 < 0.0 && free4) continue; /* both signs give the same */
         const double factor4 = e1 / divisor4;
-        const double c4 = free4 ? cos(seed[3]) : -(T33 * factor4);
-        const double s4 = free4 ? sin(seed[3]) : T23 * factor4;
+        const double c4 = free4 ? cos(seed[3]) : -(T33 * factor4),
+            s4 = free4 ? sin(seed[3]) : T23 * factor4;
         const double q4 = atan2(s4, c4);
 
         /* theta5, type 3: U4[2, 3] and U4[1, 3] */
@@ -576,11 +521,7 @@ static void solve(
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
         const double q6 = atan2(-(T21 * c4 + T31 * s4), -(T22 * c4 + T32 * s4));
         const int row = i1;
-        q[row][0] = wz;
-        q[row][1] = wy;
-        q[row][2] = r3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = wz; q[row][1] = wy; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (free4) ? GANTRY_WRIST_FREE_JOINT : GANTRY_WRIST_OK;
     }

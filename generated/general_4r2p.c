@@ -18,6 +18,8 @@ static const double unit[6] = { 1.0, 1.0, 1.7299999999999998, 1.0, 1.72999999999
 static const double measure[6] = {
     0.5780346820809249, 0.5780346820809249, 1.0, 0.5780346820809249, 1.0, 0.5780346820809249,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -46,15 +48,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     general_4r2p_fk(d->q, P);
     general_4r2p_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.7299999999999998;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.7299999999999998;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.7299999999999998;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.7299999999999998;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -69,6 +68,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -103,14 +116,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -119,12 +124,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -2954,84 +2953,55 @@ static const double weight[6] = { 1.0, 1.0, 0.33412409368839596, 1.0, 0.33412409
 
 void general_4r2p_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double z1_x = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = sa1 * c2;
-    const double v6 = v3 * ca2 + z1_x * sa2;
-    const double y2_y = v4 * ca2 + v2 * sa2;
-    const double y2_z = v5 * ca2 - f2;
-    const double z2_x = z1_x * ca2 - v3 * sa2;
-    const double z2_y = v4 * sa2 - v2 * ca2;
-    const double z2_z = v5 * sa2 + f3;
-    const double x3_x = x2_x * cat3 - v6 * sat3;
-    const double x3_y = x2_y * cat3 + y2_y * sat3;
-    const double x3_z = x2_z * cat3 + y2_z * sat3;
-    const double v7 = x2_x * sat3 + v6 * cat3;
-    const double v8 = y2_y * cat3 - x2_y * sat3;
-    const double v9 = y2_z * cat3 - x2_z * sat3;
-    const double y3_x = v7 * ca3 + z2_x * sa3;
-    const double y3_y = z2_y * sa3 - v8 * ca3;
-    const double y3_z = z2_z * sa3 - v9 * ca3;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
+        v6 = v3 * ca2 + z1_x * sa2;
+    const double y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f2;
+    const double z2_x = z1_x * ca2 - v3 * sa2, z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + f3;
+    const double x3_x = x2_x * cat3 - v6 * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+        x3_z = x2_z * cat3 + y2_z * sat3;
+    const double v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
+        v9 = y2_z * cat3 - x2_z * sat3;
+    const double y3_x = v7 * ca3 + z2_x * sa3, y3_y = z2_y * sa3 - v8 * ca3,
+        y3_z = z2_z * sa3 - v9 * ca3;
     const double z3_x = v7 * sa3 - z2_x * ca3;
-    const double v10 = v8 * sa3 + z2_y * ca3;
-    const double v11 = v9 * sa3 + z2_z * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v12 = y3_x * c4 - x3_x * s4;
-    const double v13 = y3_y * c4 - x3_y * s4;
-    const double v14 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v12 * ca4 + z3_x * sa4;
-    const double y4_y = v13 * ca4 - v10 * sa4;
-    const double y4_z = v14 * ca4 - v11 * sa4;
+    const double v10 = v8 * sa3 + z2_y * ca3, v11 = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
+        v14 = y3_z * c4 - x3_z * s4;
+    const double y4_x = v12 * ca4 + z3_x * sa4, y4_y = v13 * ca4 - v10 * sa4,
+        y4_z = v14 * ca4 - v11 * sa4;
     const double z4_x = z3_x * ca4 - v12 * sa4;
-    const double v15 = v13 * sa4 + v10 * ca4;
-    const double v16 = v14 * sa4 + v11 * ca4;
-    const double x5_x = x4_x * cat5 - y4_x * sat5;
-    const double x5_y = x4_y * cat5 - y4_y * sat5;
-    const double x5_z = x4_z * cat5 - y4_z * sat5;
-    const double v17 = x4_x * sat5 + y4_x * cat5;
-    const double v18 = x4_y * sat5 + y4_y * cat5;
-    const double v19 = x4_z * sat5 + y4_z * cat5;
-    const double y5_x = v17 * ca5 - z4_x * sa5;
-    const double y5_y = v18 * ca5 + v15 * sa5;
-    const double y5_z = v19 * ca5 + v16 * sa5;
-    const double z5_x = v17 * sa5 + z4_x * ca5;
-    const double z5_y = v18 * sa5 - v15 * ca5;
-    const double z5_z = v19 * sa5 - v16 * ca5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double v20 = y5_x * c6 - x5_x * s6;
-    const double v21 = y5_y * c6 - x5_y * s6;
-    const double v22 = y5_z * c6 - x5_z * s6;
+    const double v15 = v13 * sa4 + v10 * ca4, v16 = v14 * sa4 + v11 * ca4;
+    const double x5_x = x4_x * cat5 - y4_x * sat5, x5_y = x4_y * cat5 - y4_y * sat5,
+        x5_z = x4_z * cat5 - y4_z * sat5;
+    const double v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
+        v19 = x4_z * sat5 + y4_z * cat5;
+    const double y5_x = v17 * ca5 - z4_x * sa5, y5_y = v18 * ca5 + v15 * sa5,
+        y5_z = v19 * ca5 + v16 * sa5;
+    const double z5_x = v17 * sa5 + z4_x * ca5, z5_y = v18 * sa5 - v15 * ca5,
+        z5_z = v19 * sa5 - v16 * ca5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6;
+    const double v20 = y5_x * c6 - x5_x * s6, v21 = y5_y * c6 - x5_y * s6,
+        v22 = y5_z * c6 - x5_z * s6;
     const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x
-        * d4 + z4_x * q[4] + x5_x * a5 + T11_ * a6 + z5_x * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 *
-        d4 - v15 * q[4] + x5_y * a5 + T21_ * a6 + z5_y * d6;
-    const double T34_ = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 *
-        q[4] + x5_z * a5 + T31_ * a6 + z5_z * d6;
-    const double T12_ = v20 * ca6 + z5_x * sa6;
-    const double T22_ = v21 * ca6 + z5_y * sa6;
-    const double T32_ = v22 * ca6 + z5_z * sa6;
-    const double T13_ = z5_x * ca6 - v20 * sa6;
-    const double T23_ = z5_y * ca6 - v21 * sa6;
-    const double T33_ = z5_z * ca6 - v22 * sa6;
+        * d4 + z4_x * q[4] + x5_x * a5 + T11_ * a6 + z5_x * d6,
+        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 * d4 - v15
+            * q[4] + x5_y * a5 + T21_ * a6 + z5_y * d6,
+        T34_ = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] +
+            x5_z * a5 + T31_ * a6 + z5_z * d6, T12_ = v20 * ca6 + z5_x * sa6,
+        T22_ = v21 * ca6 + z5_y * sa6, T32_ = v22 * ca6 + z5_z * sa6, T13_ = z5_x * ca6 - v20 * sa6,
+        T23_ = z5_y * ca6 - v21 * sa6, T33_ = z5_z * ca6 - v22 * sa6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3041,90 +3011,58 @@ void general_4r2p_fk(const double q[6], double T[16])
 
 void general_4r2p_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double J42 = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = sa1 * c2;
-    const double v6 = v3 * ca2 + J42 * sa2;
-    const double y2_y = v4 * ca2 + v2 * sa2;
-    const double y2_z = v5 * ca2 - g2;
-    const double J13 = J42 * ca2 - v3 * sa2;
-    const double J23 = v4 * sa2 - v2 * ca2;
-    const double J33 = v5 * sa2 + g3;
-    const double x3_x = x2_x * cat3 - v6 * sat3;
-    const double x3_y = x2_y * cat3 + y2_y * sat3;
-    const double x3_z = x2_z * cat3 + y2_z * sat3;
-    const double v7 = x2_x * sat3 + v6 * cat3;
-    const double v8 = y2_y * cat3 - x2_y * sat3;
-    const double v9 = y2_z * cat3 - x2_z * sat3;
-    const double p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3;
-    const double p3_y = p1_y + x2_y * a2 - v2 * d2 + J23 * q[2] + x3_y * a3;
-    const double p3_z = d1 + x2_z * a2 + g1 + J33 * q[2] + x3_z * a3;
-    const double y3_x = v7 * ca3 + J13 * sa3;
-    const double y3_y = J23 * sa3 - v8 * ca3;
-    const double y3_z = J33 * sa3 - v9 * ca3;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
+        v6 = v3 * ca2 + J42 * sa2;
+    const double y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - g2;
+    const double J13 = J42 * ca2 - v3 * sa2, J23 = v4 * sa2 - v2 * ca2, J33 = v5 * sa2 + g3;
+    const double x3_x = x2_x * cat3 - v6 * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+        x3_z = x2_z * cat3 + y2_z * sat3;
+    const double v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
+        v9 = y2_z * cat3 - x2_z * sat3;
+    const double p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3,
+        p3_y = p1_y + x2_y * a2 - v2 * d2 + J23 * q[2] + x3_y * a3,
+        p3_z = d1 + x2_z * a2 + g1 + J33 * q[2] + x3_z * a3;
+    const double y3_x = v7 * ca3 + J13 * sa3, y3_y = J23 * sa3 - v8 * ca3,
+        y3_z = J33 * sa3 - v9 * ca3;
     const double J44 = v7 * sa3 - J13 * ca3;
-    const double v10 = v8 * sa3 + J23 * ca3;
-    const double v11 = v9 * sa3 + J33 * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v12 = y3_x * c4 - x3_x * s4;
-    const double v13 = y3_y * c4 - x3_y * s4;
-    const double v14 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v12 * ca4 + J44 * sa4;
-    const double y4_y = v13 * ca4 - v10 * sa4;
-    const double y4_z = v14 * ca4 - v11 * sa4;
+    const double v10 = v8 * sa3 + J23 * ca3, v11 = v9 * sa3 + J33 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
+        v14 = y3_z * c4 - x3_z * s4;
+    const double y4_x = v12 * ca4 + J44 * sa4, y4_y = v13 * ca4 - v10 * sa4,
+        y4_z = v14 * ca4 - v11 * sa4;
     const double J15 = J44 * ca4 - v12 * sa4;
-    const double v15 = v13 * sa4 + v10 * ca4;
-    const double v16 = v14 * sa4 + v11 * ca4;
-    const double x5_x = x4_x * cat5 - y4_x * sat5;
-    const double x5_y = x4_y * cat5 - y4_y * sat5;
-    const double x5_z = x4_z * cat5 - y4_z * sat5;
-    const double v17 = x4_x * sat5 + y4_x * cat5;
-    const double v18 = x4_y * sat5 + y4_y * cat5;
-    const double v19 = x4_z * sat5 + y4_z * cat5;
-    const double p5_x = p3_x + x4_x * a4 + J44 * d4 + J15 * q[4] + x5_x * a5;
-    const double p5_y = p3_y + x4_y * a4 - v10 * d4 - v15 * q[4] + x5_y * a5;
-    const double p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5;
-    const double J46 = v17 * sa5 + J15 * ca5;
-    const double J56 = v18 * sa5 - v15 * ca5;
-    const double J66 = v19 * sa5 - v16 * ca5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
+    const double v15 = v13 * sa4 + v10 * ca4, v16 = v14 * sa4 + v11 * ca4;
+    const double x5_x = x4_x * cat5 - y4_x * sat5, x5_y = x4_y * cat5 - y4_y * sat5,
+        x5_z = x4_z * cat5 - y4_z * sat5;
+    const double v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
+        v19 = x4_z * sat5 + y4_z * cat5;
+    const double p5_x = p3_x + x4_x * a4 + J44 * d4 + J15 * q[4] + x5_x * a5,
+        p5_y = p3_y + x4_y * a4 - v10 * d4 - v15 * q[4] + x5_y * a5,
+        p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5;
+    const double J46 = v17 * sa5 + J15 * ca5, J56 = v18 * sa5 - v15 * ca5,
+        J66 = v19 * sa5 - v16 * ca5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double J21 = p5_x + (x5_x * c6 + (v17 * ca5 - J15 * sa5) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + J56 * d6;
-    const double p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + J66 * d6;
-    const double v20 = J21 - p1_x;
-    const double v21 = p6_y - p1_y;
-    const double v22 = p6_z - d1;
-    const double J22 = ca1 * v20 - J42 * v22;
-    const double J32 = J42 * v21 + v2 * v20;
-    const double v23 = J21 - p3_x;
-    const double v24 = p6_y - p3_y;
-    const double v25 = p6_z - p3_z;
-    const double J14 = v11 * v24 - v10 * v25;
-    const double J34 = J44 * v24 + v10 * v23;
-    const double v26 = J21 - p5_x;
-    const double v27 = p6_y - p5_y;
-    const double v28 = p6_z - p5_z;
-    const double J16 = J56 * v28 - J66 * v27;
-    const double J26 = J66 * v26 - J46 * v28;
-    const double J36 = J46 * v27 - J56 * v26;
+    const double p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + J56 * d6,
+        p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + J66 * d6;
+    const double v20 = J21 - p1_x, v21 = p6_y - p1_y, v22 = p6_z - d1;
+    const double J22 = ca1 * v20 - J42 * v22, J32 = J42 * v21 + v2 * v20;
+    const double v23 = J21 - p3_x, v24 = p6_y - p3_y, v25 = p6_z - p3_z;
+    const double J14 = v11 * v24 - v10 * v25, J34 = J44 * v24 + v10 * v23;
+    const double v26 = J21 - p5_x, v27 = p6_y - p5_y, v28 = p6_z - p5_z;
+    const double J16 = J56 * v28 - J66 * v27, J26 = J66 * v26 - J46 * v28,
+        J36 = J46 * v27 - J56 * v26;
     J[0] = -p6_y; J[1] = -(v2 * v22 + ca1 * v21); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(v11 * v23 + J44 * v25); J[10] = -v15; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = -v16; J[17] = J36;
@@ -3137,13 +3075,16 @@ void general_4r2p_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3203,11 +3144,7 @@ static void solve(
         /* all joints: the general 4R2P loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? GENERAL_4R2P_FREE_JOINT : GENERAL_4R2P_OK;
     }

@@ -19,6 +19,8 @@ static const double measure[5] = {
     0.5681818181818181, 0.5681818181818181, 0.5681818181818181, 0.5681818181818181,
     0.5681818181818181,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[5])
         d->q[solved[j]] = unit[j] * u[j];
     general_5r_fk(d->q, P);
     general_5r_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.7600000000000002;
-    for (int j = 0; j < 5; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.7600000000000002;
-    for (int j = 0; j < 5; j++)
-        d->A[1][j] = measure[j] * J[5 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.7600000000000002;
-    for (int j = 0; j < 5; j++)
-        d->A[2][j] = measure[j] * J[10 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.7600000000000002;
+        for (int j = 0; j < 5; j++)
+            d->A[i][j] = measure[j] * J[5 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[5])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[5], double to[5])
+{
+    for (int j = 0; j < 5; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[5])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[5])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 5; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[5], double to[5])
-{
-    for (int j = 0; j < 5; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3176,80 +3175,53 @@ static const double highest[5] = {
 
 void general_5r_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double z1_x = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = sa1 * c2;
-    const double y2_x = z1_x * sa2 - v3 * ca2;
-    const double y2_y = v4 * ca2 - v2 * sa2;
-    const double y2_z = v5 * ca2 + f2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2;
+    const double y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2;
     const double z2_x = v3 * sa2 + z1_x * ca2;
     const double v6 = v4 * sa2 + v2 * ca2;
     const double z2_z = f3 - v5 * sa2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3;
-    const double v8 = y2_y * c3 - x2_y * s3;
-    const double v9 = y2_z * c3 - x2_z * s3;
-    const double y3_x = v7 * ca3 - z2_x * sa3;
-    const double y3_y = v8 * ca3 + v6 * sa3;
-    const double y3_z = v9 * ca3 - z2_z * sa3;
-    const double z3_x = v7 * sa3 + z2_x * ca3;
-    const double z3_y = v8 * sa3 - v6 * ca3;
-    const double z3_z = v9 * sa3 + z2_z * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v10 = y3_x * c4 - x3_x * s4;
-    const double v11 = y3_y * c4 - x3_y * s4;
-    const double v12 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v10 * ca4 + z3_x * sa4;
-    const double y4_y = v11 * ca4 + z3_y * sa4;
-    const double y4_z = v12 * ca4 + z3_z * sa4;
-    const double z4_x = z3_x * ca4 - v10 * sa4;
-    const double z4_y = z3_y * ca4 - v11 * sa4;
-    const double z4_z = z3_z * ca4 - v12 * sa4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v13 = y4_x * c5 - x4_x * s5;
-    const double v14 = y4_y * c5 - x4_y * s5;
-    const double v15 = y4_z * c5 - x4_z * s5;
-    const double T12_ = v13 * ca5 - z4_x * sa5;
-    const double T22_ = v14 * ca5 - z4_y * sa5;
-    const double T32_ = v15 * ca5 - z4_z * sa5;
-    const double z5_x = v13 * sa5 + z4_x * ca5;
-    const double z5_y = v14 * sa5 + z4_y * ca5;
-    const double z5_z = v15 * sa5 + z4_z * ca5;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
+    const double y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
+        y3_z = v9 * ca3 - z2_z * sa3;
+    const double z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
+        z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
+        v12 = y3_z * c4 - x3_z * s4;
+    const double y4_x = v10 * ca4 + z3_x * sa4, y4_y = v11 * ca4 + z3_y * sa4,
+        y4_z = v12 * ca4 + z3_z * sa4;
+    const double z4_x = z3_x * ca4 - v10 * sa4, z4_y = z3_y * ca4 - v11 * sa4,
+        z4_z = z3_z * ca4 - v12 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v13 = y4_x * c5 - x4_x * s5, v14 = y4_y * c5 - x4_y * s5,
+        v15 = y4_z * c5 - x4_z * s5;
+    const double T12_ = v13 * ca5 - z4_x * sa5, T22_ = v14 * ca5 - z4_y * sa5,
+        T32_ = v15 * ca5 - z4_z * sa5;
+    const double z5_x = v13 * sa5 + z4_x * ca5, z5_y = v14 * sa5 + z4_y * ca5,
+        z5_z = v15 * sa5 + z4_z * ca5;
     const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x *
-        d4 + x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez;
-    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4
-        + x5_y * a5 + z4_y * d5 + x5_y * ex + z5_y * ez;
-    const double T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z *
-        a5 + z4_z * d5 + x5_z * ex + z5_z * ez;
-    const double T11_ = x5_x * cae11 - z5_x * sae11;
-    const double T21_ = x5_y * cae11 - z5_y * sae11;
-    const double T31_ = x5_z * cae11 - z5_z * sae11;
-    const double T13_ = x5_x * sae11 + z5_x * cae11;
-    const double T23_ = x5_y * sae11 + z5_y * cae11;
-    const double T33_ = x5_z * sae11 + z5_z * cae11;
+        d4 + x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez,
+        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y *
+            a5 + z4_y * d5 + x5_y * ex + z5_y * ez,
+        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
+            z4_z * d5 + x5_z * ex + z5_z * ez, T11_ = x5_x * cae11 - z5_x * sae11,
+        T21_ = x5_y * cae11 - z5_y * sae11, T31_ = x5_z * cae11 - z5_z * sae11,
+        T13_ = x5_x * sae11 + z5_x * cae11, T23_ = x5_y * sae11 + z5_y * cae11,
+        T33_ = x5_z * sae11 + z5_z * cae11;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3259,98 +3231,59 @@ void general_5r_fk(const double q[5], double T[16])
 
 void general_5r_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double J42 = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = sa1 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
-    const double p2_y = p1_y + x2_y * a2 - v2 * d2;
-    const double p2_z = d1 + x2_z * a2 + g1;
-    const double y2_x = J42 * sa2 - v3 * ca2;
-    const double y2_y = v4 * ca2 - v2 * sa2;
-    const double y2_z = v5 * ca2 + g2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
+        p2_z = d1 + x2_z * a2 + g1;
+    const double y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g2;
     const double J43 = v3 * sa2 + J42 * ca2;
     const double v6 = v4 * sa2 + v2 * ca2;
     const double J63 = g3 - v5 * sa2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3;
-    const double v8 = y2_y * c3 - x2_y * s3;
-    const double v9 = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + x3_x * a3 + J43 * d3;
-    const double p3_y = p2_y + x3_y * a3 - v6 * d3;
-    const double p3_z = p2_z + x3_z * a3 + J63 * d3;
-    const double y3_x = v7 * ca3 - J43 * sa3;
-    const double y3_y = v8 * ca3 + v6 * sa3;
-    const double y3_z = v9 * ca3 - J63 * sa3;
-    const double J44 = v7 * sa3 + J43 * ca3;
-    const double J54 = v8 * sa3 - v6 * ca3;
-    const double J64 = v9 * sa3 + J63 * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v10 = y3_x * c4 - x3_x * s4;
-    const double v11 = y3_y * c4 - x3_y * s4;
-    const double v12 = y3_z * c4 - x3_z * s4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
-    const double p4_y = p3_y + x4_y * a4 + J54 * d4;
-    const double p4_z = p3_z + x4_z * a4 + J64 * d4;
-    const double y4_x = v10 * ca4 + J44 * sa4;
-    const double y4_y = v11 * ca4 + J54 * sa4;
-    const double y4_z = v12 * ca4 + J64 * sa4;
-    const double J45 = J44 * ca4 - v10 * sa4;
-    const double J55 = J54 * ca4 - v11 * sa4;
-    const double J65 = J64 * ca4 - v12 * sa4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 - v6 * d3,
+        p3_z = p2_z + x3_z * a3 + J63 * d3;
+    const double y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3,
+        y3_z = v9 * ca3 - J63 * sa3;
+    const double J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
+        v12 = y3_z * c4 - x3_z * s4;
+    const double p4_x = p3_x + x4_x * a4 + J44 * d4, p4_y = p3_y + x4_y * a4 + J54 * d4,
+        p4_z = p3_z + x4_z * a4 + J64 * d4;
+    const double y4_x = v10 * ca4 + J44 * sa4, y4_y = v11 * ca4 + J54 * sa4,
+        y4_z = v12 * ca4 + J64 * sa4;
+    const double J45 = J44 * ca4 - v10 * sa4, J55 = J54 * ca4 - v11 * sa4,
+        J65 = J64 * ca4 - v12 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
     const double J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 +
         J45 * ca5) * ez;
     const double v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 +
-        J55 * ca5) * ez;
-    const double v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 +
-        J65 * ca5) * ez;
-    const double v15 = J21 - p1_x;
-    const double v16 = v13 - p1_y;
-    const double v17 = v14 - d1;
-    const double J22 = ca1 * v15 - J42 * v17;
-    const double J32 = J42 * v16 + v2 * v15;
-    const double v18 = J21 - p2_x;
-    const double v19 = v13 - p2_y;
-    const double v20 = v14 - p2_z;
-    const double J23 = J63 * v18 - J43 * v20;
-    const double J33 = J43 * v19 + v6 * v18;
-    const double v21 = J21 - p3_x;
-    const double v22 = v13 - p3_y;
-    const double v23 = v14 - p3_z;
-    const double J14 = J54 * v23 - J64 * v22;
-    const double J24 = J64 * v21 - J44 * v23;
-    const double J34 = J44 * v22 - J54 * v21;
-    const double v24 = J21 - p4_x;
-    const double v25 = v13 - p4_y;
-    const double v26 = v14 - p4_z;
-    const double J15 = J55 * v26 - J65 * v25;
-    const double J25 = J65 * v24 - J45 * v26;
-    const double J35 = J45 * v25 - J55 * v24;
+        J55 * ca5) * ez,
+        v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5)
+            * ez, v15 = J21 - p1_x, v16 = v13 - p1_y, v17 = v14 - d1;
+    const double J22 = ca1 * v15 - J42 * v17, J32 = J42 * v16 + v2 * v15;
+    const double v18 = J21 - p2_x, v19 = v13 - p2_y, v20 = v14 - p2_z;
+    const double J23 = J63 * v18 - J43 * v20, J33 = J43 * v19 + v6 * v18;
+    const double v21 = J21 - p3_x, v22 = v13 - p3_y, v23 = v14 - p3_z;
+    const double J14 = J54 * v23 - J64 * v22, J24 = J64 * v21 - J44 * v23,
+        J34 = J44 * v22 - J54 * v21;
+    const double v24 = J21 - p4_x, v25 = v13 - p4_y, v26 = v14 - p4_z;
+    const double J15 = J55 * v26 - J65 * v25, J25 = J65 * v24 - J45 * v26,
+        J35 = J45 * v25 - J55 * v24;
     J[0] = -v13; J[1] = -(v2 * v17 + ca1 * v16); J[2] = -(v6 * v20 + J63 * v19); J[3] = J14;
     J[4] = J15;
     J[5] = J21; J[6] = J22; J[7] = J23; J[8] = J24; J[9] = J25;
@@ -3364,13 +3297,16 @@ void general_5r_jacobian(const double q[5], double J[30])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3429,11 +3365,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         status[row] = (chosen) ? GENERAL_5R_FREE_JOINT : GENERAL_5R_OK;
     }
 }

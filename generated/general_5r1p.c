@@ -19,6 +19,8 @@ static const double measure[6] = {
     0.37721614485099964, 0.37721614485099964, 1.0, 0.37721614485099964, 0.37721614485099964,
     0.37721614485099964,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     general_5r1p_fk(d->q, P);
     general_5r1p_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 2.651;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 2.651;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 2.651;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 2.651;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3235,85 +3234,57 @@ static const double weight[6] = { 1.0, 1.0, 0.14229201993625035, 1.0, 1.0, 1.0 }
 
 void general_5r1p_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double y1_x = s1 * ca1;
     const double v1 = c1 * ca1;
     const double z1_x = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 + y1_x * s2;
-    const double x2_y = s1 * c2 - v1 * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = y1_x * c2 - c1 * s2;
-    const double v4 = v1 * c2 + s1 * s2;
-    const double v5 = sa1 * c2;
-    const double y2_x = v3 * ca2 - z1_x * sa2;
-    const double y2_y = v2 * sa2 - v4 * ca2;
-    const double y2_z = v5 * ca2 + f2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 + y1_x * s2, x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2;
+    const double v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2, v5 = sa1 * c2;
+    const double y2_x = v3 * ca2 - z1_x * sa2, y2_y = v2 * sa2 - v4 * ca2, y2_z = v5 * ca2 + f2;
     const double z2_x = v3 * sa2 + z1_x * ca2;
     const double v6 = v4 * sa2 + v2 * ca2;
     const double z2_z = v5 * sa2 - f3;
-    const double x3_x = x2_x * cat3 + y2_x * sat3;
-    const double x3_y = x2_y * cat3 + y2_y * sat3;
-    const double x3_z = x2_z * cat3 + y2_z * sat3;
-    const double v7 = y2_x * cat3 - x2_x * sat3;
-    const double v8 = y2_y * cat3 - x2_y * sat3;
-    const double v9 = y2_z * cat3 - x2_z * sat3;
-    const double v10 = v7 * ca3 + z2_x * sa3;
+    const double x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+        x3_z = x2_z * cat3 + y2_z * sat3;
+    const double v7 = y2_x * cat3 - x2_x * sat3, v8 = y2_y * cat3 - x2_y * sat3,
+        v9 = y2_z * cat3 - x2_z * sat3, v10 = v7 * ca3 + z2_x * sa3;
     const double y3_y = v6 * sa3 - v8 * ca3;
     const double v11 = v9 * ca3 + z2_z * sa3;
-    const double z3_x = v7 * sa3 - z2_x * ca3;
-    const double z3_y = v8 * sa3 + v6 * ca3;
-    const double z3_z = v9 * sa3 - z2_z * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v10 * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 - v11 * s4;
-    const double v12 = v10 * c4 + x3_x * s4;
-    const double v13 = y3_y * c4 - x3_y * s4;
-    const double v14 = v11 * c4 + x3_z * s4;
-    const double v15 = v12 * ca4 + z3_x * sa4;
+    const double z3_x = v7 * sa3 - z2_x * ca3, z3_y = v8 * sa3 + v6 * ca3,
+        z3_z = v9 * sa3 - z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - v10 * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 - v11 * s4;
+    const double v12 = v10 * c4 + x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
+        v14 = v11 * c4 + x3_z * s4, v15 = v12 * ca4 + z3_x * sa4;
     const double y4_y = v13 * ca4 - z3_y * sa4;
     const double v16 = v14 * ca4 + z3_z * sa4;
-    const double z4_x = z3_x * ca4 - v12 * sa4;
-    const double z4_y = v13 * sa4 + z3_y * ca4;
-    const double z4_z = z3_z * ca4 - v14 * sa4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v15 * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 - v16 * s5;
-    const double v17 = v15 * c5 + x4_x * s5;
-    const double v18 = y4_y * c5 - x4_y * s5;
-    const double v19 = v16 * c5 + x4_z * s5;
-    const double v20 = v17 * ca5 + z4_x * sa5;
+    const double z4_x = z3_x * ca4 - v12 * sa4, z4_y = v13 * sa4 + z3_y * ca4,
+        z4_z = z3_z * ca4 - v14 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v15 * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 - v16 * s5;
+    const double v17 = v15 * c5 + x4_x * s5, v18 = y4_y * c5 - x4_y * s5,
+        v19 = v16 * c5 + x4_z * s5, v20 = v17 * ca5 + z4_x * sa5;
     const double y5_y = v18 * ca5 - z4_y * sa5;
     const double v21 = v19 * ca5 + z4_z * sa5;
-    const double z5_x = z4_x * ca5 - v17 * sa5;
-    const double z5_y = v18 * sa5 + z4_y * ca5;
-    const double z5_z = z4_z * ca5 - v19 * sa5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - v20 * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 - v21 * s6;
-    const double v22 = v20 * c6 + x5_x * s6;
-    const double v23 = y5_y * c6 - x5_y * s6;
-    const double v24 = v21 * c6 + x5_z * s6;
+    const double z5_x = z4_x * ca5 - v17 * sa5, z5_y = v18 * sa5 + z4_y * ca5,
+        z5_z = z4_z * ca5 - v19 * sa5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - v20 * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 - v21 * s6;
+    const double v22 = v20 * c6 + x5_x * s6, v23 = y5_y * c6 - x5_y * s6,
+        v24 = v21 * c6 + x5_z * s6;
     const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x
-        * d4 + x5_x * a5 + z4_x * d5 + T11_ * a6 + z5_x * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3 + x4_y * a4 + z3_y *
-        d4 + x5_y * a5 + z4_y * d5 + T21_ * a6 + z5_y * d6;
-    const double T34_ = d1 + x2_z * a2 - f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 + z3_z * d4 + x5_z
-        * a5 + z4_z * d5 + T31_ * a6 + z5_z * d6;
-    const double T12_ = v22 * ca6 + z5_x * sa6;
-    const double T22_ = z5_y * sa6 - v23 * ca6;
-    const double T32_ = v24 * ca6 + z5_z * sa6;
-    const double T13_ = v22 * sa6 - z5_x * ca6;
-    const double T33_ = v24 * sa6 - z5_z * ca6;
+        * d4 + x5_x * a5 + z4_x * d5 + T11_ * a6 + z5_x * d6,
+        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y
+            * a5 + z4_y * d5 + T21_ * a6 + z5_y * d6,
+        T34_ = d1 + x2_z * a2 - f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
+            z4_z * d5 + T31_ * a6 + z5_z * d6, T12_ = v22 * ca6 + z5_x * sa6,
+        T22_ = z5_y * sa6 - v23 * ca6, T32_ = v24 * ca6 + z5_z * sa6, T13_ = v22 * sa6 - z5_x * ca6,
+        T33_ = v24 * sa6 - z5_z * ca6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -(v23 * sa6 + z5_y * ca6); T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3323,102 +3294,66 @@ void general_5r1p_fk(const double q[6], double T[16])
 
 void general_5r1p_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double y1_x = s1 * ca1;
     const double v1 = c1 * ca1;
     const double J42 = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 + y1_x * s2;
-    const double x2_y = s1 * c2 - v1 * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = y1_x * c2 - c1 * s2;
-    const double v4 = v1 * c2 + s1 * s2;
-    const double v5 = sa1 * c2;
-    const double y2_x = v3 * ca2 - J42 * sa2;
-    const double y2_y = v2 * sa2 - v4 * ca2;
-    const double y2_z = v5 * ca2 + g2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 + y1_x * s2, x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2;
+    const double v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2, v5 = sa1 * c2;
+    const double y2_x = v3 * ca2 - J42 * sa2, y2_y = v2 * sa2 - v4 * ca2, y2_z = v5 * ca2 + g2;
     const double J13 = v3 * sa2 + J42 * ca2;
     const double v6 = v4 * sa2 + v2 * ca2;
     const double J33 = v5 * sa2 - g3;
-    const double x3_x = x2_x * cat3 + y2_x * sat3;
-    const double x3_y = x2_y * cat3 + y2_y * sat3;
-    const double x3_z = x2_z * cat3 + y2_z * sat3;
-    const double v7 = y2_x * cat3 - x2_x * sat3;
-    const double v8 = y2_y * cat3 - x2_y * sat3;
-    const double v9 = y2_z * cat3 - x2_z * sat3;
-    const double p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3;
-    const double p3_y = p1_y + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3;
-    const double p3_z = d1 + x2_z * a2 - g1 + J33 * q[2] + x3_z * a3;
+    const double x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+        x3_z = x2_z * cat3 + y2_z * sat3;
+    const double v7 = y2_x * cat3 - x2_x * sat3, v8 = y2_y * cat3 - x2_y * sat3,
+        v9 = y2_z * cat3 - x2_z * sat3;
+    const double p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3,
+        p3_y = p1_y + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3,
+        p3_z = d1 + x2_z * a2 - g1 + J33 * q[2] + x3_z * a3;
     const double v10 = v7 * ca3 + J13 * sa3;
     const double y3_y = v6 * sa3 - v8 * ca3;
     const double v11 = v9 * ca3 + J33 * sa3;
-    const double J44 = v7 * sa3 - J13 * ca3;
-    const double J54 = v8 * sa3 + v6 * ca3;
-    const double J64 = v9 * sa3 - J33 * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v10 * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 - v11 * s4;
-    const double v12 = v10 * c4 + x3_x * s4;
-    const double v13 = y3_y * c4 - x3_y * s4;
-    const double v14 = v11 * c4 + x3_z * s4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
-    const double p4_y = p3_y + x4_y * a4 + J54 * d4;
-    const double p4_z = p3_z + x4_z * a4 + J64 * d4;
+    const double J44 = v7 * sa3 - J13 * ca3, J54 = v8 * sa3 + v6 * ca3, J64 = v9 * sa3 - J33 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - v10 * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 - v11 * s4;
+    const double v12 = v10 * c4 + x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
+        v14 = v11 * c4 + x3_z * s4;
+    const double p4_x = p3_x + x4_x * a4 + J44 * d4, p4_y = p3_y + x4_y * a4 + J54 * d4,
+        p4_z = p3_z + x4_z * a4 + J64 * d4;
     const double v15 = v12 * ca4 + J44 * sa4;
     const double y4_y = v13 * ca4 - J54 * sa4;
     const double v16 = v14 * ca4 + J64 * sa4;
-    const double J45 = J44 * ca4 - v12 * sa4;
-    const double J55 = v13 * sa4 + J54 * ca4;
-    const double J65 = J64 * ca4 - v14 * sa4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v15 * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 - v16 * s5;
-    const double v17 = v15 * c5 + x4_x * s5;
-    const double v18 = y4_y * c5 - x4_y * s5;
-    const double v19 = v16 * c5 + x4_z * s5;
-    const double p5_x = p4_x + x5_x * a5 + J45 * d5;
-    const double p5_y = p4_y + x5_y * a5 + J55 * d5;
-    const double p5_z = p4_z + x5_z * a5 + J65 * d5;
-    const double J46 = J45 * ca5 - v17 * sa5;
-    const double J56 = v18 * sa5 + J55 * ca5;
-    const double J66 = J65 * ca5 - v19 * sa5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
+    const double J45 = J44 * ca4 - v12 * sa4, J55 = v13 * sa4 + J54 * ca4,
+        J65 = J64 * ca4 - v14 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v15 * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 - v16 * s5;
+    const double v17 = v15 * c5 + x4_x * s5, v18 = y4_y * c5 - x4_y * s5,
+        v19 = v16 * c5 + x4_z * s5;
+    const double p5_x = p4_x + x5_x * a5 + J45 * d5, p5_y = p4_y + x5_y * a5 + J55 * d5,
+        p5_z = p4_z + x5_z * a5 + J65 * d5;
+    const double J46 = J45 * ca5 - v17 * sa5, J56 = v18 * sa5 + J55 * ca5,
+        J66 = J65 * ca5 - v19 * sa5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double J21 = p5_x + (x5_x * c6 - (v17 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (v18 * ca5 - J55 * sa5) * s6) * a6 + J56 * d6;
-    const double p6_z = p5_z + (x5_z * c6 - (v19 * ca5 + J65 * sa5) * s6) * a6 + J66 * d6;
-    const double v20 = J21 - p1_x;
-    const double v21 = p6_y - p1_y;
-    const double v22 = p6_z - d1;
-    const double J12 = ca1 * v21 - v2 * v22;
-    const double J32 = J42 * v21 + v2 * v20;
-    const double v23 = J21 - p3_x;
-    const double v24 = p6_y - p3_y;
-    const double v25 = p6_z - p3_z;
-    const double J14 = J54 * v25 - J64 * v24;
-    const double J24 = J64 * v23 - J44 * v25;
-    const double J34 = J44 * v24 - J54 * v23;
-    const double v26 = J21 - p4_x;
-    const double v27 = p6_y - p4_y;
-    const double v28 = p6_z - p4_z;
-    const double J15 = J55 * v28 - J65 * v27;
-    const double J25 = J65 * v26 - J45 * v28;
-    const double J35 = J45 * v27 - J55 * v26;
-    const double v29 = J21 - p5_x;
-    const double v30 = p6_y - p5_y;
-    const double v31 = p6_z - p5_z;
-    const double J16 = J56 * v31 - J66 * v30;
-    const double J26 = J66 * v29 - J46 * v31;
-    const double J36 = J46 * v30 - J56 * v29;
+    const double p6_y = p5_y + (x5_y * c6 + (v18 * ca5 - J55 * sa5) * s6) * a6 + J56 * d6,
+        p6_z = p5_z + (x5_z * c6 - (v19 * ca5 + J65 * sa5) * s6) * a6 + J66 * d6;
+    const double v20 = J21 - p1_x, v21 = p6_y - p1_y, v22 = p6_z - d1;
+    const double J12 = ca1 * v21 - v2 * v22, J32 = J42 * v21 + v2 * v20;
+    const double v23 = J21 - p3_x, v24 = p6_y - p3_y, v25 = p6_z - p3_z;
+    const double J14 = J54 * v25 - J64 * v24, J24 = J64 * v23 - J44 * v25,
+        J34 = J44 * v24 - J54 * v23;
+    const double v26 = J21 - p4_x, v27 = p6_y - p4_y, v28 = p6_z - p4_z;
+    const double J15 = J55 * v28 - J65 * v27, J25 = J65 * v26 - J45 * v28,
+        J35 = J45 * v27 - J55 * v26;
+    const double v29 = J21 - p5_x, v30 = p6_y - p5_y, v31 = p6_z - p5_z;
+    const double J16 = J56 * v31 - J66 * v30, J26 = J66 * v29 - J46 * v31,
+        J36 = J46 * v30 - J56 * v29;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(ca1 * v20 + J42 * v22); J[8] = -v6; J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -3431,13 +3366,16 @@ void general_5r1p_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3497,11 +3435,7 @@ static void solve(
         /* all joints: the general 5R1P loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? GENERAL_5R1P_FREE_JOINT : GENERAL_5R1P_OK;
     }

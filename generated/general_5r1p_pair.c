@@ -19,6 +19,8 @@ static const double measure[6] = {
     1.0, 0.5546311702717693, 0.5546311702717693, 0.5546311702717693, 0.5546311702717693,
     0.5546311702717693,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     general_5r1p_pair_fk(d->q, P);
     general_5r1p_pair_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.803;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.803;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.803;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.803;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3258,53 +3257,37 @@ static const double weight[6] = { 0.3076157350370323, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 void general_5r1p_pair_fk(const double q[6], double T[16])
 {
-    const double c2 = cos(-q[1]);
-    const double s2 = sin(-q[1]);
+    const double c2 = cos(-q[1]), s2 = sin(-q[1]);
     const double v1 = s2 * f2;
     const double y2_z = c2 * f2;
     const double z2_x = s2 * f1;
     const double z3_z = c2 * f1;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = c2 * c3 - v1 * s3;
     const double v2 = f1 * s3;
     const double x3_z = s2 * c3 + y2_z * s3;
-    const double y3_x = v1 * c3 + c2 * s3;
-    const double y3_y = f1 * c3;
-    const double y3_z = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = y3_y * s4 - v2 * c4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double z4_x = y3_x * c4 - x3_x * s4;
-    const double z4_y = y3_y * c4 + v2 * s4;
-    const double z4_z = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z2_x * s5;
-    const double x5_y = x4_y * c5 - f2 * s5;
-    const double x5_z = x4_z * c5 - z3_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T14_ = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + T11_ * a6;
-    const double T24_ = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + T21_ * a6;
-    const double T34_ = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + T31_ * a6;
-    const double v3 = (z4_x * c6 - x5_x * s6) * f5;
-    const double v4 = (z4_y * c6 - x5_y * s6) * f5;
-    const double v5 = (z4_z * c6 - x5_z * s6) * f5;
-    const double v6 = (x4_x * s5 - z2_x * c5) * f5;
+    const double y3_x = v1 * c3 + c2 * s3, y3_y = f1 * c3, y3_z = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = y3_y * s4 - v2 * c4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double z4_x = y3_x * c4 - x3_x * s4, z4_y = y3_y * c4 + v2 * s4,
+        z4_z = y3_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z2_x * s5, x5_y = x4_y * c5 - f2 * s5,
+        x5_z = x4_z * c5 - z3_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6,
+        T14_ = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + T11_ * a6,
+        T24_ = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + T21_ * a6,
+        T34_ = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + T31_ * a6;
+    const double v3 = (z4_x * c6 - x5_x * s6) * f5, v4 = (z4_y * c6 - x5_y * s6) * f5,
+        v5 = (z4_z * c6 - x5_z * s6) * f5, v6 = (x4_x * s5 - z2_x * c5) * f5;
     const double T12_ = v3 + v6;
     const double v7 = (f2 * c5 + x4_y * s5) * f5;
     const double T22_ = v4 + v7;
     const double v8 = (z3_z * c5 + x4_z * s5) * f5;
-    const double T32_ = v5 + v8;
-    const double T13_ = v6 - v3;
-    const double T23_ = v7 - v4;
-    const double T33_ = v8 - v5;
+    const double T32_ = v5 + v8, T13_ = v6 - v3, T23_ = v7 - v4, T33_ = v8 - v5;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3314,69 +3297,45 @@ void general_5r1p_pair_fk(const double q[6], double T[16])
 
 void general_5r1p_pair_jacobian(const double q[6], double J[36])
 {
-    const double c2 = cos(-q[1]);
-    const double s2 = sin(-q[1]);
+    const double c2 = cos(-q[1]), s2 = sin(-q[1]);
     const double v1 = s2 * g2;
     const double y2_z = c2 * g2;
-    const double J43 = s2 * g1;
-    const double J64 = c2 * g1;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double J43 = s2 * g1, J64 = c2 * g1;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = c2 * c3 - v1 * s3;
     const double v2 = g1 * s3;
     const double x3_z = s2 * c3 + y2_z * s3;
-    const double y3_x = v1 * c3 + c2 * s3;
-    const double y3_y = g1 * c3;
+    const double y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3;
     const double p3_x = a1 + x3_x * a3 + J43 * d3;
     const double v3 = d2 + v2 * a3 + g3;
     const double p3_z = q[0] + x3_z * a3 - J64 * d3;
     const double y3_z = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = y3_y * s4 - v2 * c4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double J45 = y3_x * c4 - x3_x * s4;
-    const double J55 = y3_y * c4 + v2 * s4;
-    const double J65 = y3_z * c4 - x3_z * s4;
-    const double p4_x = p3_x - J43 * d4;
-    const double p4_y = g4 - v3;
-    const double p4_z = p3_z + J64 * d4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J56 = g2 * c5 + x4_y * s5;
-    const double J66 = J64 * c5 + x4_z * s5;
-    const double p5_x = p4_x + J45 * d5;
-    const double p5_y = p4_y + J55 * d5;
-    const double p5_z = p4_z + J65 * d5;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = y3_y * s4 - v2 * c4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double J45 = y3_x * c4 - x3_x * s4, J55 = y3_y * c4 + v2 * s4,
+        J65 = y3_z * c4 - x3_z * s4;
+    const double p4_x = p3_x - J43 * d4, p4_y = g4 - v3, p4_z = p3_z + J64 * d4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J56 = g2 * c5 + x4_y * s5, J66 = J64 * c5 + x4_z * s5;
+    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
     const double J46 = x4_x * s5 - J43 * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double p6_x = p5_x + ((x4_x * c5 + J43 * s5) * c6 + J45 * s6) * a6;
-    const double p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + J55 * s6) * a6;
-    const double p6_z = p5_z + ((x4_z * c5 - J64 * s5) * c6 + J65 * s6) * a6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double p6_x = p5_x + ((x4_x * c5 + J43 * s5) * c6 + J45 * s6) * a6,
+        p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + J55 * s6) * a6,
+        p6_z = p5_z + ((x4_z * c5 - J64 * s5) * c6 + J65 * s6) * a6;
     const double v4 = p6_x - a1;
     const double J12 = p6_z - q[0];
     const double v5 = d2 + p6_y;
-    const double J13 = J64 * v5 - g2 * J12;
-    const double J33 = J43 * v5 + g2 * v4;
-    const double v6 = p6_x - p3_x;
-    const double v7 = v3 + p6_y;
-    const double v8 = p6_z - p3_z;
-    const double J14 = g2 * v8 - J64 * v7;
-    const double J24 = J64 * v6 + J43 * v8;
-    const double v9 = p6_x - p4_x;
-    const double v10 = p6_y - p4_y;
-    const double v11 = p6_z - p4_z;
-    const double J15 = J55 * v11 - J65 * v10;
-    const double J25 = J65 * v9 - J45 * v11;
-    const double J35 = J45 * v10 - J55 * v9;
-    const double v12 = p6_x - p5_x;
-    const double v13 = p6_y - p5_y;
-    const double v14 = p6_z - p5_z;
-    const double J16 = J56 * v14 - J66 * v13;
-    const double J26 = J66 * v12 - J46 * v14;
-    const double J36 = J46 * v13 - J56 * v12;
+    const double J13 = J64 * v5 - g2 * J12, J33 = J43 * v5 + g2 * v4;
+    const double v6 = p6_x - p3_x, v7 = v3 + p6_y, v8 = p6_z - p3_z;
+    const double J14 = g2 * v8 - J64 * v7, J24 = J64 * v6 + J43 * v8;
+    const double v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z;
+    const double J15 = J55 * v11 - J65 * v10, J25 = J65 * v9 - J45 * v11,
+        J35 = J45 * v10 - J55 * v9;
+    const double v12 = p6_x - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    const double J16 = J56 * v14 - J66 * v13, J26 = J66 * v12 - J46 * v14,
+        J36 = J46 * v13 - J56 * v12;
     J[0] = 0.0; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = 0.0; J[7] = 0.0; J[8] = -(J64 * v4 + J43 * J12); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 1.0; J[13] = -v4; J[14] = J33; J[15] = -(J43 * v7 + g2 * v6); J[16] = J35; J[17] = J36;
@@ -3389,13 +3348,16 @@ void general_5r1p_pair_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3455,11 +3417,7 @@ static void solve(
         /* all joints: the general 5R1P loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? GENERAL_5R1P_PAIR_FREE_JOINT : GENERAL_5R1P_PAIR_OK;
     }

@@ -18,6 +18,8 @@ static const double unit[6] = { 1.75, 1.0, 1.0, 1.75, 1.0, 1.0 };
 static const double measure[6] = {
     1.0, 0.5714285714285714, 0.5714285714285714, 1.0, 0.5714285714285714, 0.5714285714285714,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -46,15 +48,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     general_prrprr_fk(d->q, P);
     general_prrprr_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.75;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.75;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.75;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.75;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -69,6 +68,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -103,14 +116,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -119,12 +124,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3020,71 +3019,42 @@ static const double weight[6] = { 0.32653061224489793, 1.0, 1.0, 0.3265306122448
 
 void general_prrprr_fk(const double q[6], double T[16])
 {
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = cat1 * c2 - f10 * s2;
-    const double x2_y = f1 * c2 + f11 * s2;
-    const double x2_z = f2 * c2 + f12 * s2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = cat1 * c2 - f10 * s2, x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2;
     const double v1 = f10 * c2 + cat1 * s2;
-    const double y2_y = f11 * c2 - f1 * s2;
-    const double y2_z = f12 * c2 - f2 * s2;
-    const double v2 = v1 * ca3 + f17;
-    const double v3 = y2_y * ca3 + f18;
-    const double v4 = y2_z * ca3 - f19;
-    const double z3_x = f20 - v1 * sa3;
-    const double z3_y = y2_y * sa3 - f21;
-    const double z3_z = y2_z * sa3 + f22;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 + v3 * s3;
-    const double x3_z = x2_z * c3 + v4 * s3;
+    const double y2_y = f11 * c2 - f1 * s2, y2_z = f12 * c2 - f2 * s2;
+    const double v2 = v1 * ca3 + f17, v3 = y2_y * ca3 + f18, v4 = y2_z * ca3 - f19;
+    const double z3_x = f20 - v1 * sa3, z3_y = y2_y * sa3 - f21, z3_z = y2_z * sa3 + f22;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3;
     const double v5 = v2 * c3 + x2_x * s3;
-    const double y3_y = v3 * c3 - x2_y * s3;
-    const double y3_z = v4 * c3 - x2_z * s3;
-    const double x4_x = x3_x * cat4 - v5 * f23 + z3_x * f24;
-    const double x4_y = x3_y * cat4 + y3_y * f23 + z3_y * f24;
-    const double x4_z = x3_z * cat4 + y3_z * f23 + z3_z * f24;
-    const double y4_x = z3_x * f26 - (x3_x * sat4 + v5 * f25);
-    const double y4_y = y3_y * f25 - x3_y * sat4 + z3_y * f26;
-    const double y4_z = y3_z * f25 - x3_z * sat4 + z3_z * f26;
-    const double z4_x = v5 * sa4 + z3_x * ca4;
-    const double z4_y = z3_y * ca4 - y3_y * sa4;
-    const double z4_z = z3_z * ca4 - y3_z * sa4;
-    const double v6 = z4_x * sa5 - y4_x * ca5;
-    const double v7 = z4_y * sa5 - y4_y * ca5;
-    const double v8 = z4_z * sa5 - y4_z * ca5;
-    const double v9 = y4_x * sa5 + z4_x * ca5;
-    const double v10 = y4_y * sa5 + z4_y * ca5;
-    const double v11 = y4_z * sa5 + z4_z * ca5;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + v6 * s5;
-    const double x5_y = x4_y * c5 + v7 * s5;
-    const double x5_z = x4_z * c5 + v8 * s5;
-    const double y5_x = v6 * c5 - x4_x * s5;
-    const double y5_y = v7 * c5 - x4_y * s5;
-    const double y5_z = v8 * c5 - x4_z * s5;
+    const double y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3;
+    const double x4_x = x3_x * cat4 - v5 * f23 + z3_x * f24,
+        x4_y = x3_y * cat4 + y3_y * f23 + z3_y * f24, x4_z = x3_z * cat4 + y3_z * f23 + z3_z * f24;
+    const double y4_x = z3_x * f26 - (x3_x * sat4 + v5 * f25),
+        y4_y = y3_y * f25 - x3_y * sat4 + z3_y * f26, y4_z = y3_z * f25 - x3_z * sat4 + z3_z * f26;
+    const double z4_x = v5 * sa4 + z3_x * ca4, z4_y = z3_y * ca4 - y3_y * sa4,
+        z4_z = z3_z * ca4 - y3_z * sa4;
+    const double v6 = z4_x * sa5 - y4_x * ca5, v7 = z4_y * sa5 - y4_y * ca5,
+        v8 = z4_z * sa5 - y4_z * ca5, v9 = y4_x * sa5 + z4_x * ca5, v10 = y4_y * sa5 + z4_y * ca5,
+        v11 = y4_z * sa5 + z4_z * ca5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + v6 * s5, x5_y = x4_y * c5 + v7 * s5, x5_z = x4_z * c5 + v8 * s5;
+    const double y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5;
     const double T14_ = f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x
-        * f27 - z4_x * f28 + x5_x * a6 + y5_x * f29 - v9 * f30;
-    const double T24_ = f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y
-        * q[3] + x4_y * a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30;
-    const double T34_ = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z
-        * q[3] + x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30;
-    const double v12 = y5_x * ca6 + v9 * sa6;
-    const double v13 = y5_y * ca6 + v10 * sa6;
-    const double v14 = y5_z * ca6 + v11 * sa6;
-    const double T13_ = y5_x * sa6 - v9 * ca6;
-    const double T23_ = y5_y * sa6 - v10 * ca6;
-    const double T33_ = y5_z * sa6 - v11 * ca6;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + v12 * s6;
-    const double T21_ = x5_y * c6 + v13 * s6;
-    const double T31_ = x5_z * c6 + v14 * s6;
-    const double T12_ = v12 * c6 - x5_x * s6;
-    const double T22_ = v13 * c6 - x5_y * s6;
-    const double T32_ = v14 * c6 - x5_z * s6;
+        * f27 - z4_x * f28 + x5_x * a6 + y5_x * f29 - v9 * f30,
+        T24_ = f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y * q[3] +
+            x4_y * a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30,
+        T34_ = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] +
+            x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30;
+    const double v12 = y5_x * ca6 + v9 * sa6, v13 = y5_y * ca6 + v10 * sa6,
+        v14 = y5_z * ca6 + v11 * sa6;
+    const double T13_ = y5_x * sa6 - v9 * ca6, T23_ = y5_y * sa6 - v10 * ca6,
+        T33_ = y5_z * sa6 - v11 * ca6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + v12 * s6, T21_ = x5_y * c6 + v13 * s6,
+        T31_ = x5_z * c6 + v14 * s6, T12_ = v12 * c6 - x5_x * s6, T22_ = v13 * c6 - x5_y * s6,
+        T32_ = v14 * c6 - x5_z * s6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3094,79 +3064,46 @@ void general_prrprr_fk(const double q[6], double T[16])
 
 void general_prrprr_jacobian(const double q[6], double J[36])
 {
-    const double p2_y = g3 - sa1 * q[0] - g6 - g8;
-    const double p2_z = ca1 * q[0] + g4 - g7 + g9;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = cat1 * c2 - g10 * s2;
-    const double x2_y = g1 * c2 + g11 * s2;
-    const double x2_z = g2 * c2 + g12 * s2;
+    const double p2_y = g3 - sa1 * q[0] - g6 - g8, p2_z = ca1 * q[0] + g4 - g7 + g9;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = cat1 * c2 - g10 * s2, x2_y = g1 * c2 + g11 * s2, x2_z = g2 * c2 + g12 * s2;
     const double v1 = g10 * c2 + cat1 * s2;
-    const double y2_y = g11 * c2 - g1 * s2;
-    const double y2_z = g12 * c2 - g2 * s2;
-    const double p3_x = g5 + x2_x * a3 - v1 * g16 + g17;
-    const double p3_y = p2_y + x2_y * a3 + y2_y * g16 - g18;
-    const double p3_z = p2_z + x2_z * a3 + y2_z * g16 + g19;
-    const double v2 = v1 * ca3 + g20;
-    const double v3 = y2_y * ca3 + g21;
-    const double v4 = y2_z * ca3 - g22;
-    const double J43 = g23 - v1 * sa3;
-    const double J53 = y2_y * sa3 - g24;
-    const double J63 = y2_z * sa3 + g25;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 + v3 * s3;
-    const double x3_z = x2_z * c3 + v4 * s3;
+    const double y2_y = g11 * c2 - g1 * s2, y2_z = g12 * c2 - g2 * s2;
+    const double p3_x = g5 + x2_x * a3 - v1 * g16 + g17, p3_y = p2_y + x2_y * a3 + y2_y * g16 - g18,
+        p3_z = p2_z + x2_z * a3 + y2_z * g16 + g19;
+    const double v2 = v1 * ca3 + g20, v3 = y2_y * ca3 + g21, v4 = y2_z * ca3 - g22;
+    const double J43 = g23 - v1 * sa3, J53 = y2_y * sa3 - g24, J63 = y2_z * sa3 + g25;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3;
     const double v5 = v2 * c3 + x2_x * s3;
-    const double y3_y = v3 * c3 - x2_y * s3;
-    const double y3_z = v4 * c3 - x2_z * s3;
-    const double x4_x = x3_x * cat4 - v5 * g26 + J43 * g27;
-    const double x4_y = x3_y * cat4 + y3_y * g26 + J53 * g27;
-    const double x4_z = x3_z * cat4 + y3_z * g26 + J63 * g27;
-    const double y4_x = J43 * g29 - (x3_x * sat4 + v5 * g28);
-    const double y4_y = y3_y * g28 - x3_y * sat4 + J53 * g29;
-    const double y4_z = y3_z * g28 - x3_z * sat4 + J63 * g29;
-    const double J14 = v5 * sa4 + J43 * ca4;
-    const double J24 = J53 * ca4 - y3_y * sa4;
-    const double J34 = J63 * ca4 - y3_z * sa4;
-    const double p5_x = p3_x + x3_x * a4 + J14 * q[3] + x4_x * a5 - y4_x * g30 - J14 * g31;
-    const double p5_y = p3_y + x3_y * a4 + J24 * q[3] + x4_y * a5 - y4_y * g30 - J24 * g31;
-    const double p5_z = p3_z + x3_z * a4 + J34 * q[3] + x4_z * a5 - y4_z * g30 - J34 * g31;
-    const double v6 = J14 * sa5 - y4_x * ca5;
-    const double v7 = J24 * sa5 - y4_y * ca5;
-    const double v8 = J34 * sa5 - y4_z * ca5;
-    const double v9 = y4_x * sa5 + J14 * ca5;
-    const double v10 = y4_y * sa5 + J24 * ca5;
-    const double v11 = y4_z * sa5 + J34 * ca5;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double y5_x = v6 * c5 - x4_x * s5;
-    const double y5_y = v7 * c5 - x4_y * s5;
-    const double y5_z = v8 * c5 - x4_z * s5;
-    const double p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33;
-    const double p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * g32 - v10 * g33;
-    const double p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33;
-    const double J46 = y5_x * sa6 - v9 * ca6;
-    const double J56 = y5_y * sa6 - v10 * ca6;
-    const double J66 = y5_z * sa6 - v11 * ca6;
-    const double v12 = p6_x - g5;
-    const double v13 = p6_y - p2_y;
-    const double v14 = p6_z - p2_z;
-    const double J22 = g15 * v12 - g13 * v14;
-    const double J32 = g13 * v13 + g14 * v12;
-    const double v15 = p6_x - p3_x;
-    const double v16 = p6_y - p3_y;
-    const double v17 = p6_z - p3_z;
-    const double J13 = J53 * v17 - J63 * v16;
-    const double J23 = J63 * v15 - J43 * v17;
-    const double J33 = J43 * v16 - J53 * v15;
-    const double v18 = p6_x - p5_x;
-    const double v19 = p6_y - p5_y;
-    const double v20 = p6_z - p5_z;
-    const double J15 = v11 * v19 - v10 * v20;
-    const double J25 = v9 * v20 - v11 * v18;
-    const double J35 = v10 * v18 - v9 * v19;
+    const double y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3;
+    const double x4_x = x3_x * cat4 - v5 * g26 + J43 * g27,
+        x4_y = x3_y * cat4 + y3_y * g26 + J53 * g27, x4_z = x3_z * cat4 + y3_z * g26 + J63 * g27;
+    const double y4_x = J43 * g29 - (x3_x * sat4 + v5 * g28),
+        y4_y = y3_y * g28 - x3_y * sat4 + J53 * g29, y4_z = y3_z * g28 - x3_z * sat4 + J63 * g29;
+    const double J14 = v5 * sa4 + J43 * ca4, J24 = J53 * ca4 - y3_y * sa4,
+        J34 = J63 * ca4 - y3_z * sa4;
+    const double p5_x = p3_x + x3_x * a4 + J14 * q[3] + x4_x * a5 - y4_x * g30 - J14 * g31,
+        p5_y = p3_y + x3_y * a4 + J24 * q[3] + x4_y * a5 - y4_y * g30 - J24 * g31,
+        p5_z = p3_z + x3_z * a4 + J34 * q[3] + x4_z * a5 - y4_z * g30 - J34 * g31;
+    const double v6 = J14 * sa5 - y4_x * ca5, v7 = J24 * sa5 - y4_y * ca5,
+        v8 = J34 * sa5 - y4_z * ca5, v9 = y4_x * sa5 + J14 * ca5, v10 = y4_y * sa5 + J24 * ca5,
+        v11 = y4_z * sa5 + J34 * ca5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5;
+    const double p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33,
+        p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * g32 - v10 * g33,
+        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33;
+    const double J46 = y5_x * sa6 - v9 * ca6, J56 = y5_y * sa6 - v10 * ca6,
+        J66 = y5_z * sa6 - v11 * ca6;
+    const double v12 = p6_x - g5, v13 = p6_y - p2_y, v14 = p6_z - p2_z;
+    const double J22 = g15 * v12 - g13 * v14, J32 = g13 * v13 + g14 * v12;
+    const double v15 = p6_x - p3_x, v16 = p6_y - p3_y, v17 = p6_z - p3_z;
+    const double J13 = J53 * v17 - J63 * v16, J23 = J63 * v15 - J43 * v17,
+        J33 = J43 * v16 - J53 * v15;
+    const double v18 = p6_x - p5_x, v19 = p6_y - p5_y, v20 = p6_z - p5_z;
+    const double J15 = v11 * v19 - v10 * v20, J25 = v9 * v20 - v11 * v18,
+        J35 = v10 * v18 - v9 * v19;
     J[0] = 0.0; J[1] = -(g14 * v14 + g15 * v13); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = 0.0;
     J[6] = -sa1; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = 0.0;
     J[12] = ca1; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = 0.0;
@@ -3179,13 +3116,16 @@ void general_prrprr_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3245,11 +3185,7 @@ static void solve(
         /* all joints: the general 4R2P loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? GENERAL_PRRPRR_FREE_JOINT : GENERAL_PRRPRR_OK;
     }

@@ -18,6 +18,8 @@ static const double unit[6] = { 1.0, 1.44, 1.44, 1.0, 1.0, 1.0 };
 static const double measure[6] = {
     0.6944444444444444, 1.0, 1.0, 0.6944444444444444, 0.6944444444444444, 0.6944444444444444,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -46,15 +48,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     general_rpprrr_fk(d->q, P);
     general_rpprrr_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.44;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.44;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.44;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.44;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -69,6 +68,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -103,14 +116,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -119,12 +124,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -2997,70 +2996,45 @@ static const double weight[6] = { 1.0, 0.4822530864197531, 0.4822530864197531, 1
 
 void general_rpprrr_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double z1_x = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double x2_x = c1 * cat2 - v1 * sat2;
-    const double x2_y = s1 * cat2 + y1_y * sat2;
-    const double v3 = c1 * sat2 + v1 * cat2;
-    const double v4 = y1_y * cat2 - s1 * sat2;
-    const double y2_x = z1_x * sa2 - v3 * ca2;
-    const double y2_y = v4 * ca2 - v2 * sa2;
+    const double x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2;
+    const double v3 = c1 * sat2 + v1 * cat2, v4 = y1_y * cat2 - s1 * sat2;
+    const double y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2;
     const double z2_x = v3 * sa2 + z1_x * ca2;
     const double v5 = v4 * sa2 + v2 * ca2;
-    const double x3_x = x2_x * cat3 - y2_x * sat3;
-    const double x3_y = x2_y * cat3 - y2_y * sat3;
-    const double v6 = x2_x * sat3 + y2_x * cat3;
-    const double v7 = x2_y * sat3 + y2_y * cat3;
-    const double y3_x = v6 * ca3 - z2_x * sa3;
-    const double y3_y = v7 * ca3 + v5 * sa3;
-    const double z3_x = v6 * sa3 + z2_x * ca3;
-    const double z3_y = v7 * sa3 - v5 * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = f2 * c4 + f4 * s4;
-    const double v8 = y3_x * c4 - x3_x * s4;
-    const double v9 = y3_y * c4 - x3_y * s4;
-    const double v10 = f4 * c4 - f2 * s4;
-    const double y4_x = v8 * ca4 + z3_x * sa4;
-    const double y4_y = v9 * ca4 + z3_y * sa4;
-    const double y4_z = v10 * ca4 + f6;
-    const double z4_x = z3_x * ca4 - v8 * sa4;
-    const double z4_y = z3_y * ca4 - v9 * sa4;
-    const double z4_z = f7 - v10 * sa4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v11 = y4_x * c5 - x4_x * s5;
-    const double v12 = y4_y * c5 - x4_y * s5;
-    const double v13 = y4_z * c5 - x4_z * s5;
-    const double y5_x = v11 * ca5 - z4_x * sa5;
-    const double y5_y = v12 * ca5 - z4_y * sa5;
-    const double y5_z = v13 * ca5 - z4_z * sa5;
-    const double T13_ = v11 * sa5 + z4_x * ca5;
-    const double T23_ = v12 * sa5 + z4_y * ca5;
-    const double T33_ = v13 * sa5 + z4_z * ca5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T12_ = y5_x * c6 - x5_x * s6;
-    const double T22_ = y5_y * c6 - x5_y * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 +
-        x5_x * a5 + z4_x * d5 + T13_ * d6;
-    const double T24_ = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y *
-        a5 + z4_y * d5 + T23_ * d6;
-    const double T34_ = d1 + ca1 * q[1] + f1 * q[2] + f3 + x4_z * a4 + f5 + x5_z * a5 + z4_z * d5 +
-        T33_ * d6;
+    const double x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3;
+    const double v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3;
+    const double y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3;
+    const double z3_x = v6 * sa3 + z2_x * ca3, z3_y = v7 * sa3 - v5 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = f2 * c4 + f4 * s4;
+    const double v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4, v10 = f4 * c4 - f2 * s4;
+    const double y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4, y4_z = v10 * ca4 + f6;
+    const double z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4, z4_z = f7 - v10 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v11 = y4_x * c5 - x4_x * s5, v12 = y4_y * c5 - x4_y * s5,
+        v13 = y4_z * c5 - x4_z * s5;
+    const double y5_x = v11 * ca5 - z4_x * sa5, y5_y = v12 * ca5 - z4_y * sa5,
+        y5_z = v13 * ca5 - z4_z * sa5;
+    const double T13_ = v11 * sa5 + z4_x * ca5, T23_ = v12 * sa5 + z4_y * ca5,
+        T33_ = v13 * sa5 + z4_z * ca5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
+        T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + x5_x * a5 +
+            z4_x * d5 + T13_ * d6,
+        T24_ = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y * a5 +
+            z4_y * d5 + T23_ * d6,
+        T34_ = d1 + ca1 * q[1] + f1 * q[2] + f3 + x4_z * a4 + f5 + x5_z * a5 + z4_z * d5 + T33_ *
+            d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3070,77 +3044,47 @@ void general_rpprrr_fk(const double q[6], double T[16])
 
 void general_rpprrr_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double J12 = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double x2_x = c1 * cat2 - v1 * sat2;
-    const double x2_y = s1 * cat2 + y1_y * sat2;
-    const double v3 = c1 * sat2 + v1 * cat2;
-    const double v4 = y1_y * cat2 - s1 * sat2;
-    const double y2_x = J12 * sa2 - v3 * ca2;
-    const double y2_y = v4 * ca2 - v2 * sa2;
+    const double x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2;
+    const double v3 = c1 * sat2 + v1 * cat2, v4 = y1_y * cat2 - s1 * sat2;
+    const double y2_x = J12 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2;
     const double J13 = v3 * sa2 + J12 * ca2;
     const double v5 = v4 * sa2 + v2 * ca2;
-    const double x3_x = x2_x * cat3 - y2_x * sat3;
-    const double x3_y = x2_y * cat3 - y2_y * sat3;
-    const double v6 = x2_x * sat3 + y2_x * cat3;
-    const double v7 = x2_y * sat3 + y2_y * cat3;
-    const double p3_x = c1 * a1 + J12 * q[1] + J13 * q[2] + x3_x * a3;
-    const double p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3;
-    const double p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3;
-    const double y3_x = v6 * ca3 - J13 * sa3;
-    const double y3_y = v7 * ca3 + v5 * sa3;
-    const double J44 = v6 * sa3 + J13 * ca3;
-    const double J54 = v7 * sa3 - v5 * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = g2 * c4 + g4 * s4;
-    const double v8 = y3_x * c4 - x3_x * s4;
-    const double v9 = y3_y * c4 - x3_y * s4;
-    const double v10 = g4 * c4 - g2 * s4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
-    const double p4_y = p3_y + x4_y * a4 + J54 * d4;
-    const double p4_z = p3_z + x4_z * a4 + g6;
-    const double y4_x = v8 * ca4 + J44 * sa4;
-    const double y4_y = v9 * ca4 + J54 * sa4;
-    const double y4_z = v10 * ca4 + g7;
-    const double J45 = J44 * ca4 - v8 * sa4;
-    const double J55 = J54 * ca4 - v9 * sa4;
-    const double J65 = g8 - v10 * sa4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + J45 * d5;
-    const double p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + J55 * d5;
-    const double p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + J65 * d5;
-    const double J46 = (y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5;
-    const double J56 = (y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5;
-    const double J66 = (y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5;
-    const double J21 = p5_x + J46 * d6;
-    const double p6_y = p5_y + J56 * d6;
-    const double p6_z = p5_z + J66 * d6;
-    const double v11 = J21 - p3_x;
-    const double v12 = p6_y - p3_y;
-    const double v13 = p6_z - p3_z;
-    const double J14 = J54 * v13 - g5 * v12;
-    const double J24 = g5 * v11 - J44 * v13;
-    const double J34 = J44 * v12 - J54 * v11;
-    const double v14 = J21 - p4_x;
-    const double v15 = p6_y - p4_y;
-    const double v16 = p6_z - p4_z;
-    const double J15 = J55 * v16 - J65 * v15;
-    const double J25 = J65 * v14 - J45 * v16;
-    const double J35 = J45 * v15 - J55 * v14;
-    const double v17 = J21 - p5_x;
-    const double v18 = p6_y - p5_y;
-    const double v19 = p6_z - p5_z;
-    const double J16 = J56 * v19 - J66 * v18;
-    const double J26 = J66 * v17 - J46 * v19;
-    const double J36 = J46 * v18 - J56 * v17;
+    const double x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3;
+    const double v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3;
+    const double p3_x = c1 * a1 + J12 * q[1] + J13 * q[2] + x3_x * a3,
+        p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3, p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3;
+    const double y3_x = v6 * ca3 - J13 * sa3, y3_y = v7 * ca3 + v5 * sa3;
+    const double J44 = v6 * sa3 + J13 * ca3, J54 = v7 * sa3 - v5 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = g2 * c4 + g4 * s4;
+    const double v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4, v10 = g4 * c4 - g2 * s4;
+    const double p4_x = p3_x + x4_x * a4 + J44 * d4, p4_y = p3_y + x4_y * a4 + J54 * d4,
+        p4_z = p3_z + x4_z * a4 + g6;
+    const double y4_x = v8 * ca4 + J44 * sa4, y4_y = v9 * ca4 + J54 * sa4, y4_z = v10 * ca4 + g7;
+    const double J45 = J44 * ca4 - v8 * sa4, J55 = J54 * ca4 - v9 * sa4, J65 = g8 - v10 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + J45 * d5,
+        p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + J55 * d5,
+        p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + J65 * d5;
+    const double J46 = (y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5,
+        J56 = (y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5,
+        J66 = (y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5, J21 = p5_x + J46 * d6;
+    const double p6_y = p5_y + J56 * d6, p6_z = p5_z + J66 * d6;
+    const double v11 = J21 - p3_x, v12 = p6_y - p3_y, v13 = p6_z - p3_z;
+    const double J14 = J54 * v13 - g5 * v12, J24 = g5 * v11 - J44 * v13,
+        J34 = J44 * v12 - J54 * v11;
+    const double v14 = J21 - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z;
+    const double J15 = J55 * v16 - J65 * v15, J25 = J65 * v14 - J45 * v16,
+        J35 = J45 * v15 - J55 * v14;
+    const double v17 = J21 - p5_x, v18 = p6_y - p5_y, v19 = p6_z - p5_z;
+    const double J16 = J56 * v19 - J66 * v18, J26 = J66 * v17 - J46 * v19,
+        J36 = J46 * v18 - J56 * v17;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -v2; J[8] = -v5; J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = ca1; J[14] = g1; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -3153,13 +3097,16 @@ void general_rpprrr_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3219,11 +3166,7 @@ static void solve(
         /* all joints: the general 4R2P loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? GENERAL_RPPRRR_FREE_JOINT : GENERAL_RPPRRR_OK;
     }

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -339,51 +298,32 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void igus_rebel_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double v5 = s2 * c3 + c2 * s3;
-    const double v6 = v2 * c3 + x2_x * s3;
-    const double v7 = v3 * c3 + x2_y * s3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
+    const double v5 = s2 * c3 + c2 * s3, v6 = v2 * c3 + x2_x * s3, v7 = v3 * c3 + x2_y * s3;
     const double z3_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = x3_y * c4 - c1 * s4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4;
     const double v8 = v5 * c4;
     const double z4_y = c1 * c4 + x3_y * s4;
     const double v9 = v5 * s4;
     const double z4_x = x3_x * s4 - s1 * c4;
     const double v10 = q[4] + offset5;
-    const double c5 = cos(v10);
-    const double s5 = sin(v10);
-    const double x5_x = x4_x * c5 - v6 * s5;
-    const double x5_y = x4_y * c5 - v7 * s5;
-    const double x5_z = z3_z * s5 - v8 * c5;
-    const double T13_ = v6 * c5 + x4_x * s5;
-    const double T23_ = v7 * c5 + x4_y * s5;
+    const double c5 = cos(v10), s5 = sin(v10);
+    const double x5_x = x4_x * c5 - v6 * s5, x5_y = x4_y * c5 - v7 * s5, x5_z = z3_z * s5 - v8 * c5;
+    const double T13_ = v6 * c5 + x4_x * s5, T23_ = v7 * c5 + x4_y * s5;
     const double v11 = z3_z * c5 + v8 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 - v9 * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + T23_ * d6;
-    const double T34_ = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 - v9 * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + T23_ * d6,
+        T34_ = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = -(v9 * c6 + x5_z * s6); T[10] = -v11; T[11] = T34_;
@@ -393,67 +333,40 @@ void igus_rebel_fk(const double q[6], double T[16])
 
 void igus_rebel_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
     const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double v5 = s2 * c3 + c2 * s3;
-    const double v6 = v2 * c3 + x2_x * s3;
-    const double v7 = v3 * c3 + x2_y * s3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
+    const double v5 = s2 * c3 + c2 * s3, v6 = v2 * c3 + x2_x * s3, v7 = v3 * c3 + x2_y * s3;
     const double J64 = s2 * s3 - c2 * c3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z - v5 * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z - v5 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J55 = c1 * c4 + x3_y * s4;
     const double v8 = v5 * s4;
-    const double p4_x = p3_x - v6 * d4;
-    const double p4_y = p3_y - v7 * d4;
-    const double p4_z = p3_z + J64 * d4;
+    const double p4_x = p3_x - v6 * d4, p4_y = p3_y - v7 * d4, p4_z = p3_z + J64 * d4;
     const double J45 = x3_x * s4 - s1 * c4;
     const double v9 = q[4] + offset5;
-    const double c5 = cos(v9);
-    const double s5 = sin(v9);
-    const double J46 = v6 * c5 + (x3_x * c4 + s1 * s4) * s5;
-    const double J56 = v7 * c5 + (x3_y * c4 - c1 * s4) * s5;
+    const double c5 = cos(v9), s5 = sin(v9);
+    const double J46 = v6 * c5 + (x3_x * c4 + s1 * s4) * s5,
+        J56 = v7 * c5 + (x3_y * c4 - c1 * s4) * s5;
     const double v10 = J64 * c5 + v5 * c4 * s5;
     const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z - v10 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z - v10 * d6;
     const double v11 = p6_z - d1;
-    const double J12 = c1 * v11;
-    const double J22 = s1 * v11;
+    const double J12 = c1 * v11, J22 = s1 * v11;
     const double v12 = p6_z - p2_z;
-    const double J13 = c1 * v12;
-    const double J23 = s1 * v12;
-    const double v13 = J21 - p3_x;
-    const double v14 = p6_y - p3_y;
-    const double v15 = p6_z - p3_z;
-    const double J24 = J64 * v13 + v6 * v15;
-    const double J34 = v7 * v13 - v6 * v14;
-    const double v16 = J21 - p4_x;
-    const double v17 = p6_y - p4_y;
-    const double v18 = p6_z - p4_z;
-    const double J15 = J55 * v18 + v8 * v17;
-    const double J35 = J45 * v17 - J55 * v16;
-    const double J16 = J56 * v18 + v10 * v17;
-    const double J36 = J46 * v17 - J56 * v16;
+    const double J13 = c1 * v12, J23 = s1 * v12;
+    const double v13 = J21 - p3_x, v14 = p6_y - p3_y, v15 = p6_z - p3_z;
+    const double J24 = J64 * v13 + v6 * v15, J34 = v7 * v13 - v6 * v14;
+    const double v16 = J21 - p4_x, v17 = p6_y - p4_y, v18 = p6_z - p4_z;
+    const double J15 = J55 * v18 + v8 * v17, J35 = J45 * v17 - J55 * v16,
+        J16 = J56 * v18 + v10 * v17, J36 = J46 * v17 - J56 * v16;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = -(v7 * v15 + J64 * v14); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = -(v8 * v16 + J45 * v18);
     J[11] = -(v10 * v16 + J46 * v18);
@@ -468,13 +381,16 @@ void igus_rebel_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -521,127 +437,104 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide wx = T14 - d6 * T13;
-    const wide Y1 = d6 * T23 - T24;
-    const wide v1 = wx * wx + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(Y1, -wx);
+    const wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt_wide(v1),
+        v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -wx);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
+    const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
 
     /* theta2 */
-    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m;
-    const wide v6 = Z1_3 * Y1_2_p, v7 = Z1_3 * Y1_2_m, v8 = v3 * Y1_2_p, v9 = v4 * Y1_2_m;
-    const wide v10 = m3 * Z1_3, v11 = m3 * -Z1_3;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m, v6 = Z1_3 * Y1_2_p,
+        v7 = Z1_3 * Y1_2_m, v8 = v3 * Y1_2_p, v9 = v4 * Y1_2_m, v10 = m3 * Z1_3, v11 = m3 * -Z1_3,
+        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v12 = m5 * Z1_3, v13 = v12 - m6 * v3, v14 = v12 - m6 * v4, v15 = m7 * factor2_p - m6;
-    const wide v16 = m7 * factor2_m - m6, v17 = m8 * factor2_p - m5, v18 = m8 * factor2_m - m5;
-    const wide v19 = Z1_3 * v15 + v3 * v17, v20 = Z1_3 * v16 + v4 * v18;
-    const wide c23_pp = v19 + w3_p * (factor2_p * v13), c23_pm = v19 + w3_p * (factor2_p * -v13);
-    const wide c23_mp = v20 + w3_m * (factor2_m * v14), c23_mm = v20 + w3_m * (factor2_m * -v14);
-    const wide v21 = m6 * Z1_3, v22 = Z1_3 * v17 + v3 * -v15, v23 = Z1_3 * v18 + v4 * -v16;
-    const wide v24 = w3_p * (factor2_p * (v21 + m5 * v3));
-    const wide s23_pp = v22 - v24, s23_pm = v22 + v24;
-    const wide v25 = w3_m * (factor2_m * (v21 + m5 * v4));
-    const wide s23_mp = v23 - v25, s23_mm = v23 + v25;
-    const wide v26 = w1 * (v2 * (T23 * Y1 - T13 * wx));
-    const wide X4_pp = T33 * s23_pp - c23_pp * v26, X4_pm = T33 * s23_pm - c23_pm * v26;
-    const wide X4_mp = T33 * s23_mp + c23_mp * v26, X4_mm = T33 * s23_mm + c23_mm * v26;
-    const wide Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const wide v27 = Y4 * Y4, v28 = v27 + X4_pp * X4_pp, v29 = v27 + X4_pm * X4_pm;
-    const wide v30 = v27 + X4_mp * X4_mp, v31 = v27 + X4_mm * X4_mm;
-    const wide angle2 = atan2_wide(Y4, -X4_pp), angle3 = atan2_wide(Y4, -X4_pm);
-    const wide angle4 = atan2_wide(-Y4, -X4_mp), angle5 = atan2_wide(-Y4, -X4_mm);
-    const wide v32 = copysign_wide(all_wide(half_turn), Y4) * h1;
-    const wide v33 = copysign_wide(all_wide(half_turn), -Y4) * h1;
-    const wide q4_ppm = angle2 - v32, q4_pmm = angle3 - v32, q4_mpm = angle4 - v33;
-    const wide q4_mmm = angle5 - v33;
+    const wide v12 = m5 * Z1_3, v13 = v12 - m6 * v3, v14 = v12 - m6 * v4, v15 = m7 * factor2_p - m6,
+        v16 = m7 * factor2_m - m6, v17 = m8 * factor2_p - m5, v18 = m8 * factor2_m - m5,
+        v19 = Z1_3 * v15 + v3 * v17, v20 = Z1_3 * v16 + v4 * v18,
+        c23_pp = v19 + w3_p * (factor2_p * v13), c23_pm = v19 + w3_p * (factor2_p * -v13),
+        c23_mp = v20 + w3_m * (factor2_m * v14), c23_mm = v20 + w3_m * (factor2_m * -v14),
+        v21 = m6 * Z1_3, v22 = Z1_3 * v17 + v3 * -v15, v23 = Z1_3 * v18 + v4 * -v16,
+        v24 = w3_p * (factor2_p * (v21 + m5 * v3)), s23_pp = v22 - v24, s23_pm = v22 + v24,
+        v25 = w3_m * (factor2_m * (v21 + m5 * v4)), s23_mp = v23 - v25, s23_mm = v23 + v25,
+        v26 = w1 * (v2 * (T23 * Y1 - T13 * wx)), X4_pp = T33 * s23_pp - c23_pp * v26,
+        X4_pm = T33 * s23_pm - c23_pm * v26, X4_mp = T33 * s23_mp + c23_mp * v26,
+        X4_mm = T33 * s23_mm + c23_mm * v26, Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v27 = Y4 * Y4,
+        v28 = v27 + X4_pp * X4_pp, v29 = v27 + X4_pm * X4_pm, v30 = v27 + X4_mp * X4_mp,
+        v31 = v27 + X4_mm * X4_mm, angle2 = atan2_wide(Y4, -X4_pp), angle3 = atan2_wide(Y4, -X4_pm),
+        angle4 = atan2_wide(-Y4, -X4_mp), angle5 = atan2_wide(-Y4, -X4_mm),
+        v32 = copysign_wide(all_wide(half_turn), Y4) * h1,
+        v33 = copysign_wide(all_wide(half_turn), -Y4) * h1;
 
     /* theta6 */
-    const wide v34 = w1 * (v2 * (wx * T22 + Y1 * T12)), v35 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const wide v36 = w1 * (v2 * (wx * T21 + Y1 * T11)), v37 = w1 * (v2 * (Y1 * T21 - wx * T11));
-    const wide v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36;
-    const wide v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36;
-    const wide v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36;
-    const wide v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36;
-    const wide angle6 = atan2_wide(v38, Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34);
-    const wide angle7 = atan2_wide(v39, Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34);
-    const wide angle8 = atan2_wide(v40, Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34);
-    const wide angle9 = atan2_wide(v41, Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34);
-    const wide q6_ppm = angle6 - h1 * copysign_wide(all_wide(half_turn), v38);
-    const wide q6_pmm = angle7 - h1 * copysign_wide(all_wide(half_turn), v39);
-    const wide q6_mpm = angle8 - h1 * copysign_wide(all_wide(half_turn), v40);
-    const wide q6_mmm = angle9 - h1 * copysign_wide(all_wide(half_turn), v41);
+    const wide v34 = w1 * (v2 * (wx * T22 + Y1 * T12)), v35 = w1 * (v2 * (Y1 * T22 - wx * T12)),
+        v36 = w1 * (v2 * (wx * T21 + Y1 * T11)), v37 = w1 * (v2 * (Y1 * T21 - wx * T11)),
+        v38 = Y4 * (c23_pp * v37 - s23_pp * T31) - -X4_pp * v36,
+        v39 = Y4 * (c23_pm * v37 - s23_pm * T31) - -X4_pm * v36,
+        v40 = Y4 * (c23_mp * v37 + s23_mp * T31) - X4_mp * v36,
+        v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36,
+        angle6 = atan2_wide(v38, Y4 * (c23_pp * v35 - s23_pp * T32) - -X4_pp * v34),
+        angle7 = atan2_wide(v39, Y4 * (c23_pm * v35 - s23_pm * T32) - -X4_pm * v34),
+        angle8 = atan2_wide(v40, Y4 * (c23_mp * v35 + s23_mp * T32) - X4_mp * v34),
+        angle9 = atan2_wide(v41, Y4 * (c23_mm * v35 + s23_mm * T32) - X4_mm * v34);
 
     /* joint values */
-    const wide v42 = w3_p * (m3 * v3);
-    const wide angle10 = atan2_wide(v42 - v6, -(v8 + w3_p * v10));
-    const wide v43 = angle10 - offset2;
-    const wide angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11));
-    const wide v44 = angle11 - offset2;
-    const wide angle12 = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10));
-    const wide v45 = angle12 - offset2;
-    const wide angle13 = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11));
-    const wide v46 = angle13 - offset2;
-    const wide q2_ppp = v43 - only_wide(half_turn < v43, m10);
-    const wide q2_pmp = v44 - only_wide(half_turn < v44, m10);
-    const wide q2_mpp = v45 - only_wide(half_turn < v45, m10);
-    const wide q2_mmp = v46 - only_wide(half_turn < v46, m10);
-    const wide angle14 = atan2_wide(w3_p, N3_p - k3), angle15 = atan2_wide(w3_m, N3_m - k3);
-    const wide v47 = angle14 - turn1 - offset3, v48 = offset3 + (turn1 + angle14);
-    const wide v49 = angle15 - turn1 - offset3, v50 = offset3 + (turn1 + angle15);
-    const wide q3_ppp = v47 - only_wide(half_turn < v47, m10);
-    const wide q3_mpp = v49 - only_wide(half_turn < v49, m10);
-    const wide angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26);
-    const wide angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26);
-    const wide angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26);
-    const wide angle19 = atan2_wide(sqrt_wide(v31), T33 * c23_mm - s23_mm * v26);
-    const wide v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5;
-    const wide v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18;
-    const wide v57 = angle19 - offset5, v58 = offset5 + angle19;
-    const wide q5_ppp = v51 + only_wide(v51 <= -half_turn, m10);
-    const wide q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52;
-    const wide q5_pmp = v53 + only_wide(v53 <= -half_turn, m10);
-    const wide q5_pmm = only_wide(-v54 <= -half_turn, m10) - v54;
-    const wide q5_mpp = v55 + only_wide(v55 <= -half_turn, m10);
-    const wide q5_mpm = only_wide(-v56 <= -half_turn, m10) - v56;
-    const wide q5_mmp = v57 + only_wide(v57 <= -half_turn, m10);
-    const wide q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58;
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v31 <= m9) | ((v30 <= m9) |
-        ((v29 <= m9) | ((v1 <= m1) | (v28 <= m9))))))));
+    const wide v42 = w3_p * (m3 * v3), angle10 = atan2_wide(v42 - v6, -(v8 + w3_p * v10)),
+        v43 = angle10 - offset2, angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11)),
+        v44 = angle11 - offset2, angle12 = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10)),
+        v45 = angle12 - offset2, angle13 = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11)),
+        v46 = angle13 - offset2, q2_ppp = v43 - only_wide(half_turn < v43, m10),
+        q2_pmp = v44 - only_wide(half_turn < v44, m10),
+        q2_mpp = v45 - only_wide(half_turn < v45, m10),
+        q2_mmp = v46 - only_wide(half_turn < v46, m10), angle14 = atan2_wide(w3_p, N3_p - k3),
+        angle15 = atan2_wide(w3_m, N3_m - k3), v47 = angle14 - turn1 - offset3,
+        v48 = offset3 + (turn1 + angle14), v49 = angle15 - turn1 - offset3,
+        v50 = offset3 + (turn1 + angle15), q3_ppp = v47 - only_wide(half_turn < v47, m10),
+        q3_mpp = v49 - only_wide(half_turn < v49, m10),
+        angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26),
+        angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26),
+        angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26),
+        angle19 = atan2_wide(sqrt_wide(v31), T33 * c23_mm - s23_mm * v26), v51 = angle16 - offset5,
+        v52 = offset5 + angle16, v53 = angle17 - offset5, v54 = offset5 + angle17,
+        v55 = angle18 - offset5, v56 = offset5 + angle18, v57 = angle19 - offset5,
+        v58 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v31 <= m9) | (v30 <= m9) |
+        (v29 <= m9) | (v1 <= m1) | (v28 <= m9);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2; q[4] = q5_ppp; q[5] = angle6;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2;
+    q[4] = v51 + only_wide(v51 <= -half_turn, m10); q[5] = angle6;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle2 - v32;
+    q[10] = only_wide(-v52 <= -half_turn, m10) - v52;
+    q[11] = angle6 - h1 * copysign_wide(all_wide(half_turn), v38);
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v48 + only_wide(half_turn < -v48, m10));
-    q[15] = angle3; q[16] = q5_pmp; q[17] = angle7;
+    q[15] = angle3; q[16] = v53 + only_wide(v53 <= -half_turn, m10); q[17] = angle7;
     kind[2] = kind_of(q[12] != q[12], 0);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v48 + only_wide(half_turn < -v48, m10));
-    q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[21] = angle3 - v32; q[22] = only_wide(-v54 <= -half_turn, m10) - v54;
+    q[23] = angle7 - h1 * copysign_wide(all_wide(half_turn), v39);
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4; q[28] = q5_mpp; q[29] = angle8;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4;
+    q[28] = v55 + only_wide(v55 <= -half_turn, m10); q[29] = angle8;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle4 - v33;
+    q[34] = only_wide(-v56 <= -half_turn, m10) - v56;
+    q[35] = angle8 - h1 * copysign_wide(all_wide(half_turn), v40);
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v50 + only_wide(half_turn < -v50, m10));
-    q[39] = angle5; q[40] = q5_mmp; q[41] = angle9;
+    q[39] = angle5; q[40] = v57 + only_wide(v57 <= -half_turn, m10); q[41] = angle9;
     kind[6] = kind_of(q[36] != q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v50 + only_wide(half_turn < -v50, m10));
-    q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[45] = angle5 - v33; q[46] = only_wide(-v58 <= -half_turn, m10) - v58;
+    q[47] = angle9 - h1 * copysign_wide(all_wide(half_turn), v41);
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -661,10 +554,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double wx = T14 - d6 * T13;
-    const double Y1 = d6 * T23 - T24;
-    const double v1 = wx * wx + Y1 * Y1;
-    const double w1 = sqrt(v1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
     const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
@@ -672,57 +562,50 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four Y1_2 = m4 + m3 * N3;
-    const four v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3);
-    const four factor2 = 1.0 / N3;
+    const four Y1_2 = m4 + m3 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3),
+        factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = v9 - m6 * v4, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5;
-    const four v13 = Z1_3 * v11 + v4 * v12;
-    const four c23 = v13 + w3 * (factor2 * (e2 * v10));
+    const four v10 = v9 - m6 * v4, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5,
+        v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11;
-    const four s23 = v16 - w3 * (factor2 * (e2 * v15));
+    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+        s23 = v16 - w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v17);
-    const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23));
-    const double v18 = Y4 * Y4;
+    const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
     const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const double v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
+        v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const four v26 = e1 * (Y4 * (e1 * (c23 * v25) - s23 * T31) - -X4 * v24);
 
     /* joint values */
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(v20, -X4);
-    const four angle3 = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22));
-    const four angle4 = atan2_four(w3 * (m3 * (e2 * v4)) - v6, -(v7 + w3 * v8));
-    const four angle6 = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17));
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3));
-    const four angle5 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle2 - v21;
-    const four q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v26);
-    const four v27 = angle4 - offset2;
-    const four q2_p = v27 - only_four(half_turn < v27, m10);
-    const four v28 = e2 * angle5 - turn1 - offset3;
-    const four q3_p = v28 - only_four(half_turn < v28, m10);
-    const four v29 = angle6 - offset5, v30 = offset5 + angle6;
-    const four q5_p = v29 + only_four(v29 <= -half_turn, m10);
-    const four q5_m = only_four(-v30 <= -half_turn, m10) - v30;
-    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
+    const four angle2 = atan2_four(v20, -X4),
+        angle3 = atan2_four(v26, e1 * (Y4 * (e1 * (c23 * v23) - s23 * T32) - -X4 * v22)),
+        angle4 = atan2_four(w3 * (m3 * (e2 * v4)) - v6, -(v7 + w3 * v8)),
+        angle6 = atan2_four(sqrt_four(v19), T33 * c23 + e1 * (s23 * v17)),
+        packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+            __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3)),
+        angle5 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle2 - v21, q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v26),
+        v27 = angle4 - offset2, q2_p = v27 - only_four(half_turn < v27, m10),
+        v28 = e2 * angle5 - turn1 - offset3, q3_p = v28 - only_four(half_turn < v28, m10),
+        v29 = angle6 - offset5, v30 = offset5 + angle6,
+        q5_p = v29 + only_four(v29 <= -half_turn, m10),
+        q5_m = only_four(-v30 <= -half_turn, m10) - v30,
+        q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -818,8 +701,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -830,8 +713,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v3 = k1 * K3;
-        const double v4 = k2 * K3;
+        const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v8 = T13 * c1 + T23 * s1;
@@ -839,18 +721,15 @@ static void solve(
         const double v9 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v10 = T22 * c1 - T12 * s1;
-        const double v11 = T12 * c1 + T22 * s1;
-        const double v13 = T21 * c1 - T11 * s1;
-        const double v14 = T11 * c1 + T21 * s1;
+        const double v10 = T22 * c1 - T12 * s1, v11 = T12 * c1 + T22 * s1,
+            v13 = T21 * c1 - T11 * s1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k2 * root3 - v3) * k4;
-            const double c3 = k4 * (v4 + k1 * root3);
+            const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
 
             /* theta2 */
             const double v5 = d4 * c3 + a3 * s3;
@@ -860,12 +739,11 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + v6 * v6);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v7) : -(v6 * factor2);
-            const double s2 = free2 ? sin(v7) : S2 * factor2;
+            const double c2 = free2 ? cos(v7) : -(v6 * factor2),
+                s2 = free2 ? sin(v7) : S2 * factor2;
 
             /* theta4 */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double X4 = T33 * s23 - c23 * v8;
             const double w4 = sqrt(X4 * X4 + v9);
             const int free4 = w4 <= free_limit;
@@ -875,8 +753,7 @@ static void solve(
             const double c5 = T33 * c23 + s23 * v8;
 
             /* theta6 */
-            const double v12 = c23 * v11 - T32 * s23;
-            const double v15 = c23 * v14 - T31 * s23;
+            const double v12 = c23 * v11 - T32 * s23, v15 = c23 * v14 - T31 * s23;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -887,24 +764,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v10 + s4 * v12;
-                const double s6 = c4 * v13 + s4 * v15;
+                const double c6 = c4 * v10 + s4 * v12, s6 = c4 * v13 + s4 * v15;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q5 = wrap(atan2(s5, c5) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? IGUS_REBEL_FREE_JOINT : IGUS_REBEL_OK;
             }

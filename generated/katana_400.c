@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -189,16 +154,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -275,6 +230,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -315,8 +272,8 @@ static const double m3 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 2.631578947368421; /* a coefficient of S2 */
 static const double m5 = 0.04415526315789473; /* a coefficient of S2 */
 static const double m6 = 2.1106015755686555e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m7 = 0.19; /* a coefficient of v13 */
-static const double m8 = 0.139; /* a coefficient of v13 */
+static const double m7 = 0.19; /* a coefficient of v12 */
+static const double m8 = 0.139; /* a coefficient of v12 */
 static const double m9 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double m10 = 4.5941284e-11; /* pose_slack1^2 [m^2] */
 static const double m11 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
@@ -332,40 +289,24 @@ static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void katana_400_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
     const double v5 = q[3] + offset4;
-    const double c4 = cos(v5);
-    const double s4 = sin(v5);
-    const double x4_x = x3_x * c4 - v3 * s4;
-    const double x4_y = x3_y * c4 - v4 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v6 = v3 * c4 + x3_x * s4;
-    const double v7 = v4 * c4 + x3_y * s4;
+    const double c4 = cos(v5), s4 = sin(v5);
+    const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v6 = v3 * c4 + x3_x * s4, v7 = v4 * c4 + x3_y * s4;
     const double T33_ = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 - s1 * s5;
-    const double T21_ = x4_y * c5 + c1 * s5;
-    const double T31_ = x4_z * c5;
-    const double T22_ = c1 * c5 - x4_y * s5;
-    const double T14_ = x2_x * a2 + x3_x * a3 - v6 * d5;
-    const double T24_ = x2_y * a2 + x3_y * a3 - v7 * d5;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + T33_ * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x4_x * c5 - s1 * s5, T21_ = x4_y * c5 + c1 * s5, T31_ = x4_z * c5,
+        T22_ = c1 * c5 - x4_y * s5, T14_ = x2_x * a2 + x3_x * a3 - v6 * d5,
+        T24_ = x2_y * a2 + x3_y * a3 - v7 * d5, T34_ = d1 + s2 * a2 + x3_z * a3 + T33_ * d5;
     T[0] = T11_; T[1] = -(s1 * c5 + x4_x * s5); T[2] = -v6; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -v7; T[7] = T24_;
     T[8] = T31_; T[9] = -(x4_z * s5); T[10] = T33_; T[11] = T34_;
@@ -375,44 +316,26 @@ void katana_400_fk(const double q[5], double T[16])
 
 void katana_400_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
     const double v3 = q[3] + offset4;
-    const double c4 = cos(v3);
-    const double s4 = sin(v3);
-    const double v4 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4;
-    const double v5 = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4;
-    const double J65 = (c2 * c3 - s2 * s3) * c4 - x3_z * s4;
-    const double J21 = p3_x - v4 * d5;
-    const double p5_y = p3_y - v5 * d5;
-    const double p5_z = p3_z + J65 * d5;
+    const double c4 = cos(v3), s4 = sin(v3);
+    const double v4 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4,
+        v5 = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4;
+    const double J65 = (c2 * c3 - s2 * s3) * c4 - x3_z * s4, J21 = p3_x - v4 * d5;
+    const double p5_y = p3_y - v5 * d5, p5_z = p3_z + J65 * d5;
     const double v6 = p5_z - d1;
     const double J32 = s1 * p5_y + c1 * J21;
     const double v7 = p5_z - p2_z;
     const double J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x);
-    const double v8 = J21 - p3_x;
-    const double v9 = p5_y - p3_y;
-    const double v10 = p5_z - p3_z;
-    const double J34 = s1 * v9 + c1 * v8;
-    const double J25 = J65 * v8 + v4 * v10;
-    const double J35 = v5 * v8 - v4 * v9;
+    const double v8 = J21 - p3_x, v9 = p5_y - p3_y, v10 = p5_z - p3_z;
+    const double J34 = s1 * v9 + c1 * v8, J25 = J65 * v8 + v4 * v10, J35 = v5 * v8 - v4 * v9;
     J[0] = -p5_y; J[1] = -(c1 * v6); J[2] = -(c1 * v7); J[3] = -(c1 * v10);
     J[4] = -(v5 * v10 + J65 * v9);
     J[5] = J21; J[6] = -(s1 * v6); J[7] = -(s1 * v7); J[8] = -(s1 * v10); J[9] = J25;
@@ -426,13 +349,16 @@ void katana_400_jacobian(const double q[5], double J[30])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -476,128 +402,95 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 {
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
-    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const wide w1 = sqrt_wide(v4);
-    const wide v5 = 1.0 / v4;
-    const wide factor1 = w1 * v5;
-    const wide c1 = v2 * factor1;
-    const wide s1 = v3 * factor1;
-    const wide angle1 = atan2_wide(v3, v2);
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
+        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
+        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1,
+        angle1 = atan2_wide(v3, v2);
 
     /* theta234 */
-    const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
-    const wide v6 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = sqrt_wide(v6) * (1.0 / v6);
-    const wide angle2 = atan2_wide(-Z2_234, T33);
+    const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v6 = T33 * T33 + Z2_234 * Z2_234,
+        factor234 = sqrt_wide(v6) * (1.0 / v6), angle2 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
-    const wide Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
-    const wide v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v8 = sqrt_wide(v7) * (1.0 / v7), v9 = Z1_5 * v8;
-    const wide v10 = Z2_5 * v8;
-    const wide angle3 = atan2_wide(-Z2_5, -Z1_5);
+    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
+        v7 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v8 = sqrt_wide(v7) * (1.0 / v7), v9 = Z1_5 * v8,
+        v10 = Z2_5 * v8, angle3 = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v11 = factor234 * (d5 * T33);
-    const wide Z1_3 = T34 - d1 - v11;
-    const wide v12 = factor234 * (d5 * Z2_234);
-    const wide Z2_3 = T14 * c1 + T24 * s1 - v12;
-    const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const wide K3 = N3 - k1;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v13 = w3 - w3;
-    const wide s3 = k2 * w3;
-    const wide c3 = k2 * K3;
-    const wide angle4 = atan2_wide(w3, K3);
+    const wide v11 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v11, v12 = factor234 * (d5 * Z2_234),
+        Z2_3 = T14 * c1 + T24 * s1 - v12, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v13 = w3 - w3, s3 = k2 * w3,
+        c3 = k2 * K3, angle4 = atan2_wide(w3, K3);
 
     /* theta2 */
-    const wide X1_2 = a2 + a3 * c3;
-    const wide Y1_2 = a3 * s3;
-    const wide v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2, v16 = v14 - v15, v17 = v14 + v15;
-    const wide v18 = m5 + m4 * N3, v19 = Z1_3 * v18;
-    const wide S2_pp = v19 - w3 * (m4 * Z2_3), S2_pm = v19 - w3 * (m4 * -Z2_3);
-    const wide v20 = Z2_3 * X1_2, v21 = Z1_3 * Y1_2, v22 = v20 + v21, v23 = v20 - v21;
-    const wide v24 = w3 * (m4 * Z1_3), v25 = w3 * (m4 * -Z1_3), v26 = Z2_3 * v18;
-    const wide C2_pp = v24 + v26, C2_pm = v25 + v26, C2_mp = v24 - v26, C2_mm = v25 - v26;
-    const wide v27 = S2_pp * S2_pp, v28 = v27 + C2_pp * C2_pp, v29 = S2_pm * S2_pm;
-    const wide v30 = v29 + C2_pm * C2_pm, v31 = v29 + C2_mp * C2_mp, v32 = v27 + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30), w2_mp = sqrt_wide(v31);
-    const wide w2_mm = sqrt_wide(v32);
-    const wide v33 = 1.0 / v28, v34 = 1.0 / v30, v35 = 1.0 / v31, v36 = 1.0 / v32;
-    const wide angle5 = atan2_wide(S2_pp, C2_pp), angle6 = atan2_wide(S2_pm, C2_pm);
-    const wide angle7 = atan2_wide(S2_pm, C2_mp), angle8 = atan2_wide(S2_pp, C2_mm);
+    const wide X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2,
+        v16 = v14 - v15, v17 = v14 + v15, v18 = m5 + m4 * N3, v19 = Z1_3 * v18,
+        S2_pp = v19 - w3 * (m4 * Z2_3), S2_pm = v19 - w3 * (m4 * -Z2_3), v20 = Z2_3 * X1_2,
+        v21 = Z1_3 * Y1_2, v22 = v20 + v21, v23 = v20 - v21, v24 = w3 * (m4 * Z1_3),
+        v25 = w3 * (m4 * -Z1_3), v26 = Z2_3 * v18, C2_pp = v24 + v26, C2_pm = v25 + v26,
+        C2_mp = v24 - v26, C2_mm = v25 - v26, v27 = S2_pp * S2_pp, v28 = v27 + C2_pp * C2_pp,
+        v29 = S2_pm * S2_pm, v30 = v29 + C2_pm * C2_pm, v31 = v29 + C2_mp * C2_mp,
+        v32 = v27 + C2_mm * C2_mm, w2_pp = sqrt_wide(v28), w2_pm = sqrt_wide(v30),
+        w2_mp = sqrt_wide(v31), w2_mm = sqrt_wide(v32), v33 = 1.0 / v28, v34 = 1.0 / v30,
+        v35 = 1.0 / v31, v36 = 1.0 / v32, angle5 = atan2_wide(S2_pp, C2_pp),
+        angle6 = atan2_wide(S2_pm, C2_pm), angle7 = atan2_wide(S2_pm, C2_mp),
+        angle8 = atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v37 = c1 * T33, v38 = m7 + m8 * c3, v39 = v22 * v38 - m8 * (s3 * v16);
-    const wide v40 = v12 + w2_pp * (v33 * v39), v41 = m8 * (s3 * v17);
-    const wide v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41));
-    const wide v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12, v44 = w2_mm * (v36 * -v39) - v12;
-    const wide v45 = s1 * T33, v46 = d1 + v11, v47 = T33 - T33 * factor234;
-    const wide v48 = T32 + factor234 * (Z2_234 * v10), v49 = T31 - factor234 * (Z2_234 * v9);
-    const wide v50 = T23 - factor234 * (s1 * Z2_234);
-    const wide v51 = T22 - (factor234 * (v10 * v45) - c1 * v9);
-    const wide v52 = T21 + (c1 * v10 + factor234 * (v9 * v45));
-    const wide v53 = T13 - factor234 * (c1 * Z2_234);
-    const wide v54 = T11 - (s1 * v10 - factor234 * (v9 * v37));
-    const wide v55 = T12 - (s1 * v9 + factor234 * (v10 * v37)), v56 = s3 * v22 + c3 * v16;
-    const wide v57 = T34 - (a3 * (w2_pp * (v33 * v56)) + (v46 + a2 * (S2_pp * (w2_pp * v33))));
-    const wide v58 = c3 * v17;
-    const wide v59 = T34 - (a3 * (w2_pm * (v34 * (v58 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm *
-        v34))));
-    const wide v60 = T34 - (a3 * (w2_mp * (v35 * (v58 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp *
-        v35)))), v61 = T34 - (a3 * (w2_mm * (v36 * v56)) + (v46 + a2 * (S2_pp * (w2_mm * v36))));
-    const wide v62 = T14 - c1 * v40, v63 = T14 - c1 * v42, v64 = T14 + c1 * v43;
-    const wide v65 = T14 + c1 * v44, v66 = T24 - s1 * v40, v67 = T24 - s1 * v42;
-    const wide v68 = T24 + s1 * v43, v69 = T24 + s1 * v44;
-    const wide v70 = v66 * v66 + (v57 * v57 + v62 * v62), v71 = v67 * v67 + (v59 * v59 + v63 * v63);
-    const wide v72 = v68 * v68 + (v60 * v60 + v64 * v64), v73 = v69 * v69 + (v61 * v61 + v65 * v65);
-    const double v74 = NAN;
-    const wide v75 = pick_wide(v70 <= m10, all_wide(0.0), all_wide(v74));
-    const wide v76 = pick_wide(v71 <= m10, all_wide(0.0), all_wide(v74));
-    const wide v77 = pick_wide(v72 <= m10, all_wide(0.0), all_wide(v74));
-    const wide v78 = pick_wide(v73 <= m10, all_wide(0.0), all_wide(v74));
+    const wide v37 = m7 + m8 * c3, v38 = v22 * v37 - m8 * (s3 * v16),
+        v39 = v12 + w2_pp * (v33 * v38), v40 = m8 * (s3 * v17),
+        v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40)),
+        v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12, v43 = w2_mm * (v36 * -v38) - v12,
+        v44 = d1 + v11, v45 = T33 - T33 * factor234, v46 = T31 - factor234 * (Z2_234 * v9),
+        v47 = T23 - factor234 * (s1 * Z2_234),
+        v48 = T21 + (c1 * v10 + factor234 * (v9 * (s1 * T33))),
+        v49 = T11 - (s1 * v10 - factor234 * (v9 * (c1 * T33))),
+        v50 = T13 - factor234 * (c1 * Z2_234), v51 = s3 * v22 + c3 * v16,
+        v52 = T34 - (a3 * (w2_pp * (v33 * v51)) + (v44 + a2 * (S2_pp * (w2_pp * v33)))),
+        v53 = c3 * v17,
+        v54 = T34 - (a3 * (w2_pm * (v34 * (v53 - s3 * v23))) + (v44 + a2 * (S2_pm * (w2_pm *
+            v34)))),
+        v55 = T34 - (a3 * (w2_mp * (v35 * (v53 + s3 * -v23))) + (v44 + a2 * (S2_pm * (w2_mp *
+            v35)))),
+        v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36)))),
+        v57 = T14 - c1 * v39, v58 = T14 - c1 * v41, v59 = T14 + c1 * v42, v60 = T14 + c1 * v43,
+        v61 = T24 - s1 * v39, v62 = T24 - s1 * v41, v63 = T24 + s1 * v42, v64 = T24 + s1 * v43,
+        v65 = v61 * v61 + (v52 * v52 + v57 * v57), v66 = v62 * v62 + (v54 * v54 + v58 * v58),
+        v67 = v63 * v63 + (v55 * v55 + v59 * v59), v68 = v64 * v64 + (v56 * v56 + v60 * v60);
 
     /* joint values */
-    const wide v79 = angle2 - (angle4 + angle5) - offset4;
-    const wide v80 = angle2 - (angle6 - angle4) - offset4;
-    const wide v81 = offset4 + (angle2 + (angle4 + angle7));
-    const wide v82 = offset4 + (angle2 + (angle8 - angle4));
-    const wide v83 = v79 - only_wide(half_turn < v79, m12) + only_wide(v79 <= -half_turn, m12);
-    const wide v84 = v80 - only_wide(half_turn < v80, m12) + only_wide(v80 <= -half_turn, m12);
-    const wide v85 = only_wide(-v81 <= -half_turn, m12) - (v81 + only_wide(half_turn < -v81, m12));
-    const wide v86 = only_wide(-v82 <= -half_turn, m12) - (v82 + only_wide(half_turn < -v82, m12));
-    const wide v87 = angle1 + v13;
-    const wide v88 = v13 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1);
-    const wide q1_pp = v75 + v87, q1_pm = v76 + v87, q1_mp = v77 + v88, q1_mm = v78 + v88;
-    const wide q2_pp = angle5 + v75, q2_pm = angle6 + v76, q2_mp = angle7 + v77;
-    const wide q2_mm = angle8 + v78;
-    const wide q3_pp = angle4 + v75, q3_pm = v76 - angle4, q3_mp = angle4 + v77;
-    const wide q3_mm = v78 - angle4;
-    const wide q4_pp = v75 + (v83 - only_wide(half_turn < v83, m12));
-    const wide q4_pm = v76 + (v84 - only_wide(half_turn < v84, m12));
-    const wide q4_mp = v77 + (v85 - only_wide(half_turn < v85, m12));
-    const wide q4_mm = v78 + (v86 - only_wide(half_turn < v86, m12));
-    const wide v89 = angle3 + v13;
-    const wide v90 = v13 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5));
-    const wide q5_pp = v75 + v89, q5_pm = v76 + v89, q5_mp = v77 + v90, q5_mm = v78 + v90;
-    const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v7 <= m3) | ((((shortest3_reach <= N3) &
-        (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (((m10
-        < v73) & (v73 <= m11)) | ((v32 <= m6) | (((m10 < v72) & (v72 <= m11)) | ((v31 <= m6) |
-        (((m10 < v71) & (v71 <= m11)) | ((v30 <= m6) | (((m10 < v70) & (v70 <= m11)) | ((m9 < v55 *
-        v55 + (v54 * v54 + (v53 * v53 + (v52 * v52 + (v51 * v51 + (v50 * v50 + (v49 * v49 + (v47 *
-        v47 + v48 * v48)))))))) | (v28 <= m6))))))))))));
+    const wide v69 = angle2 - (angle4 + angle5) - offset4,
+        v70 = angle2 - (angle6 - angle4) - offset4, v71 = offset4 + (angle2 + (angle4 + angle7)),
+        v72 = offset4 + (angle2 + (angle8 - angle4)),
+        v73 = v69 - only_wide(half_turn < v69, m12) + only_wide(v69 <= -half_turn, m12),
+        v74 = v70 - only_wide(half_turn < v70, m12) + only_wide(v70 <= -half_turn, m12),
+        v75 = only_wide(-v71 <= -half_turn, m12) - (v71 + only_wide(half_turn < -v71, m12)),
+        v76 = only_wide(-v72 <= -half_turn, m12) - (v72 + only_wide(half_turn < -v72, m12));
+    const double v77 = NAN;
+    const wide v78 = only_wide((v65 <= m10) == 0, v77), v79 = only_wide((v66 <= m10) == 0, v77),
+        v80 = only_wide((v67 <= m10) == 0, v77), v81 = only_wide((v68 <= m10) == 0, v77),
+        v82 = angle1 + v13, v83 = v13 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1),
+        v84 = angle3 + v13, v85 = v13 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -Z2_5));
+    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v7 <= m3) | ((shortest3_reach <= N3) & (N3
+        <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((m10 < v68)
+        & (v68 <= m11)) | (v32 <= m6) | ((m10 < v67) & (v67 <= m11)) | (v31 <= m6) | ((m10 < v66) &
+        (v66 <= m11)) | (v30 <= m6) | ((m10 < v65) & (v65 <= m11)) | (m9 < v50 * v50 + (v49 * v49 +
+        (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46))))) | (v28 <= m6);
 
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
+    q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
+    q[3] = v78 + (v73 - only_wide(half_turn < v73, m12)); q[4] = v78 + v84;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
+    q[5] = v79 + v82; q[6] = angle6 + v79; q[7] = v79 - angle4;
+    q[8] = v79 + (v74 - only_wide(half_turn < v74, m12)); q[9] = v79 + v84;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
+    q[10] = v80 + v83; q[11] = angle7 + v80; q[12] = angle4 + v80;
+    q[13] = v80 + (v75 - only_wide(half_turn < v75, m12)); q[14] = v80 + v85;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
+    q[15] = v81 + v83; q[16] = angle8 + v81; q[17] = v81 - angle4;
+    q[18] = v81 + (v76 - only_wide(half_turn < v76, m12)); q[19] = v81 + v85;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -614,98 +507,71 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const double w1 = sqrt(v4);
-    const double v5 = 1.0 / v4;
-    const double factor1 = w1 * v5;
-    const double c1 = v2 * factor1;
-    const double s1 = v3 * factor1;
-    const double v6 = copysign(half_turn, v3);
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1, v6 = copysign(half_turn, v3);
     const four v7 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
-    const double v8 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = sqrt(v8) * (1.0 / v8);
+    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v8 = T33 * T33 + Z2_234 * Z2_234,
+        factor234 = sqrt(v8) * (1.0 / v8);
 
     /* theta5 */
-    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
-    const double Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
-    const double v9 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v10 = sqrt(v9) * (1.0 / v9), v11 = Z1_5 * v10;
-    const double v12 = Z2_5 * v10, v13 = copysign(half_turn, -Z2_5);
+    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
+        v9 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v10 = sqrt(v9) * (1.0 / v9), v11 = Z1_5 * v10,
+        v12 = Z2_5 * v10, v13 = copysign(half_turn, -Z2_5);
 
     /* theta3 */
-    const double v14 = factor234 * (d5 * T33);
-    const double Z1_3 = T34 - d1 - v14;
-    const double v15 = factor234 * (d5 * Z2_234);
-    const double Z2_3 = T14 * c1 + T24 * s1 - v15;
-    const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const double K3 = N3 - k1;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v16 = w3 - w3;
-    const double s3 = k2 * w3;
-    const double c3 = k2 * K3;
+    const double v14 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v14,
+        v15 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v15,
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, w3 = sqrt((longest3 - N3) * (N3 - shortest3)),
+        v16 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
-    const double X1_2 = a2 + a3 * c3;
-    const double Y1_2 = a3 * s3;
-    const double v17 = Z1_3 * X1_2, v18 = Z2_3 * Y1_2;
+    const double X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v17 = Z1_3 * X1_2, v18 = Z2_3 * Y1_2;
     const four v19 = e1 * e2, v20 = v17 - v18 * v19;
     const double v21 = m5 + m4 * N3, v22 = Z1_3 * v21;
     const four S2 = v22 - w3 * (m4 * (Z2_3 * v19));
     const double v23 = Z2_3 * X1_2, v24 = Z1_3 * Y1_2;
-    const four v25 = e1 * v23, v26 = e2 * v24, v27 = v25 + v26, v28 = w3 * (m4 * (e2 * Z1_3));
-    const four v29 = Z2_3 * (e1 * v21);
-    const four C2 = v28 + v29;
-    const four v30 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v30);
-    const four v31 = 1.0 / v30;
+    const four v25 = e1 * v23, v26 = e2 * v24, v27 = v25 + v26, v28 = w3 * (m4 * (e2 * Z1_3)),
+        v29 = Z2_3 * (e1 * v21), C2 = v28 + v29, v30 = S2 * S2 + C2 * C2, w2 = sqrt_four(v30),
+        v31 = 1.0 / v30;
 
     /* is the pose one that the arm can take? */
-    const double v32 = c1 * T33;
-    const four v33 = e2 * s3, v34 = e1 * v15;
-    const double v35 = m7 + m8 * c3;
-    const four v36 = v34 + w2 * (v31 * (v27 * v35 - m8 * (v20 * v33)));
-    const double v37 = s1 * T33, v38 = d1 + v14, v39 = T33 - T33 * factor234;
-    const double v40 = T32 + factor234 * (Z2_234 * v12), v41 = T31 - factor234 * (Z2_234 * v11);
-    const double v42 = T23 - factor234 * (s1 * Z2_234);
-    const double v43 = T22 - (factor234 * (v12 * v37) - c1 * v11);
-    const double v44 = T21 + (c1 * v12 + factor234 * (v11 * v37));
-    const double v45 = T13 - factor234 * (c1 * Z2_234);
-    const double v46 = T11 - (s1 * v12 - factor234 * (v11 * v32));
-    const double v47 = T12 - (s1 * v11 + factor234 * (v12 * v32));
-    const four v48 = T34 - (a3 * (w2 * (v31 * (v27 * v33 + c3 * v20))) + (v38 + a2 * (S2 * (w2 *
-        v31)))), v49 = T14 - e1 * (c1 * v36), v50 = T24 - e1 * (s1 * v36);
-    const four v51 = v50 * v50 + (v48 * v48 + v49 * v49);
-    const double v52 = NAN;
-    const four v53 = pick_four(v51 <= m10, all_four(0.0), all_four(v52));
+    const four v32 = e2 * s3, v33 = e1 * v15;
+    const double v34 = m7 + m8 * c3;
+    const four v35 = v33 + w2 * (v31 * (v27 * v34 - m8 * (v20 * v32)));
+    const double v36 = d1 + v14, v37 = T33 - T33 * factor234,
+        v38 = T31 - factor234 * (Z2_234 * v11), v39 = T23 - factor234 * (s1 * Z2_234),
+        v40 = T21 + (c1 * v12 + factor234 * (v11 * (s1 * T33))),
+        v41 = T11 - (s1 * v12 - factor234 * (v11 * (c1 * T33))),
+        v42 = T13 - factor234 * (c1 * Z2_234);
+    const four v43 = T34 - (a3 * (w2 * (v31 * (v27 * v32 + c3 * v20))) + (v36 + a2 * (S2 * (w2 *
+        v31)))), v44 = T14 - e1 * (c1 * v35), v45 = T24 - e1 * (s1 * v35),
+        v46 = v45 * v45 + (v43 * v43 + v44 * v44);
 
     /* joint values */
-    const four_mask doubt2 = (v30 <= m6) | ((m10 < v51) & (v51 <= m11));
-    const int doubt1 = (v8 <= m3) | ((v4 <= m1) | ((v9 <= m3) | ((m9 < v47 * v47 + (v46 * v46 + (v45
-        * v45 + (v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 * v41 + (v39 * v39 + v40 * v40)))))))) |
-        (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)))));
+    const double v51 = NAN;
+    const four v52 = only_four((v46 <= m10) == 0, v51);
+    const four_mask doubt2 = (v30 <= m6) | ((m10 < v46) & (v46 <= m11));
+    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (v9 <= m3) | (m9 < v42 * v42 + (v41 * v41 + (v40 *
+        v40 + (v39 * v39 + (v37 * v37 + v38 * v38))))) | ((shortest3_reach <= N3) & (N3 <=
+        longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    const four angle5 = atan2_four(S2, C2);
-    const four packed2 = atan2_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5, K3 });
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v54 = e2 * angle4, v55 = e1 * angle2, v56 = v55 - (angle5 + v54) - offset4;
-    const four v57 = v56 - only_four(half_turn < v56, m12) + only_four(v56 <= -half_turn, m12);
-    const four v58 = v16 + (angle1 + v6 * v7);
-    const four q1 = v53 + v58;
-    const four q2 = angle5 + v53;
-    const four q3 = v53 + v54;
-    const four q4 = v53 + (v57 - only_four(half_turn < v57, m12));
-    const four v59 = v16 + (angle3 + v7 * v13);
-    const four q5 = v53 + v59;
+    const four angle5 = atan2_four(S2, C2),
+        packed2 = atan2_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5, K3 }),
+        angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2),
+        angle4 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four v47 = e2 * angle4, v48 = e1 * angle2, v49 = v48 - (angle5 + v47) - offset4,
+        v50 = v49 - only_four(half_turn < v49, m12) + only_four(v49 <= -half_turn, m12),
+        v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52, q3 = v47 + v52,
+        q4 = v52 + (v50 - only_four(half_turn < v50, m12)), v54 = v16 + (angle3 + v7 * v13),
+        q5 = v52 + v54;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -774,6 +640,13 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[5], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -781,19 +654,17 @@ static void solve(
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
-    const double v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1;
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1;
     const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33;
-    const double v5 = seed[1] + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33, v5 = seed[1] + seed[2] + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v8 = T34 - d1;
@@ -803,8 +674,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : v2 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : v3 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : v2 * factor1,
+            s1 = free1 ? sin(seed[0]) : v3 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
@@ -812,8 +683,8 @@ static void solve(
         const double w234 = sqrt(Z2_234 * Z2_234 + v4);
         const int free234 = w234 <= free_limit_squared;
         const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v5) : T33 * factor234;
-        const double s234 = free234 ? sin(v5) : -(Z2_234 * factor234);
+        const double c234 = free234 ? cos(v5) : T33 * factor234,
+            s234 = free234 ? sin(v5) : -(Z2_234 * factor234);
         const double theta234 = atan2(s234, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
@@ -822,8 +693,8 @@ static void solve(
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int free5 = w5 <= free_limit_squared;
         const double v6 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6);
-        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
+        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v6),
+            s5 = free5 ? sin(seed[4]) : -(Z2_5 * v6);
         const double q5 = atan2(s5, c5);
 
         /* theta3 */
@@ -836,22 +707,10 @@ static void solve(
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) {
-                status[2 * i1] = LOST + 1;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 2;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 3;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 4;
-                q[2 * i1][0] = D3;
-            }
+            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -859,18 +718,14 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v10 = Z1_3 * X1_2;
-        const double v11 = Z2_3 * X1_2;
+        const double v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v12 = c1 * c234;
-        const double v14 = s1 * c234;
-        const double v15 = d1 + v7;
-        if (!(fabs(T33 - c234) <= pose_slack && (fabs(T32 + s234 * s5) <= pose_slack && (fabs(T31 -
-            s234 * c5) <= pose_slack && (fabs(T23 + s1 * s234) <= pose_slack && (fabs(T22 - (c1 * c5
-            - s5 * v14)) <= pose_slack && (fabs(T21 - (c5 * v14 + c1 * s5)) <= pose_slack &&
-            (fabs(T13 + c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v12 - s1 * s5)) <= pose_slack
-            && fabs(T12 + (s1 * c5 + s5 * v12)) <= pose_slack)))))))))
+        const double v13 = d1 + v7;
+        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - s234 * c5) <= pose_slack && fabs(T23 + s1
+            * s234) <= pose_slack && fabs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack &&
+            fabs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack && fabs(T13 + c1 * s234) <=
+            pose_slack))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
@@ -887,27 +742,22 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : S2 * factor2;
             const double q2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
-            const double v13 = a3 * c23 + (a2 * c2 - v9);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && (fabs(T14 - c1 * v13)
-                <= pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1)))
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
+            const double v12 = a3 * c23 + (a2 * c2 - v9);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 && fabs(T14 - c1 * v12) <=
+                pose_slack1 && fabs(T24 - s1 * v12) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
             const double q4 = wrap(theta234 - (q3 + q2) - offset4);
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             status[row] = (free1 || free2_ || free234 || free234 || free5) ? KATANA_400_FREE_JOINT :
                 KATANA_400_OK;
         }
@@ -934,6 +784,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == KATANA_400_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != KATANA_400_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -947,7 +804,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -996,16 +857,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[5], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[5], int row, double q[4][5], unsigned char status[4])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = KATANA_400_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 5; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : KATANA_400_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1042,16 +908,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5],
     if (!valid)
         return -KATANA_400_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 4; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 5; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == KATANA_400_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {

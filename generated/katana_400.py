@@ -109,8 +109,8 @@ m3 = 1e-12  # doubt_limit_squared^2
 m4 = 2.631578947368421  # a coefficient of S2
 m5 = 0.04415526315789473  # a coefficient of S2
 m6 = 2.1106015755686555e-13  # doubt_limit_squared2^2 [m^4]
-m7 = 0.19  # a coefficient of v13
-m8 = 0.139  # a coefficient of v13
+m7 = 0.19  # a coefficient of v12
+m8 = 0.139  # a coefficient of v12
 m9 = 1.0000000000000002e-10  # pose_slack^2
 m10 = 4.5941284e-11  # pose_slack1^2 [m^2]
 m11 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
@@ -324,7 +324,7 @@ def _solve(pose, seed, q, status):
 
     The first value of a row that is _LOST says how far it is from a solution (negative).
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta1, type 2: U1[3, 4] and U1[3, 3]
     v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
@@ -402,15 +402,12 @@ def _solve(pose, seed, q, status):
         v11 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v12 = c1 * c234
-        v14 = s1 * c234
-        v15 = d1 + v7
+        v13 = d1 + v7
         if (
-            not (abs(T33 - c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
-            - s234 * c5) <= pose_slack and (abs(T23 + s1 * s234) <= pose_slack and (abs(T22 - (c1 *
-            c5 - s5 * v14)) <= pose_slack and (abs(T21 - (c5 * v14 + c1 * s5)) <= pose_slack and
-            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v12 - s1 * s5)) <= pose_slack
-            and abs(T12 + (s1 * c5 + s5 * v12)) <= pose_slack))))))))
+            not (abs(T33 - c234) <= pose_slack and abs(T31 - s234 * c5) <= pose_slack and abs(T23 +
+            s1 * s234) <= pose_slack and abs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack and
+            abs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack and abs(T13 + c1 * s234) <=
+            pose_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -436,10 +433,10 @@ def _solve(pose, seed, q, status):
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v13 = a3 * c23 + (a2 * c2 - v9)
+            v12 = a3 * c23 + (a2 * c2 - v9)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and (abs(T14 - c1 * v13)
-                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1))
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 and abs(T14 - c1 * v12)
+                <= pose_slack1 and abs(T24 - s1 * v12) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -513,6 +510,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -543,7 +546,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -609,7 +617,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(5):
         q[row, i] = trial[row, i] if served else math.nan
@@ -623,10 +632,11 @@ def _whole(pose, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(4):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
+    count = 0
+    for row in range(4):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
@@ -645,7 +655,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta1, type 2: U1[3, 4] and U1[3, 3]
@@ -722,57 +732,51 @@ def _regular(pose, q, status):
     v36 = 1.0 / v32
 
     # is the pose one that the arm can take?
-    v37 = c1 * T33
-    v38 = m7 + m8 * c3
-    v39 = v22 * v38 - m8 * (s3 * v16)
-    v40 = v12 + w2_pp * (v33 * v39)
-    v41 = m8 * (s3 * v17)
-    v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41))
-    v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12
-    v44 = w2_mm * (v36 * -v39) - v12
-    v45 = s1 * T33
-    v46 = d1 + v11
-    v47 = T33 - T33 * factor234
-    v48 = T32 + factor234 * (Z2_234 * v10)
-    v49 = T31 - factor234 * (Z2_234 * v9)
-    v50 = T23 - factor234 * (s1 * Z2_234)
-    v51 = T22 - (factor234 * (v10 * v45) - c1 * v9)
-    v52 = T21 + (c1 * v10 + factor234 * (v9 * v45))
-    v53 = T13 - factor234 * (c1 * Z2_234)
-    v54 = T11 - (s1 * v10 - factor234 * (v9 * v37))
-    v55 = T12 - (s1 * v9 + factor234 * (v10 * v37))
-    v56 = s3 * v22 + c3 * v16
-    v57 = T34 - (a3 * (w2_pp * (v33 * v56)) + (v46 + a2 * (S2_pp * (w2_pp * v33))))
-    v58 = c3 * v17
-    v59 = T34 - (a3 * (w2_pm * (v34 * (v58 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm * v34))))
-    v60 = T34 - (a3 * (w2_mp * (v35 * (v58 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp * v35))))
-    v61 = T34 - (a3 * (w2_mm * (v36 * v56)) + (v46 + a2 * (S2_pp * (w2_mm * v36))))
-    v62 = T14 - c1 * v40
-    v63 = T14 - c1 * v42
-    v64 = T14 + c1 * v43
-    v65 = T14 + c1 * v44
-    v66 = T24 - s1 * v40
-    v67 = T24 - s1 * v42
-    v68 = T24 + s1 * v43
-    v69 = T24 + s1 * v44
-    v70 = v66 * v66 + (v57 * v57 + v62 * v62)
-    v71 = v67 * v67 + (v59 * v59 + v63 * v63)
-    v72 = v68 * v68 + (v60 * v60 + v64 * v64)
-    v73 = v69 * v69 + (v61 * v61 + v65 * v65)
-    v74 = math.sqrt(-1.0)
-    v75 = 0.0 if v70 <= m10 else v74
-    v76 = 0.0 if v71 <= m10 else v74
-    v77 = 0.0 if v72 <= m10 else v74
-    v78 = 0.0 if v73 <= m10 else v74
+    v37 = m7 + m8 * c3
+    v38 = v22 * v37 - m8 * (s3 * v16)
+    v39 = v12 + w2_pp * (v33 * v38)
+    v40 = m8 * (s3 * v17)
+    v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40))
+    v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12
+    v43 = w2_mm * (v36 * -v38) - v12
+    v44 = d1 + v11
+    v45 = T33 - T33 * factor234
+    v46 = T31 - factor234 * (Z2_234 * v9)
+    v47 = T23 - factor234 * (s1 * Z2_234)
+    v48 = T21 + (c1 * v10 + factor234 * (v9 * (s1 * T33)))
+    v49 = T11 - (s1 * v10 - factor234 * (v9 * (c1 * T33)))
+    v50 = T13 - factor234 * (c1 * Z2_234)
+    v51 = s3 * v22 + c3 * v16
+    v52 = T34 - (a3 * (w2_pp * (v33 * v51)) + (v44 + a2 * (S2_pp * (w2_pp * v33))))
+    v53 = c3 * v17
+    v54 = T34 - (a3 * (w2_pm * (v34 * (v53 - s3 * v23))) + (v44 + a2 * (S2_pm * (w2_pm * v34))))
+    v55 = T34 - (a3 * (w2_mp * (v35 * (v53 + s3 * -v23))) + (v44 + a2 * (S2_pm * (w2_mp * v35))))
+    v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36))))
+    v57 = T14 - c1 * v39
+    v58 = T14 - c1 * v41
+    v59 = T14 + c1 * v42
+    v60 = T14 + c1 * v43
+    v61 = T24 - s1 * v39
+    v62 = T24 - s1 * v41
+    v63 = T24 + s1 * v42
+    v64 = T24 + s1 * v43
+    v65 = v61 * v61 + (v52 * v52 + v57 * v57)
+    v66 = v62 * v62 + (v54 * v54 + v58 * v58)
+    v67 = v63 * v63 + (v55 * v55 + v59 * v59)
+    v68 = v64 * v64 + (v56 * v56 + v60 * v60)
 
     # joint values
+    v77 = math.sqrt(-1.0)
+    v78 = 0.0 if v65 <= m10 else v77
+    v79 = 0.0 if v66 <= m10 else v77
+    v80 = 0.0 if v67 <= m10 else v77
+    v81 = 0.0 if v68 <= m10 else v77
     doubt1 = (
-        v6 <= m3 or (v4 <= m1 or (v7 <= m3 or ((shortest3_reach <= N3 and N3 <= longest3_reach and
-        not (shortest3_apart < N3 and N3 < longest3_apart)) or ((m10 < v73 and v73 <= m11) or (v32
-        <= m6 or ((m10 < v72 and v72 <= m11) or (v31 <= m6 or ((m10 < v71 and v71 <= m11) or (v30 <=
-        m6 or ((m10 < v70 and v70 <= m11) or (m9 < v55 * v55 + (v54 * v54 + (v53 * v53 + (v52 * v52
-        + (v51 * v51 + (v50 * v50 + (v49 * v49 + (v47 * v47 + v48 * v48))))))) or v28 <=
-        m6)))))))))))
+        v6 <= m3 or v4 <= m1 or v7 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or (m10 < v68 and v68 <= m11) or v32 <= m6
+        or (m10 < v67 and v67 <= m11) or v31 <= m6 or (m10 < v66 and v66 <= m11) or v30 <= m6 or
+        (m10 < v65 and v65 <= m11) or m9 < v50 * v50 + (v49 * v49 + (v48 * v48 + (v47 * v47 + (v45 *
+        v45 + v46 * v46)))) or v28 <= m6
     )
 
     # angles, side by side
@@ -804,38 +808,38 @@ def _regular(pose, q, status):
     angle8 = room[7]
 
     # joint values
-    v79 = angle2 - (angle4 + angle5) - offset4
-    v80 = angle2 - (angle6 - angle4) - offset4
-    v81 = offset4 + (angle2 + (angle4 + angle7))
-    v82 = offset4 + (angle2 + (angle8 - angle4))
-    v83 = v79 - (m12 if half_turn < v79 else 0.0) + (m12 if v79 <= -half_turn else 0.0)
-    v84 = v80 - (m12 if half_turn < v80 else 0.0) + (m12 if v80 <= -half_turn else 0.0)
-    v85 = (m12 if -v81 <= -half_turn else 0.0) - (v81 + (m12 if half_turn < -v81 else 0.0))
-    v86 = (m12 if -v82 <= -half_turn else 0.0) - (v82 + (m12 if half_turn < -v82 else 0.0))
-    v87 = angle1 + v13
-    v88 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
-    q1_pp = v75 + v87
-    q1_pm = v76 + v87
-    q1_mp = v77 + v88
-    q1_mm = v78 + v88
-    q2_pp = angle5 + v75
-    q2_pm = angle6 + v76
-    q2_mp = angle7 + v77
-    q2_mm = angle8 + v78
-    q3_pp = angle4 + v75
-    q3_pm = v76 - angle4
-    q3_mp = angle4 + v77
-    q3_mm = v78 - angle4
-    q4_pp = v75 + (v83 - (m12 if half_turn < v83 else 0.0))
-    q4_pm = v76 + (v84 - (m12 if half_turn < v84 else 0.0))
-    q4_mp = v77 + (v85 - (m12 if half_turn < v85 else 0.0))
-    q4_mm = v78 + (v86 - (m12 if half_turn < v86 else 0.0))
-    v89 = angle3 + v13
-    v90 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
-    q5_pp = v75 + v89
-    q5_pm = v76 + v89
-    q5_mp = v77 + v90
-    q5_mm = v78 + v90
+    v69 = angle2 - (angle4 + angle5) - offset4
+    v70 = angle2 - (angle6 - angle4) - offset4
+    v71 = offset4 + (angle2 + (angle4 + angle7))
+    v72 = offset4 + (angle2 + (angle8 - angle4))
+    v73 = v69 - (m12 if half_turn < v69 else 0.0) + (m12 if v69 <= -half_turn else 0.0)
+    v74 = v70 - (m12 if half_turn < v70 else 0.0) + (m12 if v70 <= -half_turn else 0.0)
+    v75 = (m12 if -v71 <= -half_turn else 0.0) - (v71 + (m12 if half_turn < -v71 else 0.0))
+    v76 = (m12 if -v72 <= -half_turn else 0.0) - (v72 + (m12 if half_turn < -v72 else 0.0))
+    v82 = angle1 + v13
+    v83 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
+    q1_pp = v78 + v82
+    q1_pm = v79 + v82
+    q1_mp = v80 + v83
+    q1_mm = v81 + v83
+    q2_pp = angle5 + v78
+    q2_pm = angle6 + v79
+    q2_mp = angle7 + v80
+    q2_mm = angle8 + v81
+    q3_pp = angle4 + v78
+    q3_pm = v79 - angle4
+    q3_mp = angle4 + v80
+    q3_mm = v81 - angle4
+    q4_pp = v78 + (v73 - (m12 if half_turn < v73 else 0.0))
+    q4_pm = v79 + (v74 - (m12 if half_turn < v74 else 0.0))
+    q4_mp = v80 + (v75 - (m12 if half_turn < v75 else 0.0))
+    q4_mm = v81 + (v76 - (m12 if half_turn < v76 else 0.0))
+    v84 = angle3 + v13
+    v85 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
+    q5_pp = v78 + v84
+    q5_pm = v79 + v84
+    q5_mp = v80 + v85
+    q5_mm = v81 + v85
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1077,7 +1081,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
@@ -1143,69 +1146,63 @@ def _in_tiles(T, q, status):
             v34 = 1.0 / v30
             v35 = 1.0 / v31
             v36 = 1.0 / v32
-            v37 = c1 * T33
-            v38 = m7 + m8 * c3
-            v39 = v22 * v38 - m8 * (s3 * v16)
-            v40 = v12 + w2_pp * (v33 * v39)
-            v41 = m8 * (s3 * v17)
-            v42 = v12 + w2_pm * (v34 * (v23 * v38 + v41))
-            v43 = w2_mp * (v35 * (-v23 * v38 - v41)) - v12
-            v44 = w2_mm * (v36 * -v39) - v12
-            v45 = s1 * T33
-            v46 = d1 + v11
-            v47 = T33 - T33 * factor234
-            v48 = T32 + factor234 * (Z2_234 * v10)
-            v49 = T31 - factor234 * (Z2_234 * v9)
-            v50 = T23 - factor234 * (s1 * Z2_234)
-            v51 = T22 - (factor234 * (v10 * v45) - c1 * v9)
-            v52 = T21 + (c1 * v10 + factor234 * (v9 * v45))
-            v53 = T13 - factor234 * (c1 * Z2_234)
-            v54 = T11 - (s1 * v10 - factor234 * (v9 * v37))
-            v55 = T12 - (s1 * v9 + factor234 * (v10 * v37))
-            v56 = s3 * v22 + c3 * v16
-            v57 = T34 - (a3 * (w2_pp * (v33 * v56)) + (v46 + a2 * (S2_pp * (w2_pp * v33))))
-            v58 = c3 * v17
-            v59 = (
-                T34 - (a3 * (w2_pm * (v34 * (v58 - s3 * v23))) + (v46 + a2 * (S2_pm * (w2_pm *
+            v37 = m7 + m8 * c3
+            v38 = v22 * v37 - m8 * (s3 * v16)
+            v39 = v12 + w2_pp * (v33 * v38)
+            v40 = m8 * (s3 * v17)
+            v41 = v12 + w2_pm * (v34 * (v23 * v37 + v40))
+            v42 = w2_mp * (v35 * (-v23 * v37 - v40)) - v12
+            v43 = w2_mm * (v36 * -v38) - v12
+            v44 = d1 + v11
+            v45 = T33 - T33 * factor234
+            v46 = T31 - factor234 * (Z2_234 * v9)
+            v47 = T23 - factor234 * (s1 * Z2_234)
+            v48 = T21 + (c1 * v10 + factor234 * (v9 * (s1 * T33)))
+            v49 = T11 - (s1 * v10 - factor234 * (v9 * (c1 * T33)))
+            v50 = T13 - factor234 * (c1 * Z2_234)
+            v51 = s3 * v22 + c3 * v16
+            v52 = T34 - (a3 * (w2_pp * (v33 * v51)) + (v44 + a2 * (S2_pp * (w2_pp * v33))))
+            v53 = c3 * v17
+            v54 = (
+                T34 - (a3 * (w2_pm * (v34 * (v53 - s3 * v23))) + (v44 + a2 * (S2_pm * (w2_pm *
                 v34))))
             )
-            v60 = (
-                T34 - (a3 * (w2_mp * (v35 * (v58 + s3 * -v23))) + (v46 + a2 * (S2_pm * (w2_mp *
+            v55 = (
+                T34 - (a3 * (w2_mp * (v35 * (v53 + s3 * -v23))) + (v44 + a2 * (S2_pm * (w2_mp *
                 v35))))
             )
-            v61 = T34 - (a3 * (w2_mm * (v36 * v56)) + (v46 + a2 * (S2_pp * (w2_mm * v36))))
-            v62 = T14 - c1 * v40
-            v63 = T14 - c1 * v42
-            v64 = T14 + c1 * v43
-            v65 = T14 + c1 * v44
-            v66 = T24 - s1 * v40
-            v67 = T24 - s1 * v42
-            v68 = T24 + s1 * v43
-            v69 = T24 + s1 * v44
-            v70 = v66 * v66 + (v57 * v57 + v62 * v62)
-            v71 = v67 * v67 + (v59 * v59 + v63 * v63)
-            v72 = v68 * v68 + (v60 * v60 + v64 * v64)
-            v73 = v69 * v69 + (v61 * v61 + v65 * v65)
-            v74 = math.sqrt(-1.0)
-            v75 = 0.0 if v70 <= m10 else v74
-            v76 = 0.0 if v71 <= m10 else v74
-            v77 = 0.0 if v72 <= m10 else v74
-            v78 = 0.0 if v73 <= m10 else v74
+            v56 = T34 - (a3 * (w2_mm * (v36 * v51)) + (v44 + a2 * (S2_pp * (w2_mm * v36))))
+            v57 = T14 - c1 * v39
+            v58 = T14 - c1 * v41
+            v59 = T14 + c1 * v42
+            v60 = T14 + c1 * v43
+            v61 = T24 - s1 * v39
+            v62 = T24 - s1 * v41
+            v63 = T24 + s1 * v42
+            v64 = T24 + s1 * v43
+            v65 = v61 * v61 + (v52 * v52 + v57 * v57)
+            v66 = v62 * v62 + (v54 * v54 + v58 * v58)
+            v67 = v63 * v63 + (v55 * v55 + v59 * v59)
+            v68 = v64 * v64 + (v56 * v56 + v60 * v60)
+            v77 = math.sqrt(-1.0)
+            v78 = 0.0 if v65 <= m10 else v77
+            v79 = 0.0 if v66 <= m10 else v77
+            v80 = 0.0 if v67 <= m10 else v77
+            v81 = 0.0 if v68 <= m10 else v77
             doubt1 = (
-                v6 <= m3 or (v4 <= m1 or (v7 <= m3 or ((shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or ((m10 <
-                v73 and v73 <= m11) or (v32 <= m6 or ((m10 < v72 and v72 <= m11) or (v31 <= m6 or
-                ((m10 < v71 and v71 <= m11) or (v30 <= m6 or ((m10 < v70 and v70 <= m11) or (m9 <
-                v55 * v55 + (v54 * v54 + (v53 * v53 + (v52 * v52 + (v51 * v51 + (v50 * v50 + (v49 *
-                v49 + (v47 * v47 + v48 * v48))))))) or v28 <= m6)))))))))))
+                v6 <= m3 or v4 <= m1 or v7 <= m3 or (shortest3_reach <= N3 and N3 <= longest3_reach
+                and not (shortest3_apart < N3 and N3 < longest3_apart)) or (m10 < v68 and v68 <=
+                m11) or v32 <= m6 or (m10 < v67 and v67 <= m11) or v31 <= m6 or (m10 < v66 and v66
+                <= m11) or v30 <= m6 or (m10 < v65 and v65 <= m11) or m9 < v50 * v50 + (v49 * v49 +
+                (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46)))) or v28 <= m6
             )
             work[272 + k] = v3
             work[288 + k] = Z2_5
             work[304 + k] = v13
-            work[320 + k] = v75
-            work[336 + k] = v76
-            work[352 + k] = v77
-            work[368 + k] = v78
+            work[320 + k] = v78
+            work[336 + k] = v79
+            work[352 + k] = v80
+            work[368 + k] = v81
             work[384 + k] = doubt1
             work[400 + k] = v3
             work[416 + k] = -Z2_234
@@ -1229,10 +1226,10 @@ def _in_tiles(T, q, status):
             v3 = work[272 + k]
             Z2_5 = work[288 + k]
             v13 = work[304 + k]
-            v75 = work[320 + k]
-            v76 = work[336 + k]
-            v77 = work[352 + k]
-            v78 = work[368 + k]
+            v78 = work[320 + k]
+            v79 = work[336 + k]
+            v80 = work[352 + k]
+            v81 = work[368 + k]
             doubt1 = work[384 + k] != 0.0
             angle1 = work[400 + k]
             angle2 = work[416 + k]
@@ -1242,38 +1239,38 @@ def _in_tiles(T, q, status):
             angle6 = work[480 + k]
             angle7 = work[496 + k]
             angle8 = work[512 + k]
-            v79 = angle2 - (angle4 + angle5) - offset4
-            v80 = angle2 - (angle6 - angle4) - offset4
-            v81 = offset4 + (angle2 + (angle4 + angle7))
-            v82 = offset4 + (angle2 + (angle8 - angle4))
-            v83 = v79 - (m12 if half_turn < v79 else 0.0) + (m12 if v79 <= -half_turn else 0.0)
-            v84 = v80 - (m12 if half_turn < v80 else 0.0) + (m12 if v80 <= -half_turn else 0.0)
-            v85 = (m12 if -v81 <= -half_turn else 0.0) - (v81 + (m12 if half_turn < -v81 else 0.0))
-            v86 = (m12 if -v82 <= -half_turn else 0.0) - (v82 + (m12 if half_turn < -v82 else 0.0))
-            v87 = angle1 + v13
-            v88 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
-            q1_pp = v75 + v87
-            q1_pm = v76 + v87
-            q1_mp = v77 + v88
-            q1_mm = v78 + v88
-            q2_pp = angle5 + v75
-            q2_pm = angle6 + v76
-            q2_mp = angle7 + v77
-            q2_mm = angle8 + v78
-            q3_pp = angle4 + v75
-            q3_pm = v76 - angle4
-            q3_mp = angle4 + v77
-            q3_mm = v78 - angle4
-            q4_pp = v75 + (v83 - (m12 if half_turn < v83 else 0.0))
-            q4_pm = v76 + (v84 - (m12 if half_turn < v84 else 0.0))
-            q4_mp = v77 + (v85 - (m12 if half_turn < v85 else 0.0))
-            q4_mm = v78 + (v86 - (m12 if half_turn < v86 else 0.0))
-            v89 = angle3 + v13
-            v90 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
-            q5_pp = v75 + v89
-            q5_pm = v76 + v89
-            q5_mp = v77 + v90
-            q5_mm = v78 + v90
+            v69 = angle2 - (angle4 + angle5) - offset4
+            v70 = angle2 - (angle6 - angle4) - offset4
+            v71 = offset4 + (angle2 + (angle4 + angle7))
+            v72 = offset4 + (angle2 + (angle8 - angle4))
+            v73 = v69 - (m12 if half_turn < v69 else 0.0) + (m12 if v69 <= -half_turn else 0.0)
+            v74 = v70 - (m12 if half_turn < v70 else 0.0) + (m12 if v70 <= -half_turn else 0.0)
+            v75 = (m12 if -v71 <= -half_turn else 0.0) - (v71 + (m12 if half_turn < -v71 else 0.0))
+            v76 = (m12 if -v72 <= -half_turn else 0.0) - (v72 + (m12 if half_turn < -v72 else 0.0))
+            v82 = angle1 + v13
+            v83 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
+            q1_pp = v78 + v82
+            q1_pm = v79 + v82
+            q1_mp = v80 + v83
+            q1_mm = v81 + v83
+            q2_pp = angle5 + v78
+            q2_pm = angle6 + v79
+            q2_mp = angle7 + v80
+            q2_mm = angle8 + v81
+            q3_pp = angle4 + v78
+            q3_pm = v79 - angle4
+            q3_mp = angle4 + v80
+            q3_mm = v81 - angle4
+            q4_pp = v78 + (v73 - (m12 if half_turn < v73 else 0.0))
+            q4_pm = v79 + (v74 - (m12 if half_turn < v74 else 0.0))
+            q4_mp = v80 + (v75 - (m12 if half_turn < v75 else 0.0))
+            q4_mm = v81 + (v76 - (m12 if half_turn < v76 else 0.0))
+            v84 = angle3 + v13
+            v85 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
+            q5_pp = v78 + v84
+            q5_pm = v79 + v84
+            q5_mp = v80 + v85
+            q5_mm = v81 + v85
             _656 = q1_pp
             work[656 + k] = _656
             _672 = q2_pp

@@ -89,56 +89,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -178,7 +143,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -200,14 +165,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -345,54 +304,37 @@ static const double highest[6] = {
 void kawasaki_rs007n_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
+    const double c2 = cos(v2), s2 = sin(v2);
     const double x2_x = c1 * c2;
     const double v3 = s1 * c2;
     const double y2_x = c1 * s2;
-    const double v4 = s1 * s2;
-    const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
+    const double v4 = s1 * s2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v6 = v3 * c3 + v4 * s3;
     const double x3_z = c2 * s3 - s2 * c3;
     const double v7 = c2 * c3 + s2 * s3;
-    const double z3_x = x2_x * s3 - y2_x * c3;
-    const double z3_y = v4 * c3 - v3 * s3;
+    const double z3_x = x2_x * s3 - y2_x * c3, z3_y = v4 * c3 - v3 * s3;
     const double v8 = q[3] + offset4;
-    const double c4 = cos(v8);
-    const double s4 = sin(v8);
+    const double c4 = cos(v8), s4 = sin(v8);
     const double x4_x = x3_x * c4 - s1 * s4;
     const double v9 = v6 * c4 + c1 * s4;
     const double x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_y = c1 * c4 - v6 * s4;
+    const double z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = c1 * c4 - v6 * s4;
     const double v10 = q[4] + offset5;
-    const double c5 = cos(v10);
-    const double s5 = sin(v10);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = z3_y * s5 - v9 * c5;
-    const double x5_z = x4_z * c5 - v7 * s5;
+    const double c5 = cos(v10), s5 = sin(v10);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = z3_y * s5 - v9 * c5,
+        x5_z = x4_z * c5 - v7 * s5;
     const double v11 = z3_y * c5 + v9 * s5;
-    const double T33_ = v7 * c5 + x4_z * s5;
-    const double T13_ = x4_x * s5 - z3_x * c5;
+    const double T33_ = v7 * c5 + x4_z * s5, T13_ = x4_x * s5 - z3_x * c5;
     const double v12 = q[5] + offset6;
-    const double c6 = cos(v12);
-    const double s6 = sin(v12);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = z4_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 + z3_x * d4 + T13_ * d6;
-    const double T24_ = z3_y * d4 - v3 * a2 - v11 * d6;
-    const double T34_ = d1 - s2 * a2 - v7 * d4 + T33_ * d6;
+    const double c6 = cos(v12), s6 = sin(v12);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T32_ = z4_z * c6 - x5_z * s6, T14_ = x2_x * a2 + z3_x * d4 + T13_ * d6,
+        T24_ = z3_y * d4 - v3 * a2 - v11 * d6, T34_ = d1 - s2 * a2 - v7 * d4 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -v11; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -403,11 +345,9 @@ void kawasaki_rs007n_fk(const double q[6], double T[16])
 void kawasaki_rs007n_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
+    const double c2 = cos(v2), s2 = sin(v2);
     const double x2_x = c1 * c2;
     const double v3 = s1 * c2;
     const double y2_x = c1 * s2;
@@ -416,50 +356,32 @@ void kawasaki_rs007n_jacobian(const double q[6], double J[36])
     const double v5 = v3 * a2;
     const double p2_z = d1 - s2 * a2;
     const double v6 = q[2] + offset3;
-    const double c3 = cos(v6);
-    const double s3 = sin(v6);
+    const double c3 = cos(v6), s3 = sin(v6);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v7 = v3 * c3 + v4 * s3;
     const double x3_z = c2 * s3 - s2 * c3;
     const double v8 = c2 * c3 + s2 * s3;
-    const double J44 = x2_x * s3 - y2_x * c3;
-    const double J54 = v4 * c3 - v3 * s3;
+    const double J44 = x2_x * s3 - y2_x * c3, J54 = v4 * c3 - v3 * s3;
     const double v9 = q[3] + offset4;
-    const double c4 = cos(v9);
-    const double s4 = sin(v9);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p2_x + J44 * d4;
-    const double p4_y = J54 * d4 - v5;
-    const double p4_z = p2_z - v8 * d4;
+    const double c4 = cos(v9), s4 = sin(v9);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
+    const double p4_x = p2_x + J44 * d4, p4_y = J54 * d4 - v5, p4_z = p2_z - v8 * d4;
     const double J55 = c1 * c4 - v7 * s4;
     const double v10 = q[4] + offset5;
-    const double c5 = cos(v10);
-    const double s5 = sin(v10);
+    const double c5 = cos(v10), s5 = sin(v10);
     const double v11 = J54 * c5 + (v7 * c4 + c1 * s4) * s5;
-    const double J66 = v8 * c5 + x3_z * c4 * s5;
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
+    const double J66 = v8 * c5 + x3_z * c4 * s5, J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
     const double p6_x = p4_x + J46 * d6;
     const double J11 = p4_y - v11 * d6;
     const double p6_z = p4_z + J66 * d6;
     const double v12 = p6_z - d1;
-    const double J12 = c1 * v12;
-    const double J32 = s1 * J11 - c1 * p6_x;
-    const double v13 = p6_x - p2_x;
-    const double v14 = v5 + J11;
-    const double v15 = p6_z - p2_z;
-    const double J23 = s1 * v15;
-    const double J33 = c1 * v13 - s1 * v14;
-    const double J14 = J54 * v15 + v8 * v14;
-    const double J34 = J44 * v14 - J54 * v13;
-    const double v16 = p6_x - p4_x;
-    const double v17 = J11 - p4_y;
-    const double v18 = p6_z - p4_z;
-    const double J15 = J55 * v18 - J65 * v17;
-    const double J25 = J65 * v16 - J45 * v18;
-    const double J35 = J45 * v17 - J55 * v16;
-    const double J26 = J66 * v16 - J46 * v18;
-    const double J36 = J46 * v17 + v11 * v16;
+    const double J12 = c1 * v12, J32 = s1 * J11 - c1 * p6_x;
+    const double v13 = p6_x - p2_x, v14 = v5 + J11, v15 = p6_z - p2_z;
+    const double J23 = s1 * v15, J33 = c1 * v13 - s1 * v14, J14 = J54 * v15 + v8 * v14,
+        J34 = J44 * v14 - J54 * v13;
+    const double v16 = p6_x - p4_x, v17 = J11 - p4_y, v18 = p6_z - p4_z;
+    const double J15 = J55 * v18 - J65 * v17, J25 = J65 * v16 - J45 * v18,
+        J35 = J45 * v17 - J55 * v16, J26 = J66 * v16 - J46 * v18, J36 = J46 * v17 + v11 * v16;
     J[0] = J11; J[1] = J12; J[2] = -(c1 * v15); J[3] = J14; J[4] = J15;
     J[5] = -(v11 * v18 + J66 * v17);
     J[6] = -p6_x; J[7] = -(s1 * v12); J[8] = J23; J[9] = -(v8 * v13 + J44 * v15); J[10] = J25;
@@ -474,13 +396,16 @@ void kawasaki_rs007n_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -527,170 +452,133 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = d6 * T23 - T24;
-    const wide v1 = X1 * X1 + wy * wy;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor1 = w1 * v2;
-    const wide v3 = X1 * factor1;
-    const wide s1 = wy * factor1;
+    const wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy, w1 = sqrt_wide(v1),
+        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
 
     /* theta3 */
-    const wide Z1_3 = d1 + (d6 * T33 - T34);
-    const wide N3 = v1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v4 = w3 - w3, v5 = k1 * (N3 - k2);
-    const wide s3 = k3 * v5;
-    const wide v6 = k1 * w3, v7 = k3 * v6;
+    const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k1 * (N3 - k2),
+        s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * s3;
-    const wide X2_2 = d4 * v7;
-    const wide v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9, v11 = v8 - v9, v12 = m2 * N3 - m3;
-    const wide v13 = Z1_3 * v12, v14 = w3 * (m2 * w1);
-    const wide S2_pp = v13 + v14, S2_pm = v13 - v14;
-    const wide v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16, v18 = v15 + v16;
-    const wide v19 = w3 * (m2 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12;
-    const wide C2_pp = v20 - v19, C2_pm = v19 + v20, C2_mp = v21 - v19, C2_mm = v19 + v21;
-    const wide v22 = S2_pp * S2_pp, v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm;
-    const wide v25 = v24 + C2_pm * C2_pm, v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v23), w2_pm = sqrt_wide(v25), w2_mp = sqrt_wide(v26);
-    const wide w2_mm = sqrt_wide(v27);
-    const wide v28 = 1.0 / v23, v29 = 1.0 / v25, v30 = 1.0 / v26, v31 = 1.0 / v27;
+    const wide X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
+        v11 = v8 - v9, v12 = m2 * N3 - m3, v13 = Z1_3 * v12, v14 = w3 * (m2 * w1),
+        S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
+        v18 = v15 + v16, v19 = w3 * (m2 * Z1_3), v20 = w1 * v12, v21 = w1 * -v12, C2_pp = v20 - v19,
+        C2_pm = v19 + v20, C2_mp = v21 - v19, C2_mm = v19 + v21, v22 = S2_pp * S2_pp,
+        v23 = v22 + C2_pp * C2_pp, v24 = S2_pm * S2_pm, v25 = v24 + C2_pm * C2_pm,
+        v26 = v24 + C2_mp * C2_mp, v27 = v22 + C2_mm * C2_mm, w2_pp = sqrt_wide(v23),
+        w2_pm = sqrt_wide(v25), w2_mp = sqrt_wide(v26), w2_mm = sqrt_wide(v27), v28 = 1.0 / v23,
+        v29 = 1.0 / v25, v30 = 1.0 / v26, v31 = 1.0 / v27;
 
     /* theta4 */
-    const wide v32 = s3 * v10;
-    const wide c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17));
-    const wide v33 = s3 * v11 + v7 * v18;
-    const wide c2m3_pm = w2_pm * (v29 * v33), c2m3_mp = w2_mp * (v30 * v33);
-    const wide c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17));
-    const wide v34 = v7 * v10, v35 = w2_pp * (v28 * (v34 + s3 * v17)), v36 = s3 * v18 - v7 * v11;
-    const wide v37 = w2_pm * (v29 * v36), v38 = w2_mp * (v30 * -v36);
-    const wide v39 = w2_mm * (v31 * (s3 * -v17 - v34)), v40 = w1 * (v2 * (T13 * X1 + T23 * wy));
-    const wide v41 = T33 * v35 - c2m3_pp * v40, v42 = T33 * v37 - c2m3_pm * v40;
-    const wide v43 = T33 * v38 + c2m3_mp * v40, v44 = T33 * v39 + c2m3_mm * v40;
-    const wide v45 = T13 * s1 - T23 * v3, v46 = w1 * (v2 * (T13 * wy - X1 * T23)), v47 = v46 * v46;
-    const wide v48 = v47 + v41 * v41, v49 = v47 + v42 * v42, v50 = v47 + v43 * v43;
-    const wide v51 = v47 + v44 * v44, v52 = 1.0 / v48, v53 = 1.0 / v49, v54 = 1.0 / v50;
-    const wide v55 = 1.0 / v51;
+    const wide v32 = s3 * v10, c2m3_pp = w2_pp * (v28 * (v32 - v7 * v17)),
+        v33 = s3 * v11 + v7 * v18, c2m3_pm = w2_pm * (v29 * v33), c2m3_mp = w2_mp * (v30 * v33),
+        c2m3_mm = w2_mm * (v31 * (v32 + v7 * -v17)), v34 = v7 * v10,
+        v35 = w2_pp * (v28 * (v34 + s3 * v17)), v36 = s3 * v18 - v7 * v11,
+        v37 = w2_pm * (v29 * v36), v38 = w2_mp * (v30 * -v36),
+        v39 = w2_mm * (v31 * (s3 * -v17 - v34)), v40 = w1 * (v2 * (T13 * X1 + T23 * wy)),
+        v41 = T33 * v35 - c2m3_pp * v40, v42 = T33 * v37 - c2m3_pm * v40,
+        v43 = T33 * v38 + c2m3_mp * v40, v44 = T33 * v39 + c2m3_mm * v40, v45 = T13 * s1 - T23 * v3,
+        v46 = w1 * (v2 * (T13 * wy - X1 * T23)), v47 = v46 * v46, v48 = v47 + v41 * v41,
+        v49 = v47 + v42 * v42, v50 = v47 + v43 * v43, v51 = v47 + v44 * v44, v52 = 1.0 / v48,
+        v53 = 1.0 / v49, v54 = 1.0 / v50, v55 = 1.0 / v51;
 
     /* theta6 */
-    const wide v56 = s1 * T12 - v3 * T22, v57 = w1 * (v2 * (X1 * T12 + wy * T22));
-    const wide v58 = s1 * T11 - v3 * T21, v59 = w1 * (v2 * (X1 * T11 + wy * T21));
+    const wide v56 = s1 * T12 - v3 * T22, v57 = w1 * (v2 * (X1 * T12 + wy * T22)),
+        v58 = s1 * T11 - v3 * T21, v59 = w1 * (v2 * (X1 * T11 + wy * T21));
 
     /* joint values */
-    const wide angle1 = atan2_wide(wy, -X1);
-    const wide v60 = angle1 - offset1;
-    const wide v61 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1;
-    const wide angle2 = atan2_wide(S2_pp, C2_pp);
-    const wide v62 = angle2 - offset2;
-    const wide angle3 = atan2_wide(S2_pm, C2_pm);
-    const wide v63 = angle3 - offset2;
-    const wide angle4 = atan2_wide(S2_pm, C2_mp);
-    const wide v64 = angle4 - offset2;
-    const wide angle5 = atan2_wide(S2_pp, C2_mm);
-    const wide v65 = angle5 - offset2;
-    const wide q2_ppp = v62 - only_wide(half_turn < v62, m7);
-    const wide q2_pmp = v63 - only_wide(half_turn < v63, m7);
-    const wide q2_mpp = v64 - only_wide(half_turn < v64, m7);
-    const wide q2_mmp = v65 - only_wide(half_turn < v65, m7);
-    const wide angle6 = atan2_wide(v5, -v6);
-    const wide v66 = angle6 - offset3;
-    const wide v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle6 - offset3;
-    const wide q3_ppp = v66 + only_wide(v66 <= -half_turn, m7);
-    const wide q3_pmp = v67 + only_wide(v67 <= -half_turn, m7);
-    const wide angle7 = atan2_wide(-v46, v41), angle8 = atan2_wide(-v46, v42);
-    const wide angle9 = atan2_wide(v46, v43), angle10 = atan2_wide(v46, v44);
-    const wide v68 = h1 * copysign_wide(all_wide(half_turn), -v46);
-    const wide v69 = h1 * copysign_wide(all_wide(half_turn), v46), v70 = angle7 - offset4;
-    const wide v71 = angle7 - v68 - offset4, v72 = angle8 - offset4, v73 = angle8 - v68 - offset4;
-    const wide v74 = angle9 - offset4, v75 = angle9 - v69 - offset4, v76 = angle10 - offset4;
-    const wide v77 = angle10 - v69 - offset4;
-    const wide q4_ppp = v70 + only_wide(v70 <= -half_turn, m7);
-    const wide q4_ppm = v71 + only_wide(v71 <= -half_turn, m7);
-    const wide q4_pmp = v72 + only_wide(v72 <= -half_turn, m7);
-    const wide q4_pmm = v73 + only_wide(v73 <= -half_turn, m7);
-    const wide q4_mpp = v74 + only_wide(v74 <= -half_turn, m7);
-    const wide q4_mpm = v75 + only_wide(v75 <= -half_turn, m7);
-    const wide q4_mmp = v76 + only_wide(v76 <= -half_turn, m7);
-    const wide q4_mmm = v77 + only_wide(v77 <= -half_turn, m7);
-    const wide angle11 = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40);
-    const wide angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40);
-    const wide angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40);
-    const wide angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40);
-    const wide v78 = angle11 - offset5, v79 = offset5 + angle11, v80 = angle12 - offset5;
-    const wide v81 = offset5 + angle12, v82 = angle13 - offset5, v83 = offset5 + angle13;
-    const wide v84 = angle14 - offset5, v85 = offset5 + angle14;
-    const wide q5_ppp = v78 + only_wide(v78 <= -half_turn, m7);
-    const wide q5_ppm = only_wide(-v79 <= -half_turn, m7) - v79;
-    const wide q5_pmp = v80 + only_wide(v80 <= -half_turn, m7);
-    const wide q5_pmm = only_wide(-v81 <= -half_turn, m7) - v81;
-    const wide q5_mpp = v82 + only_wide(v82 <= -half_turn, m7);
-    const wide q5_mpm = only_wide(-v83 <= -half_turn, m7) - v83;
-    const wide q5_mmp = v84 + only_wide(v84 <= -half_turn, m7);
-    const wide q5_mmm = only_wide(-v85 <= -half_turn, m7) - v85;
-    const wide v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59));
-    const wide v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59));
-    const wide angle15 = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57)));
-    const wide angle16 = atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57)));
-    const wide angle17 = atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54
-        * (v43 * v56 - v45 * (v38 * T32 + c2m3_mp * v57))));
-    const wide angle18 = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55
-        * (v44 * v56 - v45 * (v39 * T32 + c2m3_mm * v57))));
-    const wide v88 = angle15 - offset6;
-    const wide v89 = angle15 - h1 * copysign_wide(all_wide(half_turn), v86) - offset6;
-    const wide v90 = angle16 - offset6;
-    const wide v91 = angle16 - h1 * copysign_wide(all_wide(half_turn), v87) - offset6;
-    const wide v92 = angle17 - offset6;
-    const wide v93 = angle17 - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 * v58 - v45 *
-        (v38 * T31 + c2m3_mp * v59)))) - offset6, v94 = angle18 - offset6;
-    const wide v95 = angle18 - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44 * v58 - v45 *
-        (v39 * T31 + c2m3_mm * v59)))) - offset6;
-    const wide q6_ppp = v88 + only_wide(v88 <= -half_turn, m7);
-    const wide q6_ppm = v89 + only_wide(v89 <= -half_turn, m7);
-    const wide q6_pmp = v90 + only_wide(v90 <= -half_turn, m7);
-    const wide q6_pmm = v91 + only_wide(v91 <= -half_turn, m7);
-    const wide q6_mpp = v92 + only_wide(v92 <= -half_turn, m7);
-    const wide q6_mpm = v93 + only_wide(v93 <= -half_turn, m7);
-    const wide q6_mmp = v94 + only_wide(v94 <= -half_turn, m7);
-    const wide q6_mmm = v95 + only_wide(v95 <= -half_turn, m7);
-    const wide_mask v96 = (q3_ppp < low3) | (high3 < q3_ppp);
-    const wide_mask v97 = (q3_pmp < low3) | (high3 < q3_pmp);
-    const wide q1_ppp = v4 + (v60 - only_wide(half_turn < v60, m7));
-    const wide q1_mpp = v4 + (v61 - only_wide(half_turn < v61, m7));
-    const wide_mask v98 = v96 | ((q2_ppp < low2) | (high2 < q2_ppp));
-    const wide_mask v99 = v97 | ((q2_pmp < low2) | (high2 < q2_pmp));
-    const wide_mask v100 = v96 | ((q2_mpp < low2) | (high2 < q2_mpp));
-    const wide_mask v101 = v97 | ((q2_mmp < low2) | (high2 < q2_mmp));
-    const wide_mask outside_ppp = v98 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v98 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v99 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v99 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v100 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v100 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v101 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v101 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (v51 <= m5) | ((v27 <= m4) | ((v50 <= m5) | ((v26 <= m4) | ((v49 <= m5)
-        | ((v25 <= m4) | ((v48 <= m5) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v23 <=
-        m4))))))));
+    const wide angle1 = atan2_wide(wy, -X1), v60 = angle1 - offset1,
+        v61 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1,
+        angle2 = atan2_wide(S2_pp, C2_pp), v62 = angle2 - offset2,
+        angle3 = atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
+        angle4 = atan2_wide(S2_pm, C2_mp), v64 = angle4 - offset2,
+        angle5 = atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2,
+        q2_ppp = v62 - only_wide(half_turn < v62, m7),
+        q2_pmp = v63 - only_wide(half_turn < v63, m7),
+        q2_mpp = v64 - only_wide(half_turn < v64, m7),
+        q2_mmp = v65 - only_wide(half_turn < v65, m7), angle6 = atan2_wide(v5, -v6),
+        v66 = angle6 - offset3,
+        v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle6 - offset3,
+        q3_ppp = v66 + only_wide(v66 <= -half_turn, m7),
+        q3_pmp = v67 + only_wide(v67 <= -half_turn, m7), angle7 = atan2_wide(-v46, v41),
+        angle8 = atan2_wide(-v46, v42), angle9 = atan2_wide(v46, v43),
+        angle10 = atan2_wide(v46, v44), v68 = h1 * copysign_wide(all_wide(half_turn), -v46),
+        v69 = h1 * copysign_wide(all_wide(half_turn), v46), v70 = angle7 - offset4,
+        v71 = angle7 - v68 - offset4, v72 = angle8 - offset4, v73 = angle8 - v68 - offset4,
+        v74 = angle9 - offset4, v75 = angle9 - v69 - offset4, v76 = angle10 - offset4,
+        v77 = angle10 - v69 - offset4,
+        angle11 = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40),
+        angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40),
+        angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40),
+        angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40), v78 = angle11 - offset5,
+        v79 = offset5 + angle11, v80 = angle12 - offset5, v81 = offset5 + angle12,
+        v82 = angle13 - offset5, v83 = offset5 + angle13, v84 = angle14 - offset5,
+        v85 = offset5 + angle14, q5_ppp = v78 + only_wide(v78 <= -half_turn, m7),
+        q5_ppm = only_wide(-v79 <= -half_turn, m7) - v79,
+        q5_pmp = v80 + only_wide(v80 <= -half_turn, m7),
+        q5_pmm = only_wide(-v81 <= -half_turn, m7) - v81,
+        q5_mpp = v82 + only_wide(v82 <= -half_turn, m7),
+        q5_mpm = only_wide(-v83 <= -half_turn, m7) - v83,
+        q5_mmp = v84 + only_wide(v84 <= -half_turn, m7),
+        q5_mmm = only_wide(-v85 <= -half_turn, m7) - v85,
+        v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59)),
+        v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59)),
+        angle15 = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))),
+        angle16 = atan2_wide(v87, v53 * (v42 * v56 - v45 * (v37 * T32 - c2m3_pm * v57))),
+        angle17 = atan2_wide(-(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))), -(v54 * (v43
+            * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))),
+        angle18 = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55 * (v44
+            * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))), v88 = angle15 - offset6,
+        v89 = angle15 - h1 * copysign_wide(all_wide(half_turn), v86) - offset6,
+        v90 = angle16 - offset6,
+        v91 = angle16 - h1 * copysign_wide(all_wide(half_turn), v87) - offset6,
+        v92 = angle17 - offset6,
+        v93 = angle17 - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 * v58 - v45 * (v38 *
+            T31 + c2m3_mp * v59)))) - offset6, v94 = angle18 - offset6,
+        v95 = angle18 - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44 * v58 - v45 * (v39 *
+            T31 + c2m3_mm * v59)))) - offset6;
+    const wide_mask v96 = beyond(q3_ppp, low3, high3), v97 = beyond(q3_pmp, low3, high3);
+    const wide q1_ppp = v4 + (v60 - only_wide(half_turn < v60, m7)),
+        q1_mpp = v4 + (v61 - only_wide(half_turn < v61, m7));
+    const wide_mask v98 = v96 | beyond(q2_ppp, low2, high2),
+        v99 = v97 | beyond(q2_pmp, low2, high2), v100 = v96 | beyond(q2_mpp, low2, high2),
+        v101 = v97 | beyond(q2_mmp, low2, high2), outside_ppp = v98 | beyond(q5_ppp, low5, high5),
+        outside_ppm = v98 | beyond(q5_ppm, low5, high5),
+        outside_pmp = v99 | beyond(q5_pmp, low5, high5),
+        outside_pmm = v99 | beyond(q5_pmm, low5, high5),
+        outside_mpp = v100 | beyond(q5_mpp, low5, high5),
+        outside_mpm = v100 | beyond(q5_mpm, low5, high5),
+        outside_mmp = v101 | beyond(q5_mmp, low5, high5),
+        outside_mmm = v101 | beyond(q5_mmm, low5, high5),
+        doubt1 = (v51 <= m5) | (v27 <= m4) | (v50 <= m5) | (v26 <= m4) | (v49 <= m5) | (v25 <= m4) |
+            (v48 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+            (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v23 <= m4);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, m7);
+    q[4] = q5_ppp; q[5] = v88 + only_wide(v88 <= -half_turn, m7);
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, m7);
+    q[10] = q5_ppm; q[11] = v89 + only_wide(v89 <= -half_turn, m7);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v72 + only_wide(v72 <= -half_turn, m7);
+    q[16] = q5_pmp; q[17] = v90 + only_wide(v90 <= -half_turn, m7);
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v73 + only_wide(v73 <= -half_turn, m7);
+    q[22] = q5_pmm; q[23] = v91 + only_wide(v91 <= -half_turn, m7);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = v74 + only_wide(v74 <= -half_turn, m7);
+    q[28] = q5_mpp; q[29] = v92 + only_wide(v92 <= -half_turn, m7);
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = v75 + only_wide(v75 <= -half_turn, m7);
+    q[34] = q5_mpm; q[35] = v93 + only_wide(v93 <= -half_turn, m7);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = v76 + only_wide(v76 <= -half_turn, m7);
+    q[40] = q5_mmp; q[41] = v94 + only_wide(v94 <= -half_turn, m7);
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = v77 + only_wide(v77 <= -half_turn, m7);
+    q[46] = q5_mmm; q[47] = v95 + only_wide(v95 <= -half_turn, m7);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -710,86 +598,66 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = d6 * T23 - T24;
-    const double v1 = X1 * X1 + wy * wy;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double factor1 = w1 * v2;
-    const double v3 = X1 * factor1;
-    const double s1 = wy * factor1;
+    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, v1 = X1 * X1 + wy * wy, w1 = sqrt(v1),
+        v2 = 1.0 / v1, factor1 = w1 * v2, v3 = X1 * factor1, s1 = wy * factor1;
 
     /* theta3 */
-    const double Z1_3 = d1 + (d6 * T33 - T34);
-    const double N3 = v1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3, v5 = k1 * (N3 - k2);
-    const double s3 = k3 * v5;
-    const double v6 = k1 * w3, v7 = k3 * v6;
+    const double Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k1 * (N3 - k2),
+        s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * s3;
-    const double X2_2 = d4 * v7;
-    const double v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
+    const double X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
     const four v10 = e1 * e2, v11 = v8 + v9 * v10;
     const double v12 = m2 * N3 - m3, v13 = Z1_3 * v12;
     const four S2 = v13 + w3 * (m2 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m2 * (e2 * Z1_3));
-    const four v20 = w1 * (e1 * v12);
-    const four C2 = v20 - v19;
-    const four v21 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v21);
-    const four v22 = 1.0 / v21;
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m2 * (e2 * Z1_3)),
+        v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
+        v22 = 1.0 / v21;
 
     /* theta4 */
-    const four v23 = e2 * v7;
-    const four c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23));
-    const four v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
+    const four v23 = e2 * v7, c2m3 = w2 * (v22 * (s3 * v11 - v18 * v23)),
+        v24 = w2 * (v22 * (v11 * v23 + s3 * v18));
     const double v25 = w1 * (v2 * (T13 * X1 + T23 * wy));
     const four v26 = T33 * v24 - e1 * (c2m3 * v25);
-    const double v27 = T13 * s1 - T23 * v3, v28 = w1 * (v2 * (T13 * wy - X1 * T23));
-    const double v29 = v28 * v28;
+    const double v27 = T13 * s1 - T23 * v3, v28 = w1 * (v2 * (T13 * wy - X1 * T23)),
+        v29 = v28 * v28;
     const four v30 = v29 + v26 * v26, v31 = 1.0 / v30;
 
     /* theta6 */
-    const double v32 = s1 * T12 - v3 * T22, v33 = w1 * (v2 * (X1 * T12 + wy * T22));
-    const double v34 = s1 * T11 - v3 * T21, v35 = w1 * (v2 * (X1 * T11 + wy * T21));
+    const double v32 = s1 * T12 - v3 * T22, v33 = w1 * (v2 * (X1 * T12 + wy * T22)),
+        v34 = s1 * T11 - v3 * T21, v35 = w1 * (v2 * (X1 * T11 + wy * T21));
 
     /* joint values */
     const double v36 = copysign(half_turn, wy), v39 = copysign(half_turn, v5);
-    const four v41 = copysign_four(all_four(half_turn), -(e1 * v28)) * h1;
-    const four v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
-    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+    const four v41 = copysign_four(all_four(half_turn), -(e1 * v28)) * h1,
+        v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
+    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v21 <= m4) | (v30 <= m5);
 
-    const four angle2 = atan2_four(S2, C2), angle4 = atan2_four(-(e1 * v28), v26);
-    const four angle5 = atan2_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25));
-    const four angle6 = atan2_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3 *
-        v33)))));
-    const four packed5 = atan2_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 });
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2;
-    const four q2_p = v38 - only_four(half_turn < v38, m7);
-    const four v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3;
-    const four q3_p = v40 + only_four(v40 <= -half_turn, m7);
-    const four v42 = angle4 - offset4, v43 = angle4 - v41 - offset4;
-    const four q4_p = v42 + only_four(v42 <= -half_turn, m7);
-    const four q4_m = v43 + only_four(v43 <= -half_turn, m7);
-    const four v44 = angle5 - offset5, v45 = offset5 + angle5;
-    const four q5_p = v44 + only_four(v44 <= -half_turn, m7);
-    const four q5_m = only_four(-v45 <= -half_turn, m7) - v45;
-    const four v47 = angle6 - offset6;
-    const four v48 = angle6 - h1 * copysign_four(all_four(half_turn), v46) - offset6;
-    const four q6_p = v47 + only_four(v47 <= -half_turn, m7);
-    const four q6_m = v48 + only_four(v48 <= -half_turn, m7);
-    const four_mask v49 = (q3_p < low3) | (high3 < q3_p);
+    const four angle2 = atan2_four(S2, C2), angle4 = atan2_four(-(e1 * v28), v26),
+        angle5 = atan2_four(sqrt_four(v30), T33 * c2m3 + e1 * (v24 * v25)),
+        angle6 = atan2_four(v46, e1 * (v31 * (v26 * v32 - v27 * (v24 * T32 - e1 * (c2m3 * v33))))),
+        packed5 = atan2_four((four){ wy, v5, wy, wy }, (four){ -X1, -v6, -X1, -X1 }),
+        angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
+        angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
+        q2_p = v38 - only_four(half_turn < v38, m7),
+        v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3,
+        q3_p = v40 + only_four(v40 <= -half_turn, m7), v42 = angle4 - offset4,
+        v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, m7),
+        q4_m = v43 + only_four(v43 <= -half_turn, m7), v44 = angle5 - offset5,
+        v45 = offset5 + angle5, q5_p = v44 + only_four(v44 <= -half_turn, m7),
+        q5_m = only_four(-v45 <= -half_turn, m7) - v45, v47 = angle6 - offset6,
+        v48 = angle6 - h1 * copysign_four(all_four(half_turn), v46) - offset6,
+        q6_p = v47 + only_four(v47 <= -half_turn, m7),
+        q6_m = v48 + only_four(v48 <= -half_turn, m7);
+    const four_mask v49 = beyond(q3_p, low3, high3);
     const four q1_p = v4 + (v37 - only_four(half_turn < v37, m7));
-    const four_mask v50 = v49 | ((q2_p < low2) | (high2 < q2_p));
-    const four_mask outside_p = v50 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v50 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v50 = v49 | beyond(q2_p, low2, high2),
+        outside_p = v50 | beyond(q5_p, low5, high5), outside_m = v50 | beyond(q5_m, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -892,8 +760,7 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(v1) : -(X1 * factor1);
-        const double s1 = free1 ? sin(v1) : wy * factor1;
+        const double c1 = free1 ? cos(v1) : -(X1 * factor1), s1 = free1 ? sin(v1) : wy * factor1;
         const double root1 = w1 * e1;
 
         /* theta3 */
@@ -907,19 +774,14 @@ static void solve(
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
-        const double v4 = Z1_3 * X1_2;
-        const double v5 = root1 * X1_2;
+        const double v4 = Z1_3 * X1_2, v5 = root1 * X1_2;
 
         /* theta4 */
-        const double v8 = T13 * c1 - T23 * s1;
-        const double v10 = T23 * c1 + T13 * s1;
-        const double v11 = v10 * v10;
+        const double v8 = T13 * c1 - T23 * s1, v10 = T23 * c1 + T13 * s1, v11 = v10 * v10;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T22 * c1 + T12 * s1;
-        const double v14 = T12 * c1 - T22 * s1;
-        const double v16 = T21 * c1 + T11 * s1;
-        const double v17 = T11 * c1 - T21 * s1;
+        const double v13 = T22 * c1 + T12 * s1, v14 = T12 * c1 - T22 * s1,
+            v16 = T21 * c1 + T11 * s1, v17 = T11 * c1 - T21 * s1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -937,13 +799,11 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2;
-            const double s2 = free2 ? sin(v6) : S2 * factor2;
+            const double c2 = free2 ? cos(v6) : C2 * factor2, s2 = free2 ? sin(v6) : S2 * factor2;
 
             /* theta4 */
             const double c2m3 = s3 * s2 - v3 * c2;
-            const double v7 = v3 * s2 + s3 * c2;
-            const double v9 = c2m3 * v8 + T33 * v7;
+            const double v7 = v3 * s2 + s3 * c2, v9 = c2m3 * v8 + T33 * v7;
             const double w4 = sqrt(v9 * v9 + v11);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
@@ -952,8 +812,7 @@ static void solve(
             const double c5 = T33 * c2m3 - v7 * v8;
 
             /* theta6 */
-            const double v15 = c2m3 * v14 + T32 * v7;
-            const double v18 = c2m3 * v17 + T31 * v7;
+            const double v15 = c2m3 * v14 + T32 * v7, v18 = c2m3 * v17 + T31 * v7;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -964,24 +823,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v12) : v9 * factor4;
-                const double s4 = free4 ? sin(v12) : -(v10 * factor4);
+                const double c4 = free4 ? cos(v12) : v9 * factor4,
+                    s4 = free4 ? sin(v12) : -(v10 * factor4);
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v13 + s4 * v15;
-                const double s6 = c4 * v16 + s4 * v18;
+                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
                 const double q5 = wrap(atan2(s5, c5) - offset5);
                 const double q6 = wrap(atan2(s6, c6) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? KAWASAKI_RS007N_FREE_JOINT :
                     KAWASAKI_RS007N_OK;

@@ -680,9 +680,9 @@ def _regular(pose, q, status):
     v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
     v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
     doubt1 = (
-        v51 <= m5 or (v27 <= m4 or (v50 <= m5 or (v26 <= m4 or (v49 <= m5 or (v25 <= m4 or (v48 <=
-        m5 or (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart
-        < N3 and N3 < longest3_apart)) or v23 <= m4)))))))
+        v51 <= m5 or v27 <= m4 or v50 <= m5 or v26 <= m4 or v49 <= m5 or v25 <= m4 or v48 <= m5 or
+        v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3
+        and N3 < longest3_apart)) or v23 <= m4
     )
 
     # angles, side by side
@@ -818,18 +818,18 @@ def _regular(pose, q, status):
     v97 = q3_pmp < low3 or high3 < q3_pmp
     q1_ppp = v4 + (v60 - (m7 if half_turn < v60 else 0.0))
     q1_mpp = v4 + (v61 - (m7 if half_turn < v61 else 0.0))
-    v98 = v96 or (q2_ppp < low2 or high2 < q2_ppp)
-    v99 = v97 or (q2_pmp < low2 or high2 < q2_pmp)
-    v100 = v96 or (q2_mpp < low2 or high2 < q2_mpp)
-    v101 = v97 or (q2_mmp < low2 or high2 < q2_mmp)
-    outside_ppp = v98 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v98 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v99 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v99 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v100 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v100 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v101 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v101 or (q5_mmm < low5 or high5 < q5_mmm)
+    v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
+    v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
+    v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
+    v101 = v97 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = v98 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v98 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v99 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v99 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v100 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v100 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v101 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v101 or q5_mmm < low5 or high5 < q5_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1199,9 +1199,9 @@ def _in_tiles(T, q, status):
             v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
             v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
             doubt1 = (
-                v51 <= m5 or (v27 <= m4 or (v50 <= m5 or (v26 <= m4 or (v49 <= m5 or (v25 <= m4 or
-                (v48 <= m5 or (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or v23 <= m4)))))))
+                v51 <= m5 or v27 <= m4 or v50 <= m5 or v26 <= m4 or v49 <= m5 or v25 <= m4 or v48 <=
+                m5 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or v23 <= m4
             )
             work[272 + k] = wy
             work[288 + k] = v4
@@ -1371,18 +1371,18 @@ def _in_tiles(T, q, status):
             v97 = q3_pmp < low3 or high3 < q3_pmp
             q1_ppp = v4 + (v60 - (m7 if half_turn < v60 else 0.0))
             q1_mpp = v4 + (v61 - (m7 if half_turn < v61 else 0.0))
-            v98 = v96 or (q2_ppp < low2 or high2 < q2_ppp)
-            v99 = v97 or (q2_pmp < low2 or high2 < q2_pmp)
-            v100 = v96 or (q2_mpp < low2 or high2 < q2_mpp)
-            v101 = v97 or (q2_mmp < low2 or high2 < q2_mmp)
-            outside_ppp = v98 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v98 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v99 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v99 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v100 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v100 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v101 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v101 or (q5_mmm < low5 or high5 < q5_mmm)
+            v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
+            v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
+            v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
+            v101 = v97 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = v98 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v98 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v99 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v99 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v100 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v100 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v101 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v101 or q5_mmm < low5 or high5 < q5_mmm
             _1152 = q1_ppp
             work[1152 + k] = _1152
             _1168 = q2_ppp

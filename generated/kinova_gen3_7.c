@@ -19,6 +19,8 @@ static const double measure[6] = {
     0.8690286866369458, 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
     0.8690286866369458, 0.8690286866369458,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     kinova_gen3_7_fk(d->q, P);
     kinova_gen3_7_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.1507100000000001;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.1507100000000001;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[7 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.1507100000000001;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[14 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.1507100000000001;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[7 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3182,62 +3181,42 @@ static const double highest[7] = { INFINITY, 2.24, INFINITY, 2.57, INFINITY, 2.0
 
 void kinova_gen3_7_fk(const double q[7], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
+    const double c2 = cos(v1), s2 = sin(v1);
     const double x2_x = c1 * c2;
     const double v2 = s1 * c2;
     const double z2_x = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = c1 * s3 - v2 * c3;
-    const double v5 = s2 * c3;
-    const double v6 = c1 * c3 + v2 * s3;
-    const double v7 = s2 * s3;
+    const double v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3;
+    const double v5 = s2 * c3, v6 = c1 * c3 + v2 * s3, v7 = s2 * s3;
     const double z3_x = x2_x * s3 - s1 * c3;
     const double v8 = q[3] + offset4;
-    const double c4 = cos(v8);
-    const double s4 = sin(v8);
-    const double x4_x = x3_x * c4 + z2_x * s4;
-    const double x4_y = x3_y * c4 - v3 * s4;
-    const double x4_z = c2 * s4 - v5 * c4;
+    const double c4 = cos(v8), s4 = sin(v8);
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v5 * c4;
     const double z4_y = v3 * c4 + x3_y * s4;
     const double v9 = c2 * c4 + v5 * s4;
     const double z4_x = x3_x * s4 - z2_x * c4;
     const double v10 = q[4] + offset5;
-    const double c5 = cos(v10);
-    const double s5 = sin(v10);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 - v6 * s5;
-    const double x5_z = x4_z * c5 - v7 * s5;
-    const double z5_y = v6 * c5 + x4_y * s5;
-    const double z5_z = v7 * c5 + x4_z * s5;
-    const double z5_x = x4_x * s5 - z3_x * c5;
+    const double c5 = cos(v10), s5 = sin(v10);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 - v6 * s5,
+        x5_z = x4_z * c5 - v7 * s5;
+    const double z5_y = v6 * c5 + x4_y * s5, z5_z = v7 * c5 + x4_z * s5,
+        z5_x = x4_x * s5 - z3_x * c5;
     const double v11 = q[5] + offset6;
-    const double c6 = cos(v11);
-    const double s6 = sin(v11);
-    const double x6_x = x5_x * c6 + z4_x * s6;
-    const double x6_y = x5_y * c6 + z4_y * s6;
-    const double x6_z = x5_z * c6 - v9 * s6;
-    const double T33_ = v9 * c6 + x5_z * s6;
-    const double T13_ = x5_x * s6 - z4_x * c6;
-    const double T23_ = x5_y * s6 - z4_y * c6;
+    const double c6 = cos(v11), s6 = sin(v11);
+    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
+        x6_z = x5_z * c6 - v9 * s6;
+    const double T33_ = v9 * c6 + x5_z * s6, T13_ = x5_x * s6 - z4_x * c6,
+        T23_ = x5_y * s6 - z4_y * c6;
     const double v12 = q[6] + offset7;
-    const double c7 = cos(v12);
-    const double s7 = sin(v12);
-    const double T11_ = x6_x * c7 + z5_x * s7;
-    const double T21_ = x6_y * c7 + z5_y * s7;
-    const double T31_ = x6_z * c7 + z5_z * s7;
-    const double T12_ = z5_x * c7 - x6_x * s7;
-    const double T22_ = z5_y * c7 - x6_y * s7;
-    const double T32_ = z5_z * c7 - x6_z * s7;
-    const double T24_ = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - T23_ * d7;
-    const double T34_ = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - T33_ * d7;
+    const double c7 = cos(v12), s7 = sin(v12);
+    const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
+        T31_ = x6_z * c7 + z5_z * s7, T12_ = z5_x * c7 - x6_x * s7, T22_ = z5_y * c7 - x6_y * s7,
+        T32_ = z5_z * c7 - x6_z * s7,
+        T24_ = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - T23_ * d7,
+        T34_ = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - T33_ * d7;
     T[0] = T11_; T[1] = T12_; T[2] = T13_;
     T[3] = -(s1 * d2 + z2_x * d3 + z3_x * d4 + z4_x * d5 + z5_x * d6 + T13_ * d7);
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
@@ -3248,91 +3227,53 @@ void kinova_gen3_7_fk(const double q[7], double T[16])
 
 void kinova_gen3_7_jacobian(const double q[7], double J[42])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
+    const double c2 = cos(v1), s2 = sin(v1);
     const double x2_x = c1 * c2;
     const double v2 = s1 * c2;
     const double J43 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = s1 * d2;
-    const double v5 = c1 * d2;
-    const double v6 = q[2] + offset3;
-    const double c3 = cos(v6);
-    const double s3 = sin(v6);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = c1 * s3 - v2 * c3;
-    const double v7 = s2 * c3;
-    const double v8 = c1 * c3 + v2 * s3;
-    const double v9 = s2 * s3;
-    const double v10 = v4 + J43 * d3;
-    const double p3_y = v3 * d3 - v5;
-    const double p3_z = d1 - c2 * d3;
+    const double v3 = s1 * s2, v4 = s1 * d2, v5 = c1 * d2, v6 = q[2] + offset3;
+    const double c3 = cos(v6), s3 = sin(v6);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3;
+    const double v7 = s2 * c3, v8 = c1 * c3 + v2 * s3, v9 = s2 * s3, v10 = v4 + J43 * d3;
+    const double p3_y = v3 * d3 - v5, p3_z = d1 - c2 * d3;
     const double J44 = x2_x * s3 - s1 * c3;
     const double v11 = q[3] + offset4;
-    const double c4 = cos(v11);
-    const double s4 = sin(v11);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 - v3 * s4;
-    const double x4_z = c2 * s4 - v7 * c4;
+    const double c4 = cos(v11), s4 = sin(v11);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v7 * c4;
     const double J55 = v3 * c4 + x3_y * s4;
-    const double v12 = c2 * c4 + v7 * s4;
-    const double v13 = v10 + J44 * d4;
-    const double p4_y = p3_y + v8 * d4;
-    const double p4_z = p3_z + v9 * d4;
+    const double v12 = c2 * c4 + v7 * s4, v13 = v10 + J44 * d4;
+    const double p4_y = p3_y + v8 * d4, p4_z = p3_z + v9 * d4;
     const double J45 = x3_x * s4 - J43 * c4;
     const double v14 = q[4] + offset5;
-    const double c5 = cos(v14);
-    const double s5 = sin(v14);
-    const double J56 = v8 * c5 + x4_y * s5;
-    const double J66 = v9 * c5 + x4_z * s5;
+    const double c5 = cos(v14), s5 = sin(v14);
+    const double J56 = v8 * c5 + x4_y * s5, J66 = v9 * c5 + x4_z * s5;
     const double v15 = v13 + J45 * d5;
-    const double p5_y = p4_y - J55 * d5;
-    const double p5_z = p4_z + v12 * d5;
+    const double p5_y = p4_y - J55 * d5, p5_z = p4_z + v12 * d5;
     const double J46 = x4_x * s5 - J44 * c5;
     const double v16 = q[5] + offset6;
-    const double c6 = cos(v16);
-    const double s6 = sin(v16);
+    const double c6 = cos(v16), s6 = sin(v16);
     const double J67 = v12 * c6 + (x4_z * c5 - v9 * s5) * s6;
     const double v17 = v15 + J46 * d6;
-    const double p6_y = p5_y - J56 * d6;
-    const double p6_z = p5_z - J66 * d6;
-    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6;
-    const double J57 = (x4_y * c5 - v8 * s5) * s6 - J55 * c6;
-    const double J21 = v17 + J47 * d7;
-    const double J11 = p6_y - J57 * d7;
+    const double p6_y = p5_y - J56 * d6, p6_z = p5_z - J66 * d6;
+    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6,
+        J57 = (x4_y * c5 - v8 * s5) * s6 - J55 * c6, J21 = v17 + J47 * d7, J11 = p6_y - J57 * d7;
     const double p7_z = p6_z - J67 * d7;
     const double v18 = p7_z - d1;
-    const double J12 = c1 * v18;
-    const double J32 = s1 * J11 + c1 * J21;
-    const double v19 = v4 - J21;
-    const double v20 = v5 + J11;
-    const double J23 = c2 * v19 - J43 * v18;
-    const double J33 = J43 * v20 + v3 * v19;
-    const double v21 = v10 - J21;
-    const double v22 = J11 - p3_y;
-    const double v23 = p7_z - p3_z;
-    const double J14 = v9 * v22 - v8 * v23;
-    const double J34 = J44 * v22 + v8 * v21;
-    const double v24 = v13 - J21;
-    const double v25 = J11 - p4_y;
-    const double v26 = p7_z - p4_z;
-    const double J15 = J55 * v26 + v12 * v25;
-    const double J35 = J45 * v25 - J55 * v24;
-    const double v27 = v15 - J21;
-    const double v28 = J11 - p5_y;
-    const double v29 = p7_z - p5_z;
-    const double J16 = J56 * v29 - J66 * v28;
-    const double J26 = J66 * v27 - J46 * v29;
-    const double J36 = J46 * v28 - J56 * v27;
-    const double v30 = v17 - J21;
-    const double v31 = J11 - p6_y;
-    const double v32 = p7_z - p6_z;
-    const double J17 = J57 * v32 - J67 * v31;
-    const double J27 = J67 * v30 - J47 * v32;
-    const double J37 = J47 * v31 - J57 * v30;
+    const double J12 = c1 * v18, J32 = s1 * J11 + c1 * J21;
+    const double v19 = v4 - J21, v20 = v5 + J11;
+    const double J23 = c2 * v19 - J43 * v18, J33 = J43 * v20 + v3 * v19;
+    const double v21 = v10 - J21, v22 = J11 - p3_y, v23 = p7_z - p3_z;
+    const double J14 = v9 * v22 - v8 * v23, J34 = J44 * v22 + v8 * v21;
+    const double v24 = v13 - J21, v25 = J11 - p4_y, v26 = p7_z - p4_z;
+    const double J15 = J55 * v26 + v12 * v25, J35 = J45 * v25 - J55 * v24;
+    const double v27 = v15 - J21, v28 = J11 - p5_y, v29 = p7_z - p5_z;
+    const double J16 = J56 * v29 - J66 * v28, J26 = J66 * v27 - J46 * v29,
+        J36 = J46 * v28 - J56 * v27;
+    const double v30 = v17 - J21, v31 = J11 - p6_y, v32 = p7_z - p6_z;
+    const double J17 = J57 * v32 - J67 * v31, J27 = J67 * v30 - J47 * v32,
+        J37 = J47 * v31 - J57 * v30;
     J[0] = J11; J[1] = J12; J[2] = -(v3 * v18 + c2 * v20); J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J17;
     J[7] = J21; J[8] = -(s1 * v18); J[9] = J23; J[10] = -(v9 * v21 + J44 * v23);
@@ -3347,13 +3288,16 @@ void kinova_gen3_7_jacobian(const double q[7], double J[42])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3415,13 +3359,8 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
-        q[row][5] = q6;
-        q[row][6] = q7;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
+        q[row][5] = q6; q[row][6] = q7;
         status[row] = (chosen) ? KINOVA_GEN3_7_FREE_JOINT : KINOVA_GEN3_7_OK;
     }
 }

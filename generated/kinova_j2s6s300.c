@@ -89,56 +89,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -178,7 +143,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -200,14 +165,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -352,52 +311,36 @@ static const double highest[6] = {
 void kinova_j2s6s300_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
+    const double c2 = cos(v2), s2 = sin(v2);
     const double x2_x = c1 * c2;
     const double v3 = s1 * c2;
     const double y2_x = c1 * s2;
-    const double v4 = s1 * s2;
-    const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
+    const double v4 = s1 * s2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v6 = v3 * c3 + v4 * s3;
     const double x3_z = c2 * s3 - s2 * c3;
     const double v7 = c2 * c3 + s2 * s3;
-    const double z3_x = x2_x * s3 - y2_x * c3;
-    const double z3_y = v4 * c3 - v3 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double z3_x = x2_x * s3 - y2_x * c3, z3_y = v4 * c3 - v3 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 - s1 * s4;
     const double v8 = v6 * c4 + c1 * s4;
     const double x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_y = c1 * c4 - v6 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = z3_y * s5 - v8 * c5;
-    const double x5_z = x4_z * c5 - v7 * s5;
-    const double T13_ = z3_x * c5 - x4_x * s5;
-    const double T23_ = z3_y * c5 + v8 * s5;
+    const double z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = c1 * c4 - v6 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = z3_y * s5 - v8 * c5,
+        x5_z = x4_z * c5 - v7 * s5;
+    const double T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 + v8 * s5;
     const double z5_z = v7 * c5 + x4_z * s5;
     const double v9 = q[5] + offset6;
-    const double c6 = cos(v9);
-    const double s6 = sin(v9);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T14_ = x2_x * a2 - s1 * d2 + s1 * d3 - z3_x * d4 - -T13_ * d6;
-    const double T24_ = c1 * d3 - (v3 * a2 + c1 * d2) - z3_y * d4 + T23_ * d6;
-    const double T34_ = d1 - s2 * a2 + v7 * d4 - z5_z * d6;
-    const double T12_ = x5_x * s6 - z4_x * c6;
-    const double T22_ = x5_y * s6 - z4_y * c6;
-    const double T32_ = x5_z * s6 - z4_z * c6;
+    const double c6 = cos(v9), s6 = sin(v9);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T14_ = x2_x * a2 - s1 * d2 + s1 * d3 - z3_x * d4 - -T13_ * d6,
+        T24_ = c1 * d3 - (v3 * a2 + c1 * d2) - z3_y * d4 + T23_ * d6,
+        T34_ = d1 - s2 * a2 + v7 * d4 - z5_z * d6, T12_ = x5_x * s6 - z4_x * c6,
+        T22_ = x5_y * s6 - z4_y * c6, T32_ = x5_z * s6 - z4_z * c6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -z5_z; T[11] = T34_;
@@ -408,63 +351,41 @@ void kinova_j2s6s300_fk(const double q[6], double T[16])
 void kinova_j2s6s300_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
+    const double c2 = cos(v2), s2 = sin(v2);
     const double x2_x = c1 * c2;
     const double v3 = s1 * c2;
     const double y2_x = c1 * s2;
     const double v4 = s1 * s2;
-    const double p2_z = d1 - s2 * a2;
-    const double p2_x = x2_x * a2 - s1 * d2;
-    const double v5 = v3 * a2 + c1 * d2;
-    const double v6 = q[2] + offset3;
-    const double c3 = cos(v6);
-    const double s3 = sin(v6);
+    const double p2_z = d1 - s2 * a2, p2_x = x2_x * a2 - s1 * d2;
+    const double v5 = v3 * a2 + c1 * d2, v6 = q[2] + offset3;
+    const double c3 = cos(v6), s3 = sin(v6);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v7 = v3 * c3 + v4 * s3;
     const double x3_z = c2 * s3 - s2 * c3;
     const double v8 = c2 * c3 + s2 * s3;
-    const double p3_x = p2_x + s1 * d3;
-    const double p3_y = c1 * d3 - v5;
-    const double J44 = x2_x * s3 - y2_x * c3;
-    const double J54 = v4 * c3 - v3 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p3_x - J44 * d4;
-    const double p4_y = p3_y - J54 * d4;
-    const double p4_z = p2_z + v8 * d4;
+    const double p3_x = p2_x + s1 * d3, p3_y = c1 * d3 - v5;
+    const double J44 = x2_x * s3 - y2_x * c3, J54 = v4 * c3 - v3 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
+    const double p4_x = p3_x - J44 * d4, p4_y = p3_y - J54 * d4, p4_z = p2_z + v8 * d4;
     const double J55 = c1 * c4 - v7 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double z6_y = J54 * c5 + (v7 * c4 + c1 * s4) * s5;
-    const double J66 = v8 * c5 + x3_z * c4 * s5;
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
+    const double J66 = v8 * c5 + x3_z * c4 * s5, J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
     const double p6_x = p4_x - J46 * d6;
     const double J11 = p4_y + z6_y * d6;
     const double p6_z = p4_z - J66 * d6;
     const double v9 = p6_z - d1;
-    const double J12 = c1 * v9;
-    const double J32 = s1 * J11 - c1 * p6_x;
+    const double J12 = c1 * v9, J32 = s1 * J11 - c1 * p6_x;
     const double v10 = p6_z - p2_z;
-    const double J23 = s1 * v10;
-    const double J33 = c1 * (p6_x - p2_x) - s1 * (v5 + J11);
-    const double v11 = p6_x - p3_x;
-    const double v12 = J11 - p3_y;
-    const double J14 = J54 * v10 + v8 * v12;
-    const double J34 = J44 * v12 - J54 * v11;
-    const double v13 = p6_x - p4_x;
-    const double v14 = J11 - p4_y;
-    const double v15 = p6_z - p4_z;
-    const double J15 = J55 * v15 - J65 * v14;
-    const double J25 = J65 * v13 - J45 * v15;
-    const double J35 = J45 * v14 - J55 * v13;
-    const double J26 = J66 * v13 - J46 * v15;
-    const double J36 = J46 * v14 + z6_y * v13;
+    const double J23 = s1 * v10, J33 = c1 * (p6_x - p2_x) - s1 * (v5 + J11);
+    const double v11 = p6_x - p3_x, v12 = J11 - p3_y;
+    const double J14 = J54 * v10 + v8 * v12, J34 = J44 * v12 - J54 * v11;
+    const double v13 = p6_x - p4_x, v14 = J11 - p4_y, v15 = p6_z - p4_z;
+    const double J15 = J55 * v15 - J65 * v14, J25 = J65 * v13 - J45 * v15,
+        J35 = J45 * v14 - J55 * v13, J26 = J66 * v13 - J46 * v15, J36 = J46 * v14 + z6_y * v13;
     J[0] = J11; J[1] = J12; J[2] = -(c1 * v10); J[3] = J14; J[4] = J15;
     J[5] = -(z6_y * v15 + J66 * v14);
     J[6] = -p6_x; J[7] = -(s1 * v9); J[8] = J23; J[9] = -(v8 * v11 + J44 * v10); J[10] = J25;
@@ -479,13 +400,16 @@ void kinova_j2s6s300_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -532,174 +456,143 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = d6 * T23 - T24;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k2;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (k1 * wy);
-    const wide c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1);
-    const wide v3 = inverse1 * (k1 * X1);
-    const wide s1_p = v3 + w1 * (wy * inverse1), s1_m = v3 + w1 * (inverse1 * -wy);
+    const wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
+        w1 = sqrt_wide(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (k1 * wy),
+        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
+        v3 = inverse1 * (k1 * X1), s1_p = v3 + w1 * (wy * inverse1),
+        s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta3 */
-    const wide Z1_3 = d1 + (d6 * T33 - T34);
-    const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v4 = w3 - w3, v5 = k5 * (N3 - k6), v6 = k7 * v5, v7 = k5 * w3;
-    const wide c3 = k7 * v7;
+    const wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k5 * (N3 - k6),
+        v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * v6;
-    const wide X2_2 = d4 * c3;
-    const wide v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9, v11 = v8 - v9, v12 = m2 + m1 * N3;
-    const wide v13 = Z1_3 * v12, v14 = w3 * (m1 * w1);
-    const wide S2_pp = v13 + v14, S2_pm = v13 - v14;
-    const wide v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16, v18 = v15 + v16;
-    const wide v19 = w3 * (m1 * Z1_3), v20 = w1 * v12;
-    const wide C2_pp = v20 - v19, C2_pm = v19 + v20;
-    const wide v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp, v23 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v24 = v21 + -C2_pp * -C2_pp;
-    const wide w2_pp = sqrt_wide(v22), w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24);
-    const wide v25 = 1.0 / v22, v26 = 1.0 / v23, v27 = 1.0 / v24;
+    const wide X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2, v10 = v8 + v9,
+        v11 = v8 - v9, v12 = m2 + m1 * N3, v13 = Z1_3 * v12, v14 = w3 * (m1 * w1),
+        S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
+        v18 = v15 + v16, v19 = w3 * (m1 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
+        C2_pm = v19 + v20, v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp,
+        v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 + -C2_pp * -C2_pp, w2_pp = sqrt_wide(v22),
+        w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24), v25 = 1.0 / v22, v26 = 1.0 / v23,
+        v27 = 1.0 / v24;
 
     /* theta4 */
-    const wide v28 = v6 * v10;
-    const wide c2m3_pp = w2_pp * (v25 * (c3 * v17 - v28));
-    const wide v29 = w2_pm * (v26 * (c3 * v18 + v6 * v11)), v30 = w2_mm * (v27 * (v28 + c3 * -v17));
-    const wide v31 = c3 * v10;
-    const wide s2m3_pp = w2_pp * (v25 * (v31 + v6 * v17));
-    const wide v32 = v6 * v18 - c3 * v11;
-    const wide s2m3_pm = w2_pm * (v26 * v32), s2m3_mp = w2_pm * (v26 * -v32);
-    const wide s2m3_mm = w2_mm * (v27 * (v6 * -v17 - v31));
-    const wide v33 = T13 * c1_p - T23 * s1_p, v34 = T13 * c1_m - T23 * s1_m;
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v33, X4_pm = T33 * s2m3_pm + v29 * v33;
-    const wide X4_mp = T33 * s2m3_mp + v29 * v34, X4_mm = T33 * s2m3_mm + v30 * v34;
-    const wide v35 = T23 * c1_p + T13 * s1_p, v36 = T23 * c1_m + T13 * s1_m, v37 = v35 * v35;
-    const wide v38 = v36 * v36, v39 = v37 + X4_pp * X4_pp, v40 = v37 + X4_pm * X4_pm;
-    const wide v41 = v38 + X4_mp * X4_mp, v42 = v38 + X4_mm * X4_mm;
-    const wide angle1 = atan2_wide(-v35, -X4_pp), angle2 = atan2_wide(-v35, -X4_pm);
-    const wide angle3 = atan2_wide(-v36, -X4_mp), angle4 = atan2_wide(-v36, -X4_mm);
-    const wide v43 = copysign_wide(all_wide(half_turn), -v35) * h1;
-    const wide v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
-    const wide q4_ppm = angle1 - v43, q4_pmm = angle2 - v43, q4_mpm = angle3 - v44;
-    const wide q4_mmm = angle4 - v44;
+    const wide v28 = v6 * v10, c2m3_pp = w2_pp * (v25 * (c3 * v17 - v28)),
+        v29 = w2_pm * (v26 * (c3 * v18 + v6 * v11)), v30 = w2_mm * (v27 * (v28 + c3 * -v17)),
+        v31 = c3 * v10, s2m3_pp = w2_pp * (v25 * (v31 + v6 * v17)), v32 = v6 * v18 - c3 * v11,
+        s2m3_pm = w2_pm * (v26 * v32), s2m3_mp = w2_pm * (v26 * -v32),
+        s2m3_mm = w2_mm * (v27 * (v6 * -v17 - v31)), v33 = T13 * c1_p - T23 * s1_p,
+        v34 = T13 * c1_m - T23 * s1_m, X4_pp = T33 * s2m3_pp - c2m3_pp * v33,
+        X4_pm = T33 * s2m3_pm + v29 * v33, X4_mp = T33 * s2m3_mp + v29 * v34,
+        X4_mm = T33 * s2m3_mm + v30 * v34, v35 = T23 * c1_p + T13 * s1_p,
+        v36 = T23 * c1_m + T13 * s1_m, v37 = v35 * v35, v38 = v36 * v36, v39 = v37 + X4_pp * X4_pp,
+        v40 = v37 + X4_pm * X4_pm, v41 = v38 + X4_mp * X4_mp, v42 = v38 + X4_mm * X4_mm,
+        angle1 = atan2_wide(-v35, -X4_pp), angle2 = atan2_wide(-v35, -X4_pm),
+        angle3 = atan2_wide(-v36, -X4_mp), angle4 = atan2_wide(-v36, -X4_mm),
+        v43 = copysign_wide(all_wide(half_turn), -v35) * h1,
+        v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
 
     /* theta5 */
-    const wide angle5 = atan2_wide(-sqrt_wide(v39), -(T33 * c2m3_pp + s2m3_pp * v33));
-    const wide v45 = T33 * v29;
-    const wide angle6 = atan2_wide(-sqrt_wide(v40), v45 - s2m3_pm * v33);
-    const wide angle7 = atan2_wide(-sqrt_wide(v41), v45 - s2m3_mp * v34);
-    const wide angle8 = atan2_wide(-sqrt_wide(v42), T33 * v30 - s2m3_mm * v34);
+    const wide angle5 = atan2_wide(-sqrt_wide(v39), -(T33 * c2m3_pp + s2m3_pp * v33)),
+        v45 = T33 * v29, angle6 = atan2_wide(-sqrt_wide(v40), v45 - s2m3_pm * v33),
+        angle7 = atan2_wide(-sqrt_wide(v41), v45 - s2m3_mp * v34),
+        angle8 = atan2_wide(-sqrt_wide(v42), T33 * v30 - s2m3_mm * v34);
 
     /* theta6 */
-    const wide v46 = c1_p * T22 + s1_p * T12, v47 = c1_m * T22 + s1_m * T12;
-    const wide v48 = c1_p * T12 - s1_p * T22, v49 = c1_m * T12 - s1_m * T22;
-    const wide v50 = c1_p * T21 + s1_p * T11, v51 = c1_m * T21 + s1_m * T11;
-    const wide v52 = c1_p * T11 - s1_p * T21, v53 = c1_m * T11 - s1_m * T21;
-    const wide s6_pp = -X4_pp * v50 - v35 * (c2m3_pp * v52 - s2m3_pp * T31);
-    const wide s6_pm = v35 * (v29 * v52 + s2m3_pm * T31) - X4_pm * v50;
-    const wide s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51;
-    const wide s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51;
+    const wide v46 = c1_p * T22 + s1_p * T12, v47 = c1_m * T22 + s1_m * T12,
+        v48 = c1_p * T12 - s1_p * T22, v49 = c1_m * T12 - s1_m * T22, v50 = c1_p * T21 + s1_p * T11,
+        v51 = c1_m * T21 + s1_m * T11, v52 = c1_p * T11 - s1_p * T21, v53 = c1_m * T11 - s1_m * T21,
+        s6_pp = -X4_pp * v50 - v35 * (c2m3_pp * v52 - s2m3_pp * T31),
+        s6_pm = v35 * (v29 * v52 + s2m3_pm * T31) - X4_pm * v50,
+        s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51,
+        s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51;
 
     /* joint values */
-    const wide angle9 = atan2_wide(s1_p, c1_p);
-    const wide v54 = angle9 - offset1;
-    const wide angle10 = atan2_wide(s1_m, c1_m);
-    const wide v55 = angle10 - offset1;
-    const wide angle11 = atan2_wide(S2_pp, C2_pp);
-    const wide v56 = angle11 - offset2;
-    const wide angle12 = atan2_wide(S2_pm, C2_pm);
-    const wide v57 = angle12 - offset2;
-    const wide angle13 = atan2_wide(S2_pm, -C2_pm);
-    const wide v58 = angle13 - offset2;
-    const wide angle14 = atan2_wide(S2_pp, -C2_pp);
-    const wide v59 = angle14 - offset2;
-    const wide q2__pp = v56 + only_wide(v56 <= -half_turn, m6);
-    const wide q2__pm = v57 + only_wide(v57 <= -half_turn, m6);
-    const wide q2__mp = v58 + only_wide(v58 <= -half_turn, m6);
-    const wide q2__mm = v59 + only_wide(v59 <= -half_turn, m6);
-    const wide angle15 = atan2_wide(-v5, v7);
-    const wide v60 = angle15 - offset3;
-    const wide v61 = h1 * copysign_wide(all_wide(half_turn), -v5) - angle15 - offset3;
-    const wide q3__p = v60 + only_wide(v60 <= -half_turn, m6);
-    const wide q3__m = v61 + only_wide(v61 <= -half_turn, m6);
-    const wide angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46);
-    const wide angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32));
-    const wide angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32));
-    const wide angle19 = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32));
-    const wide v62 = angle16 - offset6;
-    const wide v63 = angle16 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6;
-    const wide v64 = angle17 - offset6;
-    const wide v65 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6;
-    const wide v66 = angle18 - offset6;
-    const wide v67 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6;
-    const wide v68 = angle19 - offset6;
-    const wide v69 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
-    const wide q6_ppp = v62 - only_wide(half_turn < v62, m6);
-    const wide q6_ppm = v63 - only_wide(half_turn < v63, m6);
-    const wide q6_pmp = v64 - only_wide(half_turn < v64, m6);
-    const wide q6_pmm = v65 - only_wide(half_turn < v65, m6);
-    const wide q6_mpp = v66 - only_wide(half_turn < v66, m6);
-    const wide q6_mpm = v67 - only_wide(half_turn < v67, m6);
-    const wide q6_mmp = v68 - only_wide(half_turn < v68, m6);
-    const wide q6_mmm = v69 - only_wide(half_turn < v69, m6);
-    const wide v70 = q2__pp + only_wide(q2__pp < low2, whole_turn);
-    const wide v71 = q2__pm + only_wide(q2__pm < low2, whole_turn);
-    const wide v72 = q2__mp + only_wide(q2__mp < low2, whole_turn);
-    const wide v73 = q2__mm + only_wide(q2__mm < low2, whole_turn);
-    const wide_mask v74 = (v70 < low2) | (high2 < v70), v75 = (v71 < low2) | (high2 < v71);
-    const wide_mask v76 = (v72 < low2) | (high2 < v72), v77 = (v73 < low2) | (high2 < v73);
-    const wide q2_ppp = pick_wide(v74, q2__pp, v70), q2_pmp = pick_wide(v75, q2__pm, v71);
-    const wide q2_mpp = pick_wide(v76, q2__mp, v72), q2_mmp = pick_wide(v77, q2__mm, v73);
-    const wide v78 = q3__p + only_wide(q3__p < low3, whole_turn);
-    const wide v79 = q3__m + only_wide(q3__m < low3, whole_turn);
-    const wide_mask v80 = (v78 < low3) | (high3 < v78), v81 = (v79 < low3) | (high3 < v79);
-    const wide v82 = angle5 + only_wide(angle5 < low5, whole_turn);
-    const wide v83 = only_wide(-angle5 < low5, whole_turn) - angle5;
-    const wide v84 = angle6 + only_wide(angle6 < low5, whole_turn);
-    const wide v85 = only_wide(-angle6 < low5, whole_turn) - angle6;
-    const wide v86 = angle7 + only_wide(angle7 < low5, whole_turn);
-    const wide v87 = only_wide(-angle7 < low5, whole_turn) - angle7;
-    const wide v88 = angle8 + only_wide(angle8 < low5, whole_turn);
-    const wide v89 = only_wide(-angle8 < low5, whole_turn) - angle8;
-    const wide_mask v90 = (v82 < low5) | (high5 < v82), v91 = (v83 < low5) | (high5 < v83);
-    const wide_mask v92 = (v84 < low5) | (high5 < v84), v93 = (v85 < low5) | (high5 < v85);
-    const wide_mask v94 = (v86 < low5) | (high5 < v86), v95 = (v87 < low5) | (high5 < v87);
-    const wide_mask v96 = (v88 < low5) | (high5 < v88), v97 = (v89 < low5) | (high5 < v89);
-    const wide q5_ppp = pick_wide(v90, angle5, v82), q5_ppm = pick_wide(v91, -angle5, v83);
-    const wide q5_pmp = pick_wide(v92, angle6, v84), q5_pmm = pick_wide(v93, -angle6, v85);
-    const wide q5_mpp = pick_wide(v94, angle7, v86), q5_mpm = pick_wide(v95, -angle7, v87);
-    const wide q5_mmp = pick_wide(v96, angle8, v88), q5_mmm = pick_wide(v97, -angle8, v89);
-    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, m6));
-    const wide q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, m6));
-    const wide q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
-    const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81;
-    const wide_mask outside_ppp = v90 | v98, outside_ppm = v91 | v98, outside_pmp = v92 | v99;
-    const wide_mask outside_pmm = v93 | v99, outside_mpp = v94 | v100, outside_mpm = v95 | v100;
-    const wide_mask outside_mmp = v96 | v101, outside_mmm = v97 | v101;
-    const wide_mask doubt1 = (abs_wide(D1) <= k3) | ((N1 <= doubt_limit_squared2) | ((v42 <= m4) |
-        ((v24 <= m3) | ((v41 <= m4) | ((v40 <= m4) | ((v23 <= m3) | ((v39 <= m4) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v22 <= m3)))))))));
+    const wide angle9 = atan2_wide(s1_p, c1_p), v54 = angle9 - offset1,
+        angle10 = atan2_wide(s1_m, c1_m), v55 = angle10 - offset1,
+        angle11 = atan2_wide(S2_pp, C2_pp), v56 = angle11 - offset2,
+        angle12 = atan2_wide(S2_pm, C2_pm), v57 = angle12 - offset2,
+        angle13 = atan2_wide(S2_pm, -C2_pm), v58 = angle13 - offset2,
+        angle14 = atan2_wide(S2_pp, -C2_pp), v59 = angle14 - offset2,
+        q2__pp = v56 + only_wide(v56 <= -half_turn, m6),
+        q2__pm = v57 + only_wide(v57 <= -half_turn, m6),
+        q2__mp = v58 + only_wide(v58 <= -half_turn, m6),
+        q2__mm = v59 + only_wide(v59 <= -half_turn, m6), angle15 = atan2_wide(-v5, v7),
+        v60 = angle15 - offset3,
+        v61 = h1 * copysign_wide(all_wide(half_turn), -v5) - angle15 - offset3,
+        q3__p = v60 + only_wide(v60 <= -half_turn, m6),
+        q3__m = v61 + only_wide(v61 <= -half_turn, m6),
+        angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46),
+        angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)),
+        angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)),
+        angle19 = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32)),
+        v62 = angle16 - offset6,
+        v63 = angle16 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6,
+        v64 = angle17 - offset6,
+        v65 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6,
+        v66 = angle18 - offset6,
+        v67 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6,
+        v68 = angle19 - offset6,
+        v69 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6,
+        v70 = q2__pp + only_wide(q2__pp < low2, whole_turn),
+        v71 = q2__pm + only_wide(q2__pm < low2, whole_turn),
+        v72 = q2__mp + only_wide(q2__mp < low2, whole_turn),
+        v73 = q2__mm + only_wide(q2__mm < low2, whole_turn);
+    const wide_mask v74 = beyond(v70, low2, high2), v75 = beyond(v71, low2, high2),
+        v76 = beyond(v72, low2, high2), v77 = beyond(v73, low2, high2);
+    const wide q2_ppp = pick_wide(v74, q2__pp, v70), q2_pmp = pick_wide(v75, q2__pm, v71),
+        q2_mpp = pick_wide(v76, q2__mp, v72), q2_mmp = pick_wide(v77, q2__mm, v73),
+        v78 = q3__p + only_wide(q3__p < low3, whole_turn),
+        v79 = q3__m + only_wide(q3__m < low3, whole_turn);
+    const wide_mask v80 = beyond(v78, low3, high3), v81 = beyond(v79, low3, high3);
+    const wide v82 = angle5 + only_wide(angle5 < low5, whole_turn),
+        v83 = only_wide(-angle5 < low5, whole_turn) - angle5,
+        v84 = angle6 + only_wide(angle6 < low5, whole_turn),
+        v85 = only_wide(-angle6 < low5, whole_turn) - angle6,
+        v86 = angle7 + only_wide(angle7 < low5, whole_turn),
+        v87 = only_wide(-angle7 < low5, whole_turn) - angle7,
+        v88 = angle8 + only_wide(angle8 < low5, whole_turn),
+        v89 = only_wide(-angle8 < low5, whole_turn) - angle8;
+    const wide_mask v90 = beyond(v82, low5, high5), v91 = beyond(v83, low5, high5),
+        v92 = beyond(v84, low5, high5), v93 = beyond(v85, low5, high5),
+        v94 = beyond(v86, low5, high5), v95 = beyond(v87, low5, high5),
+        v96 = beyond(v88, low5, high5), v97 = beyond(v89, low5, high5);
+    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, m6)),
+        q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, m6)),
+        q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
+    const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
+        outside_ppp = v90 | v98, outside_ppm = v91 | v98, outside_pmp = v92 | v99,
+        outside_pmm = v93 | v99, outside_mpp = v94 | v100, outside_mpm = v95 | v100,
+        outside_mmp = v96 | v101, outside_mmm = v97 | v101,
+        doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v42 <= m4) | (v24 <= m3) |
+            (v41 <= m4) | (v40 <= m4) | (v23 <= m3) | (v39 <= m4) | ((shortest3_reach <= N3) & (N3
+            <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v22 <=
+            m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
+    q[5] = v62 - only_wide(half_turn < v62, m6);
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
+    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 - only_wide(half_turn < v63, m6);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2; q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
+    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 - only_wide(half_turn < v64, m6);
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
+    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 - only_wide(half_turn < v65, m6);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
+    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 - only_wide(half_turn < v66, m6);
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
+    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 - only_wide(half_turn < v67, m6);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
+    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 - only_wide(half_turn < v68, m6);
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
+    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 - only_wide(half_turn < v69, m6);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -719,90 +612,67 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = d6 * T23 - T24;
-    const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k2;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v2 = inverse1 * (k1 * wy);
+    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
+        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (k1 * wy);
     const four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (k1 * X1);
     const four s1 = v3 + w1 * (inverse1 * (e1 * wy));
 
     /* theta3 */
-    const double Z1_3 = d1 + (d6 * T33 - T34);
-    const double N3 = D1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3, v5 = k5 * (N3 - k6), v6 = k7 * v5, v7 = k5 * w3;
-    const double c3 = k7 * v7;
+    const double Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = k5 * (N3 - k6),
+        v6 = k7 * v5, v7 = k5 * w3, c3 = k7 * v7;
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * v6;
-    const double X2_2 = d4 * c3;
-    const double v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
+    const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
     const four v10 = e1 * e2, v11 = v8 + v9 * v10;
     const double v12 = m2 + m1 * N3, v13 = Z1_3 * v12;
     const four S2 = v13 + w3 * (m1 * (w1 * v10));
     const double v14 = w1 * X1_2, v15 = Z1_3 * X2_2;
-    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m1 * (e2 * Z1_3));
-    const four v20 = w1 * (e1 * v12);
-    const four C2 = v20 - v19;
-    const four v21 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v21);
-    const four v22 = 1.0 / v21;
+    const four v16 = e1 * v14, v17 = e2 * v15, v18 = v16 - v17, v19 = w3 * (m1 * (e2 * Z1_3)),
+        v20 = w1 * (e1 * v12), C2 = v20 - v19, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
+        v22 = 1.0 / v21;
 
     /* theta4 */
-    const four v23 = e2 * c3;
-    const four c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11));
-    const four s2m3 = w2 * (v22 * (v11 * v23 + v6 * v18));
-    const four v24 = T13 * c1 - T23 * s1;
-    const four X4 = T33 * s2m3 - c2m3 * v24;
-    const four v25 = T23 * c1 + T13 * s1, v26 = v25 * v25, v27 = v26 + X4 * X4;
-    const four v28 = copysign_four(all_four(half_turn), -v25) * h1;
+    const four v23 = e2 * c3, c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11)),
+        s2m3 = w2 * (v22 * (v11 * v23 + v6 * v18)), v24 = T13 * c1 - T23 * s1,
+        X4 = T33 * s2m3 - c2m3 * v24, v25 = T23 * c1 + T13 * s1, v26 = v25 * v25,
+        v27 = v26 + X4 * X4, v28 = copysign_four(all_four(half_turn), -v25) * h1;
 
     /* theta6 */
-    const four v29 = c1 * T22 + s1 * T12, v30 = c1 * T12 - s1 * T22, v31 = c1 * T21 + s1 * T11;
-    const four v32 = c1 * T11 - s1 * T21;
-    const four s6 = -X4 * v31 - v25 * (c2m3 * v32 - s2m3 * T31);
+    const four v29 = c1 * T22 + s1 * T12, v30 = c1 * T12 - s1 * T22, v31 = c1 * T21 + s1 * T11,
+        v32 = c1 * T11 - s1 * T21, s6 = -X4 * v31 - v25 * (c2m3 * v32 - s2m3 * T31);
 
     /* joint values */
     const double v35 = copysign(half_turn, -v5);
     const four_mask doubt2 = (v21 <= m3) | (v27 <= m4);
-    const int doubt1 = (fabs(D1) <= k3) | ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= k3) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle1 = atan2_four(-v25, -X4);
-    const four angle2 = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
-    const four angle4 = atan2_four(S2, C2);
-    const four angle6 = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29);
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-v5), 0, 5, 2, 3),
-        __builtin_shufflevector(c1, all_four(v7), 0, 5, 2, 3));
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1 - v28;
-    const four v33 = angle3 - offset1, v34 = angle4 - offset2;
-    const four q2_ = v34 + only_four(v34 <= -half_turn, m6);
-    const four v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3;
-    const four q3_ = v36 + only_four(v36 <= -half_turn, m6);
-    const four v37 = angle6 - offset6;
-    const four v38 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6;
-    const four q6_p = v37 - only_four(half_turn < v37, m6);
-    const four q6_m = v38 - only_four(half_turn < v38, m6);
-    const four v39 = q2_ + only_four(q2_ < low2, whole_turn);
-    const four_mask v40 = (v39 < low2) | (high2 < v39);
-    const four q2_p = pick_four(v40, q2_, v39);
-    const four v41 = q3_ + only_four(q3_ < low3, whole_turn);
-    const four_mask v42 = (v41 < low3) | (high3 < v41);
-    const four v43 = angle2 + only_four(angle2 < low5, whole_turn);
-    const four v44 = only_four(-angle2 < low5, whole_turn) - angle2;
-    const four_mask v45 = (v43 < low5) | (high5 < v43), v46 = (v44 < low5) | (high5 < v44);
-    const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44);
-    const four q1_p = v4 + (v33 + only_four(v33 <= -half_turn, m6));
-    const four q3_p = v1 + pick_four(v42, q3_, v41);
-    const four_mask v47 = v40 | v42;
-    const four_mask outside_p = v45 | v47, outside_m = v46 | v47;
+    const four angle1 = atan2_four(-v25, -X4),
+        angle2 = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24)),
+        angle4 = atan2_four(S2, C2),
+        angle6 = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29),
+        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-v5), 0, 5, 2, 3),
+            __builtin_shufflevector(c1, all_four(v7), 0, 5, 2, 3)),
+        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
+        q2_ = v34 + only_four(v34 <= -half_turn, m6),
+        v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
+        q3_ = v36 + only_four(v36 <= -half_turn, m6), v37 = angle6 - offset6,
+        v38 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6,
+        q6_p = v37 - only_four(half_turn < v37, m6), q6_m = v38 - only_four(half_turn < v38, m6),
+        v39 = q2_ + only_four(q2_ < low2, whole_turn);
+    const four_mask v40 = beyond(v39, low2, high2);
+    const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low3, whole_turn);
+    const four_mask v42 = beyond(v41, low3, high3);
+    const four v43 = angle2 + only_four(angle2 < low5, whole_turn),
+        v44 = only_four(-angle2 < low5, whole_turn) - angle2;
+    const four_mask v45 = beyond(v43, low5, high5), v46 = beyond(v44, low5, high5);
+    const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44),
+        q1_p = v4 + (v33 + only_four(v33 <= -half_turn, m6)), q3_p = v1 + pick_four(v42, q3_, v41);
+    const four_mask v47 = v40 | v42, outside_p = v45 | v47, outside_m = v46 | v47;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -891,9 +761,7 @@ static void solve(
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : -(k1 * sqrt(N1))));
-    const double v1 = X1 * k1;
-    const double v2 = wy * k1;
-    const double v3 = seed[0] + offset1;
+    const double v1 = X1 * k1, v2 = wy * k1, v3 = seed[0] + offset1;
 
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
@@ -908,8 +776,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1);
-        const double s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
+        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1),
+            s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
 
         /* theta3 */
         const double N3 = v4 + root1 * root1;
@@ -922,19 +790,14 @@ static void solve(
 
         /* theta2 */
         const double X1_2 = a2 + d4 * v5;
-        const double v6 = Z1_3 * X1_2;
-        const double v7 = root1 * X1_2;
+        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v9 = T13 * c1 - T23 * s1;
-        const double v10 = T23 * c1 + T13 * s1;
-        const double v11 = v10 * v10;
+        const double v9 = T13 * c1 - T23 * s1, v10 = T23 * c1 + T13 * s1, v11 = v10 * v10;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v12 = T22 * c1 + T12 * s1;
-        const double v13 = T12 * c1 - T22 * s1;
-        const double v15 = T21 * c1 + T11 * s1;
-        const double v16 = T11 * c1 - T21 * s1;
+        const double v12 = T22 * c1 + T12 * s1, v13 = T12 * c1 - T22 * s1,
+            v15 = T21 * c1 + T11 * s1, v16 = T11 * c1 - T21 * s1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -952,8 +815,7 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : C2 * factor2;
-            const double s2 = free2 ? sin(v8) : S2 * factor2;
+            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
 
             /* theta4 */
             const double c2m3 = c3 * c2 - v5 * s2;
@@ -964,8 +826,7 @@ static void solve(
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v14 = c2m3 * v13 - T32 * s2m3;
-            const double v17 = c2m3 * v16 - T31 * s2m3;
+            const double v14 = c2m3 * v13 - T32 * s2m3, v17 = c2m3 * v16 - T31 * s2m3;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -976,8 +837,8 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : -(v10 * factor4);
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : -(v10 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5, type 3: U4[2, 3] and U4[1, 3] */
@@ -989,11 +850,7 @@ static void solve(
                 /* joint values */
                 const double q6 = wrap(atan2(s6, -(c4 * v12 + s4 * v14)) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? KINOVA_J2S6S300_FREE_JOINT :
                     KINOVA_J2S6S300_OK;

@@ -685,9 +685,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v42 <= m4 or (v24 <= m3 or (v41 <= m4 or
-        (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or ((shortest3_reach <= N3 and N3 <= longest3_reach
-        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3))))))))
+        abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v42 <= m4 or v24 <= m3 or v41 <= m4 or v40 <=
+        m4 or v23 <= m3 or v39 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3
     )
 
     # angles, side by side
@@ -1216,10 +1216,9 @@ def _in_tiles(T, q, status):
             s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
             s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
             doubt1 = (
-                abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v42 <= m4 or (v24 <= m3 or (v41 <=
-                m4 or (v40 <= m4 or (v23 <= m3 or (v39 <= m4 or ((shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <=
-                m3))))))))
+                abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v42 <= m4 or v24 <= m3 or v41 <= m4
+                or v40 <= m4 or v23 <= m3 or v39 <= m4 or (shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v22 <= m3
             )
             work[272 + k] = v1
             work[288 + k] = v4

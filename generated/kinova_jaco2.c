@@ -19,6 +19,8 @@ static const double measure[6] = {
     0.8045774017520156, 0.8045774017520156, 0.8045774017520156, 0.8045774017520156,
     0.8045774017520156, 0.8045774017520156,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     kinova_jaco2_fk(d->q, P);
     kinova_jaco2_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.2428885000031569;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.2428885000031569;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.2428885000031569;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.2428885000031569;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3161,65 +3160,37 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void kinova_jaco2_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double y2_x = c1 * s2;
-    const double y2_y = s1 * s2;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double y2_x = c1 * s2, y2_y = s1 * s2;
     const double v2 = q[2] + offset3;
-    const double c3 = cos(v2);
-    const double s3 = sin(v2);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = s2 * c3 - c2 * s3;
-    const double z3_z = c2 * c3 + s2 * s3;
-    const double z3_x = x2_x * s3 - y2_x * c3;
-    const double z3_y = x2_y * s3 - y2_y * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double v3 = s1 * c4 + x3_x * s4;
-    const double v4 = c1 * c4 - x3_y * s4;
-    const double v5 = x3_z * s4;
-    const double y4_x = z3_x * f3 - v3 * f2;
-    const double y4_y = v4 * f2 + z3_y * f3;
-    const double y4_z = z3_z * f3 - v5 * f2;
-    const double z4_x = v3 * f3 + z3_x * f2;
-    const double z4_y = z3_y * f2 - v4 * f3;
-    const double z4_z = v5 * f3 + z3_z * f2;
+    const double c3 = cos(v2), s3 = sin(v2);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = s2 * c3 - c2 * s3;
+    const double z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
+        z3_y = x2_y * s3 - y2_y * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
+    const double v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4;
+    const double y4_x = z3_x * f3 - v3 * f2, y4_y = v4 * f2 + z3_y * f3, y4_z = z3_z * f3 - v5 * f2;
+    const double z4_x = v3 * f3 + z3_x * f2, z4_y = z3_y * f2 - v4 * f3, z4_z = v5 * f3 + z3_z * f2;
     const double v6 = q[4] + offset5;
-    const double c5 = cos(v6);
-    const double s5 = sin(v6);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v7 = y4_x * c5 - x4_x * s5;
-    const double v8 = y4_y * c5 - x4_y * s5;
-    const double v9 = y4_z * c5 - x4_z * s5;
-    const double y5_x = f2 * v7 + f3 * z4_x;
-    const double y5_y = f2 * v8 + f3 * z4_y;
-    const double y5_z = f2 * v9 + f3 * z4_z;
-    const double z5_x = f2 * z4_x - f3 * v7;
-    const double z5_y = f2 * z4_y - f3 * v8;
-    const double z5_z = f2 * z4_z - f3 * v9;
+    const double c5 = cos(v6), s5 = sin(v6);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v7 = y4_x * c5 - x4_x * s5, v8 = y4_y * c5 - x4_y * s5, v9 = y4_z * c5 - x4_z * s5;
+    const double y5_x = f2 * v7 + f3 * z4_x, y5_y = f2 * v8 + f3 * z4_y, y5_z = f2 * v9 + f3 * z4_z;
+    const double z5_x = f2 * z4_x - f3 * v7, z5_y = f2 * z4_y - f3 * v8, z5_z = f2 * z4_z - f3 * v9;
     const double v10 = q[5] + offset6;
-    const double c6 = cos(v10);
-    const double s6 = sin(v10);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T14_ = x2_x * D2 + s1 * e2 - z3_x * f1 + z4_x * d5 - z5_x * f4;
-    const double T24_ = x2_y * D2 - c1 * e2 - z3_y * f1 + z4_y * d5 - z5_y * f4;
-    const double T34_ = D1 + s2 * D2 - z3_z * f1 + z4_z * d5 - z5_z * f4;
-    const double T12_ = x5_x * s6 - y5_x * c6;
-    const double T22_ = x5_y * s6 - y5_y * c6;
-    const double T32_ = x5_z * s6 - y5_z * c6;
+    const double c6 = cos(v10), s6 = sin(v10);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6,
+        T14_ = x2_x * D2 + s1 * e2 - z3_x * f1 + z4_x * d5 - z5_x * f4,
+        T24_ = x2_y * D2 - c1 * e2 - z3_y * f1 + z4_y * d5 - z5_y * f4,
+        T34_ = D1 + s2 * D2 - z3_z * f1 + z4_z * d5 - z5_z * f4, T12_ = x5_x * s6 - y5_x * c6,
+        T22_ = x5_y * s6 - y5_y * c6, T32_ = x5_z * s6 - y5_z * c6;
     T[0] = T11_; T[1] = T12_; T[2] = -z5_x; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -z5_y; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -z5_z; T[11] = T34_;
@@ -3229,74 +3200,42 @@ void kinova_jaco2_fk(const double q[6], double T[16])
 
 void kinova_jaco2_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double y2_x = c1 * s2;
-    const double y2_y = s1 * s2;
-    const double p2_x = x2_x * D2;
-    const double p2_y = x2_y * D2;
-    const double p2_z = D1 + s2 * D2;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double y2_x = c1 * s2, y2_y = s1 * s2;
+    const double p2_x = x2_x * D2, p2_y = x2_y * D2, p2_z = D1 + s2 * D2;
     const double v2 = q[2] + offset3;
-    const double c3 = cos(v2);
-    const double s3 = sin(v2);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = s2 * c3 - c2 * s3;
+    const double c3 = cos(v2), s3 = sin(v2);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = s2 * c3 - c2 * s3;
     const double J64 = c2 * c3 + s2 * s3;
-    const double p3_x = p2_x + s1 * e2;
-    const double p3_y = p2_y - c1 * e2;
-    const double J44 = x2_x * s3 - y2_x * c3;
-    const double J54 = x2_y * s3 - y2_y * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double v3 = s1 * c4 + x3_x * s4;
-    const double v4 = c1 * c4 - x3_y * s4;
-    const double v5 = x3_z * s4;
-    const double p4_x = p3_x - J44 * g1;
-    const double p4_y = p3_y - J54 * g1;
-    const double p4_z = p2_z - J64 * g1;
-    const double J45 = v3 * g3 + J44 * g2;
-    const double J55 = J54 * g2 - v4 * g3;
-    const double J65 = v5 * g3 + J64 * g2;
+    const double p3_x = p2_x + s1 * e2, p3_y = p2_y - c1 * e2;
+    const double J44 = x2_x * s3 - y2_x * c3, J54 = x2_y * s3 - y2_y * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4;
+    const double p4_x = p3_x - J44 * g1, p4_y = p3_y - J54 * g1, p4_z = p2_z - J64 * g1;
+    const double J45 = v3 * g3 + J44 * g2, J55 = J54 * g2 - v4 * g3, J65 = v5 * g3 + J64 * g2;
     const double v6 = q[4] + offset5;
-    const double c5 = cos(v6);
-    const double s5 = sin(v6);
-    const double p5_x = p4_x + J45 * d5;
-    const double p5_y = p4_y + J55 * d5;
-    const double p5_z = p4_z + J65 * d5;
-    const double J46 = g2 * J45 - g3 * ((J44 * g3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5);
-    const double J56 = g2 * J55 - g3 * ((v4 * g2 + J54 * g3) * c5 - (x3_y * c4 + c1 * s4) * s5);
-    const double J66 = g2 * J65 - g3 * ((J64 * g3 - v5 * g2) * c5 - x3_z * c4 * s5);
-    const double J21 = p5_x - J46 * g4;
-    const double p6_y = p5_y - J56 * g4;
-    const double p6_z = p5_z - J66 * g4;
+    const double c5 = cos(v6), s5 = sin(v6);
+    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
+    const double J46 = g2 * J45 - g3 * ((J44 * g3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5),
+        J56 = g2 * J55 - g3 * ((v4 * g2 + J54 * g3) * c5 - (x3_y * c4 + c1 * s4) * s5),
+        J66 = g2 * J65 - g3 * ((J64 * g3 - v5 * g2) * c5 - x3_z * c4 * s5), J21 = p5_x - J46 * g4;
+    const double p6_y = p5_y - J56 * g4, p6_z = p5_z - J66 * g4;
     const double v7 = p6_z - D1;
     const double J32 = s1 * p6_y + c1 * J21;
     const double v8 = p6_z - p2_z;
-    const double J13 = c1 * v8;
-    const double J23 = s1 * v8;
-    const double v9 = J21 - p3_x;
-    const double v10 = p6_y - p3_y;
-    const double J14 = J54 * v8 - J64 * v10;
-    const double J24 = J64 * v9 - J44 * v8;
-    const double J34 = J44 * v10 - J54 * v9;
-    const double v11 = J21 - p4_x;
-    const double v12 = p6_y - p4_y;
-    const double v13 = p6_z - p4_z;
-    const double J15 = J55 * v13 - J65 * v12;
-    const double J25 = J65 * v11 - J45 * v13;
-    const double J35 = J45 * v12 - J55 * v11;
-    const double v14 = J21 - p5_x;
-    const double v15 = p6_y - p5_y;
-    const double v16 = p6_z - p5_z;
-    const double J16 = J56 * v16 - J66 * v15;
-    const double J26 = J66 * v14 - J46 * v16;
-    const double J36 = J46 * v15 - J56 * v14;
+    const double J13 = c1 * v8, J23 = s1 * v8;
+    const double v9 = J21 - p3_x, v10 = p6_y - p3_y;
+    const double J14 = J54 * v8 - J64 * v10, J24 = J64 * v9 - J44 * v8, J34 = J44 * v10 - J54 * v9;
+    const double v11 = J21 - p4_x, v12 = p6_y - p4_y, v13 = p6_z - p4_z;
+    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13,
+        J35 = J45 * v12 - J55 * v11;
+    const double v14 = J21 - p5_x, v15 = p6_y - p5_y, v16 = p6_z - p5_z;
+    const double J16 = J56 * v16 - J66 * v15, J26 = J66 * v14 - J46 * v16,
+        J36 = J46 * v15 - J56 * v14;
     J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v7); J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)); J[15] = J34;
@@ -3310,13 +3249,16 @@ void kinova_jaco2_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3376,11 +3318,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? KINOVA_JACO2_FREE_JOINT : KINOVA_JACO2_OK;
     }

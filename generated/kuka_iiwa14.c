@@ -88,84 +88,33 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v cos_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = cos(x[k]); \
+    return x; \
+} \
+HELPER v sin_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = sin(x[k]); \
+    return x; \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four cos_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER four sin_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide cos_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER wide sin_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -207,7 +156,7 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -305,6 +254,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -381,60 +332,36 @@ static const double highest[7] = {
 void kuka_iiwa14_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z2_x = c1 * s2;
-    const double z2_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = x2_y * c3 - c1 * s3;
-    const double x3_z = s2 * c3;
-    const double z3_y = c1 * c3 + x2_y * s3;
-    const double z3_z = s2 * s3;
-    const double z3_x = x2_x * s3 - s1 * c3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
+    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
     const double v3 = q[3] + offset4;
-    const double c4 = cos(v3);
-    const double s4 = sin(v3);
-    const double x4_x = x3_x * c4 + z2_x * s4;
-    const double x4_y = x3_y * c4 + z2_y * s4;
-    const double x4_z = x3_z * c4 - c2 * s4;
-    const double z4_z = c2 * c4 + x3_z * s4;
-    const double z4_x = x3_x * s4 - z2_x * c4;
-    const double z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double z5_x = x4_x * s5 - z3_x * c5;
-    const double z5_y = x4_y * s5 - z3_y * c5;
-    const double z5_z = x4_z * s5 - z3_z * c5;
+    const double c4 = cos(v3), s4 = sin(v3);
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
+        x4_z = x3_z * c4 - c2 * s4;
+    const double z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
+        z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
+        z5_z = x4_z * s5 - z3_z * c5;
     const double v4 = q[5] + offset6;
-    const double c6 = cos(v4);
-    const double s6 = sin(v4);
-    const double x6_x = x5_x * c6 + z4_x * s6;
-    const double x6_y = x5_y * c6 + z4_y * s6;
-    const double x6_z = x5_z * c6 + z4_z * s6;
-    const double T13_ = x5_x * s6 - z4_x * c6;
-    const double T23_ = x5_y * s6 - z4_y * c6;
-    const double T33_ = x5_z * s6 - z4_z * c6;
-    const double c7 = cos(q[6]);
-    const double s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + z5_x * s7;
-    const double T21_ = x6_y * c7 + z5_y * s7;
-    const double T31_ = x6_z * c7 + z5_z * s7;
-    const double T12_ = z5_x * c7 - x6_x * s7;
-    const double T22_ = z5_y * c7 - x6_y * s7;
-    const double T32_ = z5_z * c7 - x6_z * s7;
-    const double T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7;
-    const double T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7;
-    const double T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7;
+    const double c6 = cos(v4), s6 = sin(v4);
+    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
+        x6_z = x5_z * c6 + z4_z * s6;
+    const double T13_ = x5_x * s6 - z4_x * c6, T23_ = x5_y * s6 - z4_y * c6,
+        T33_ = x5_z * s6 - z4_z * c6;
+    const double c7 = cos(q[6]), s7 = sin(q[6]);
+    const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
+        T31_ = x6_z * c7 + z5_z * s7, T12_ = z5_x * c7 - x6_x * s7, T22_ = z5_y * c7 - x6_y * s7,
+        T32_ = z5_z * c7 - x6_z * s7, T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7,
+        T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7, T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -445,74 +372,40 @@ void kuka_iiwa14_fk(const double q[7], double T[16])
 void kuka_iiwa14_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J43 = c1 * s2;
-    const double J53 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = x2_y * c3 - c1 * s3;
-    const double x3_z = s2 * c3;
-    const double J54 = c1 * c3 + x2_y * s3;
-    const double J64 = s2 * s3;
-    const double p3_x = J43 * d3;
-    const double p3_y = J53 * d3;
-    const double p3_z = d1 - c2 * d3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J43 = c1 * s2, J53 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
+    const double J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3;
+    const double p3_x = J43 * d3, p3_y = J53 * d3, p3_z = d1 - c2 * d3;
     const double J44 = x2_x * s3 - s1 * c3;
     const double v3 = q[3] + offset4;
-    const double c4 = cos(v3);
-    const double s4 = sin(v3);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 + J53 * s4;
-    const double x4_z = x3_z * c4 - c2 * s4;
-    const double J65 = c2 * c4 + x3_z * s4;
-    const double J45 = x3_x * s4 - J43 * c4;
-    const double J55 = x3_y * s4 - J53 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double p5_x = p3_x + J45 * d5;
-    const double p5_y = p3_y + J55 * d5;
-    const double p5_z = p3_z + J65 * d5;
-    const double J46 = x4_x * s5 - J44 * c5;
-    const double J56 = x4_y * s5 - J54 * c5;
-    const double J66 = x4_z * s5 - J64 * c5;
+    const double c4 = cos(v3), s4 = sin(v3);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
+        x4_z = x3_z * c4 - c2 * s4;
+    const double J65 = c2 * c4 + x3_z * s4, J45 = x3_x * s4 - J43 * c4, J55 = x3_y * s4 - J53 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
+    const double J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5;
     const double v4 = q[5] + offset6;
-    const double c6 = cos(v4);
-    const double s6 = sin(v4);
-    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6;
-    const double J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6;
-    const double J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6;
-    const double J21 = p5_x + J47 * d7;
-    const double p7_y = p5_y + J57 * d7;
-    const double p7_z = p5_z + J67 * d7;
+    const double c6 = cos(v4), s6 = sin(v4);
+    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6,
+        J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6, J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6,
+        J21 = p5_x + J47 * d7;
+    const double p7_y = p5_y + J57 * d7, p7_z = p5_z + J67 * d7;
     const double v5 = p7_z - d1;
-    const double J32 = s1 * p7_y + c1 * J21;
-    const double J13 = J53 * v5 + c2 * p7_y;
-    const double J33 = J43 * p7_y - J53 * J21;
-    const double v6 = J21 - p3_x;
-    const double v7 = p7_y - p3_y;
-    const double v8 = p7_z - p3_z;
-    const double J14 = J54 * v8 - J64 * v7;
-    const double J24 = J64 * v6 - J44 * v8;
-    const double J34 = J44 * v7 - J54 * v6;
-    const double J15 = J55 * v8 - J65 * v7;
-    const double J25 = J65 * v6 - J45 * v8;
-    const double J35 = J45 * v7 - J55 * v6;
-    const double v9 = J21 - p5_x;
-    const double v10 = p7_y - p5_y;
-    const double v11 = p7_z - p5_z;
-    const double J16 = J56 * v11 - J66 * v10;
-    const double J26 = J66 * v9 - J46 * v11;
-    const double J36 = J46 * v10 - J56 * v9;
-    const double J17 = J57 * v11 - J67 * v10;
-    const double J27 = J67 * v9 - J47 * v11;
-    const double J37 = J47 * v10 - J57 * v9;
+    const double J32 = s1 * p7_y + c1 * J21, J13 = J53 * v5 + c2 * p7_y,
+        J33 = J43 * p7_y - J53 * J21;
+    const double v6 = J21 - p3_x, v7 = p7_y - p3_y, v8 = p7_z - p3_z;
+    const double J14 = J54 * v8 - J64 * v7, J24 = J64 * v6 - J44 * v8, J34 = J44 * v7 - J54 * v6,
+        J15 = J55 * v8 - J65 * v7, J25 = J65 * v6 - J45 * v8, J35 = J45 * v7 - J55 * v6;
+    const double v9 = J21 - p5_x, v10 = p7_y - p5_y, v11 = p7_z - p5_z;
+    const double J16 = J56 * v11 - J66 * v10, J26 = J66 * v9 - J46 * v11,
+        J36 = J46 * v10 - J56 * v9, J17 = J57 * v11 - J67 * v10, J27 = J67 * v9 - J47 * v11,
+        J37 = J47 * v10 - J57 * v9;
     J[0] = -p7_y; J[1] = -(c1 * v5); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
     J[7] = J21; J[8] = -(s1 * v5); J[9] = -(c2 * J21 + J43 * v5); J[10] = J24; J[11] = J25;
     J[12] = J26; J[13] = J27;
@@ -526,13 +419,16 @@ void kuka_iiwa14_jacobian(const double q[7], double J[42])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -578,206 +474,173 @@ HELPER wide_mask solve_wide(
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
-    const wide c3 = cos_wide(free_joints[0]);
-    const wide s3 = sin_wide(free_joints[0]);
+    const wide c3 = cos_wide(free_joints[0]), s3 = sin_wide(free_joints[0]);
 
     /* theta4 */
-    const wide wx = T14 - d7 * T13;
-    const wide wy = T24 - d7 * T23;
-    const wide v1 = wy * wy;
-    const wide Z1_2 = T34 - d7 * T33 - d1;
-    const wide V4 = v1 + wx * wx + Z1_2 * Z1_2;
-    const wide w4 = sqrt_wide((longest4 - V4) * (V4 - shortest4));
-    const wide v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
+    const wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, Z1_2 = T34 - d7 * T33 - d1,
+        V4 = v1 + wx * wx + Z1_2 * Z1_2, w4 = sqrt_wide((longest4 - V4) * (V4 - shortest4)),
+        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
-    const wide N1 = v1 + -wx * -wx;
-    const wide Z1 = d5 * (s3 * v5);
-    const wide D1 = N1 - Z1 * Z1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v6 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v7 = -wx * Z1, v8 = wy * Z1, v9 = w1 * (-wx * inverse1), v10 = w1 * (wx * inverse1);
-    const wide v11 = inverse1 * v8;
-    const wide c1_pp = v11 - v9, c1_pm = v11 - v10;
-    const wide v12 = v9 + v11, v13 = v10 + v11, v14 = w1 * (wy * inverse1);
-    const wide v15 = w1 * (inverse1 * -wy), v16 = inverse1 * v7;
-    const wide s1_pp = v14 + v16, s1_pm = v15 + v16, s1_mp = v14 - v16, s1_mm = v15 - v16;
+    const wide N1 = v1 + -wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1),
+        v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1, v9 = w1 * (-wx * inverse1),
+        v10 = w1 * (wx * inverse1), v11 = inverse1 * v8, c1_pp = v11 - v9, c1_pm = v11 - v10,
+        v12 = v9 + v11, v13 = v10 + v11, v14 = w1 * (wy * inverse1), v15 = w1 * (inverse1 * -wy),
+        v16 = inverse1 * v7, s1_pp = v14 + v16, s1_pm = v15 + v16, s1_mp = v14 - v16,
+        s1_mm = v15 - v16;
 
     /* theta2 */
-    const wide v17 = d5 * (c3 * v5);
-    const wide X2_2 = d3 + d5 * v3;
-    const wide v18 = Z1_2 * v17, v19 = w1 * X2_2;
-    const wide S2_pp = v19 - v18, S2_mp = v18 + v19;
-    const wide v20 = Z1_2 * X2_2, v21 = w1 * v17, v22 = v20 + v21, v23 = v20 - v21, v24 = v22 * v22;
-    const wide v25 = S2_pp * S2_pp + v24, v26 = S2_mp * S2_mp + v23 * v23;
-    const wide v27 = v24 + -S2_pp * -S2_pp;
-    const wide factor2_pp = sqrt_wide(v25) * (1.0 / v25), factor2_pm = sqrt_wide(v26) * (1.0 / v26);
-    const wide factor2_mm = sqrt_wide(v27) * (1.0 / v27);
+    const wide v17 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v18 = Z1_2 * v17, v19 = w1 * X2_2,
+        S2_pp = v19 - v18, S2_mp = v18 + v19, v20 = Z1_2 * X2_2, v21 = w1 * v17, v22 = v20 + v21,
+        v23 = v20 - v21, v24 = v22 * v22, v25 = S2_pp * S2_pp + v24,
+        v26 = S2_mp * S2_mp + v23 * v23, v27 = v24 + -S2_pp * -S2_pp,
+        factor2_pp = sqrt_wide(v25) * (1.0 / v25), factor2_pm = sqrt_wide(v26) * (1.0 / v26),
+        factor2_mm = sqrt_wide(v27) * (1.0 / v27);
 
     /* theta5 */
-    const wide v28 = c3 * T13, v29 = v3 * v28, v30 = c3 * T23, v31 = v3 * v30, v32 = T33 * v5;
-    const wide v33 = T13 * v5, v34 = T23 * v5, v35 = c3 * T33, v36 = v3 * v35;
-    const wide v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx))), v38 = T13 * v7 - T23 * v8;
-    const wide v39 = inverse1 * (s3 * v38), v40 = inverse1 * (s3 * -v38), v41 = v37 + v39;
-    const wide v42 = v39 - v37, v43 = v37 + v40, v44 = v40 - v37;
-    const wide X5_pp = v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp *
-        (v36 + (c1_pp * v33 + s1_pp * v34)));
-    const wide X5_pm = v3 * v42 + factor2_pm * (v23 * (v32 - (c1_pm * v29 + s1_pm * v31)) - S2_mp *
-        (v36 + (c1_pm * v33 + s1_pm * v34)));
-    const wide X5_mp = v3 * v43 + factor2_pm * (S2_mp * (v36 + (v12 * v33 - s1_mp * v34)) - v23 *
-        (v32 + (s1_mp * v31 - v12 * v29)));
-    const wide X5_mm = v3 * v44 + factor2_mm * (-S2_pp * (v36 + (v13 * v33 - s1_mm * v34)) - v22 *
-        (v32 + (s1_mm * v31 - v13 * v29)));
-    const wide v45 = s3 * T33;
-    const wide Y5_pp = factor2_pp * (S2_pp * v45 - v22 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 *
-        (T13 * s1_pp - T23 * c1_pp);
-    const wide v46 = S2_mp * v45;
-    const wide v47 = factor2_pm * (v46 + v23 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 *
-        s1_pm - T23 * c1_pm);
-    const wide Y5_mp = factor2_pm * (v46 - v23 * (s3 * (T23 * s1_mp - T13 * v12))) - c3 * (T13 *
-        s1_mp + T23 * v12);
-    const wide Y5_mm = factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 *
-        (T13 * s1_mm + T23 * v13);
-    const wide v48 = X5_pp * X5_pp + Y5_pp * Y5_pp, v49 = X5_pm * X5_pm + v47 * v47;
-    const wide v50 = X5_mp * X5_mp + Y5_mp * Y5_mp, v51 = X5_mm * X5_mm + Y5_mm * Y5_mm;
-    const wide angle1 = atan2_wide(Y5_pp, -X5_pp), angle2 = atan2_wide(-v47, -X5_pm);
-    const wide angle3 = atan2_wide(Y5_mp, -X5_mp), angle4 = atan2_wide(Y5_mm, -X5_mm);
-    const wide q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1;
-    const wide q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v47) * h1;
-    const wide q5_mpm = angle3 - copysign_wide(all_wide(half_turn), Y5_mp) * h1;
-    const wide q5_mmm = angle4 - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
+    const wide v28 = c3 * T13, v29 = v3 * v28, v30 = c3 * T23, v31 = v3 * v30, v32 = T33 * v5,
+        v33 = T13 * v5, v34 = T23 * v5, v35 = c3 * T33, v36 = v3 * v35,
+        v37 = w1 * (inverse1 * (s3 * (T13 * wy + T23 * -wx))), v38 = T13 * v7 - T23 * v8,
+        v39 = inverse1 * (s3 * v38), v40 = inverse1 * (s3 * -v38), v41 = v37 + v39, v42 = v39 - v37,
+        v43 = v37 + v40, v44 = v40 - v37,
+        X5_pp = v3 * v41 + factor2_pp * (v22 * (v32 - (c1_pp * v29 + s1_pp * v31)) + S2_pp * (v36 +
+            (c1_pp * v33 + s1_pp * v34))),
+        X5_pm = v3 * v42 + factor2_pm * (v23 * (v32 - (c1_pm * v29 + s1_pm * v31)) - S2_mp * (v36 +
+            (c1_pm * v33 + s1_pm * v34))),
+        X5_mp = v3 * v43 + factor2_pm * (S2_mp * (v36 + (v12 * v33 - s1_mp * v34)) - v23 * (v32 +
+            (s1_mp * v31 - v12 * v29))),
+        X5_mm = v3 * v44 + factor2_mm * (-S2_pp * (v36 + (v13 * v33 - s1_mm * v34)) - v22 * (v32 +
+            (s1_mm * v31 - v13 * v29))), v45 = s3 * T33,
+        Y5_pp = factor2_pp * (S2_pp * v45 - v22 * (s3 * (T13 * c1_pp + T23 * s1_pp))) - c3 * (T13 *
+            s1_pp - T23 * c1_pp), v46 = S2_mp * v45,
+        v47 = factor2_pm * (v46 + v23 * (s3 * (T13 * c1_pm + T23 * s1_pm))) + c3 * (T13 * s1_pm -
+            T23 * c1_pm),
+        Y5_mp = factor2_pm * (v46 - v23 * (s3 * (T23 * s1_mp - T13 * v12))) - c3 * (T13 * s1_mp +
+            T23 * v12),
+        Y5_mm = factor2_mm * (-S2_pp * v45 - v22 * (s3 * (T23 * s1_mm - T13 * v13))) - c3 * (T13 *
+            s1_mm + T23 * v13), v48 = X5_pp * X5_pp + Y5_pp * Y5_pp,
+        v49 = X5_pm * X5_pm + v47 * v47, v50 = X5_mp * X5_mp + Y5_mp * Y5_mp,
+        v51 = X5_mm * X5_mm + Y5_mm * Y5_mm, angle1 = atan2_wide(Y5_pp, -X5_pp),
+        angle2 = atan2_wide(-v47, -X5_pm), angle3 = atan2_wide(Y5_mp, -X5_mp),
+        angle4 = atan2_wide(Y5_mm, -X5_mm),
+        q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1,
+        q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v47) * h1,
+        q5_mpm = angle3 - copysign_wide(all_wide(half_turn), Y5_mp) * h1,
+        q5_mmm = angle4 - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
 
     /* theta6 */
-    const wide v52 = v5 * v28, v53 = v5 * v30, v54 = T33 * v3, v55 = T13 * v3, v56 = T23 * v3;
-    const wide v57 = v5 * v35;
+    const wide v52 = v5 * v28, v53 = v5 * v30, v54 = T33 * v3, v55 = T13 * v3, v56 = T23 * v3,
+        v57 = v5 * v35;
 
     /* theta7 */
-    const wide v58 = s3 * T32, v59 = s1_pp * T12 - c1_pp * T22, v60 = s1_pm * T12 - c1_pm * T22;
-    const wide v61 = s1_mp * T12 + v12 * T22, v62 = s1_mm * T12 + v13 * T22, v63 = v3 * (c3 * T12);
-    const wide v64 = v3 * (c3 * T22), v65 = v5 * T32, v66 = v5 * T12, v67 = v5 * T22;
-    const wide v68 = v3 * (c3 * T32), v69 = s3 * T31, v70 = s1_pp * T11 - c1_pp * T21;
-    const wide v71 = s1_pm * T11 - c1_pm * T21, v72 = s1_mp * T11 + v12 * T21;
-    const wide v73 = s1_mm * T11 + v13 * T21, v74 = v3 * (c3 * T11), v75 = v3 * (c3 * T21);
-    const wide v76 = v5 * T31, v77 = v5 * T11, v78 = v5 * T21, v79 = v3 * (c3 * T31);
-    const wide angle5 = atan2_wide(-(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 *
-        (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 -
-        (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))), -(X5_pp * (c3
-        * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp * (v3
-        * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp * v64)) + S2_pp * (v68 +
-        (c1_pp * v66 + s1_pp * v67))))));
-    const wide v80 = S2_mp * v69;
-    const wide v81 = v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm *
-        v75)) - S2_mp * (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm *
-        (v80 + v23 * (s3 * (c1_pm * T11 + s1_pm * T21)))), v82 = S2_mp * v58;
-    const wide angle6 = atan2_wide(v81, v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm *
-        v63 + s1_pm * v64)) - S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 +
-        factor2_pm * (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22)))));
-    const wide angle7 = atan2_wide(-(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp *
-        T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 -
-        s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))), -(X5_mp * (c3 * v61 - factor2_pm
-        * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) + Y5_mp * (v3 * (s3 * v61) + factor2_pm *
-        (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) - v23 * (v65 + (s1_mp * v64 - v12 * v63))))));
-    const wide angle8 = atan2_wide(-(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 *
-        (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13
-        * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))), -(X5_mm * (c3 * v62 -
-        factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 * T12)))) + Y5_mm * (v3 * (s3 *
-        v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 - s1_mm * v67)) - v22 * (v65 + (s1_mm * v64
-        - v13 * v63))))));
-    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v70 -
-        factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 *
-        v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77
-        + s1_pp * v78)))))), q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v81);
-    const wide q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v72 -
-        factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) +
-        factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 *
-        v74))))));
-    const wide q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v73 -
-        factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 *
-        v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75
-        - v13 * v74))))));
+    const wide v58 = s3 * T32, v59 = s1_pp * T12 - c1_pp * T22, v60 = s1_pm * T12 - c1_pm * T22,
+        v61 = s1_mp * T12 + v12 * T22, v62 = s1_mm * T12 + v13 * T22, v63 = v3 * (c3 * T12),
+        v64 = v3 * (c3 * T22), v65 = v5 * T32, v66 = v5 * T12, v67 = v5 * T22,
+        v68 = v3 * (c3 * T32), v69 = s3 * T31, v70 = s1_pp * T11 - c1_pp * T21,
+        v71 = s1_pm * T11 - c1_pm * T21, v72 = s1_mp * T11 + v12 * T21,
+        v73 = s1_mm * T11 + v13 * T21, v74 = v3 * (c3 * T11), v75 = v3 * (c3 * T21), v76 = v5 * T31,
+        v77 = v5 * T11, v78 = v5 * T21, v79 = v3 * (c3 * T31),
+        angle5 = atan2_wide(-(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp *
+            T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp *
+            v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))), -(X5_pp * (c3 *
+            v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp * T22)))) + Y5_pp *
+            (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp * v64)) + S2_pp *
+            (v68 + (c1_pp * v66 + s1_pp * v67)))))), v80 = S2_mp * v69,
+        v81 = v47 * (v3 * (s3 * v71) + factor2_pm * (v23 * (v76 - (c1_pm * v74 + s1_pm * v75)) -
+            S2_mp * (v79 + (c1_pm * v77 + s1_pm * v78)))) - X5_pm * (c3 * v71 + factor2_pm * (v80 +
+            v23 * (s3 * (c1_pm * T11 + s1_pm * T21)))), v82 = S2_mp * v58,
+        angle6 = atan2_wide(v81, v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 +
+            s1_pm * v64)) - S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 +
+            factor2_pm * (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22))))),
+        angle7 = atan2_wide(-(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12
+            * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp *
+            v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))), -(X5_mp * (c3 * v61 - factor2_pm *
+            (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) + Y5_mp * (v3 * (s3 * v61) + factor2_pm
+            * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) - v23 * (v65 + (s1_mp * v64 - v12 *
+            v63)))))),
+        angle8 = atan2_wide(-(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm *
+            T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 *
+            v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))), -(X5_mm * (c3 * v62 -
+            factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 * T12)))) + Y5_mm * (v3 *
+            (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 - s1_mm * v67)) - v22 * (v65 +
+            (s1_mm * v64 - v13 * v63)))))),
+        q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v70 - factor2_pp *
+            (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) +
+            factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 +
+            s1_pp * v78)))))), q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v81),
+        q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v72 - factor2_pm *
+            (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm
+            * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 *
+            v74)))))),
+        q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v73 - factor2_mm *
+            (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) +
+            factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 -
+            v13 * v74))))));
 
     /* joint values */
-    const wide angle9 = atan2_wide(s1_pp, c1_pp);
-    const wide v83 = angle9 - offset1;
-    const wide angle10 = atan2_wide(s1_pm, c1_pm);
-    const wide v84 = angle10 - offset1;
-    const wide angle11 = atan2_wide(s1_mp, -v12);
-    const wide v85 = angle11 - offset1;
-    const wide angle12 = atan2_wide(s1_mm, -v13);
-    const wide v86 = angle12 - offset1;
-    const wide q1_ppp = v83 + only_wide(v83 <= -half_turn, m4);
-    const wide q1_pmp = v84 + only_wide(v84 <= -half_turn, m4);
-    const wide q1_mpp = v85 + only_wide(v85 <= -half_turn, m4);
-    const wide q1_mmp = v86 + only_wide(v86 <= -half_turn, m4);
-    const wide angle13 = atan2_wide(S2_pp, -v22);
-    const wide v87 = angle13 - offset2;
-    const wide angle14 = atan2_wide(-S2_mp, -v23);
-    const wide v88 = angle14 - offset2;
-    const wide angle15 = atan2_wide(S2_mp, -v23);
-    const wide v89 = angle15 - offset2;
-    const wide angle16 = atan2_wide(-S2_pp, -v22);
-    const wide v90 = angle16 - offset2;
-    const wide q2_ppp = v87 + only_wide(v87 <= -half_turn, m4);
-    const wide q2_pmp = v88 + only_wide(v88 <= -half_turn, m4);
-    const wide q2_mpp = v89 + only_wide(v89 <= -half_turn, m4);
-    const wide q2_mmp = v90 + only_wide(v90 <= -half_turn, m4);
-    const wide angle17 = atan2_wide(-v4, -v2);
-    const wide v91 = angle17 - offset4, v92 = offset4 + angle17;
-    const wide q4__p = v91 + only_wide(v91 <= -half_turn, m4);
-    const wide q4__m = only_wide(-v92 <= -half_turn, m4) - v92;
-    const wide angle18 = atan2_wide(sqrt_wide(v48), v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 +
-        s1_pp * v56 - v57) + v22 * (v54 + (c1_pp * v52 + s1_pp * v53))));
-    const wide angle19 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm *
-        v52 + s1_pm * v53)) - S2_mp * (c1_pm * v55 + s1_pm * v56 - v57)));
-    const wide angle20 = atan2_wide(sqrt_wide(v50), -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp
-        * v56 - v12 * v55)) + v23 * (v54 + (v12 * v52 - s1_mp * v53)))));
-    const wide angle21 = atan2_wide(sqrt_wide(v51), -(v5 * v44 + factor2_mm * (-S2_pp * (v57 +
-        (s1_mm * v56 - v13 * v55)) + v22 * (v54 + (v13 * v52 - s1_mm * v53)))));
-    const wide v93 = angle18 - offset6, v94 = offset6 + angle18, v95 = angle19 - offset6;
-    const wide v96 = offset6 + angle19, v97 = angle20 - offset6, v98 = offset6 + angle20;
-    const wide v99 = angle21 - offset6, v100 = offset6 + angle21;
-    const wide q6_ppp = v93 + only_wide(v93 <= -half_turn, m4);
-    const wide q6_ppm = only_wide(-v94 <= -half_turn, m4) - v94;
-    const wide q6_pmp = v95 + only_wide(v95 <= -half_turn, m4);
-    const wide q6_pmm = only_wide(-v96 <= -half_turn, m4) - v96;
-    const wide q6_mpp = v97 + only_wide(v97 <= -half_turn, m4);
-    const wide q6_mpm = only_wide(-v98 <= -half_turn, m4) - v98;
-    const wide q6_mmp = v99 + only_wide(v99 <= -half_turn, m4);
-    const wide q6_mmm = only_wide(-v100 <= -half_turn, m4) - v100;
-    const wide_mask v101 = (free_joints[0] < low3) | (high3 < free_joints[0]);
-    const wide_mask v102 = (q4__p < low4) | (high4 < q4__p);
-    const wide_mask v103 = (q4__m < low4) | (high4 < q4__m);
-    const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4));
-    const wide q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
-    const wide_mask v104 = v102 | (v101 | (((q1_ppp < low1) | (high1 < q1_ppp)) | ((q2_ppp < low2) |
-        (high2 < q2_ppp))));
-    const wide_mask v105 = v102 | (v101 | (((q1_pmp < low1) | (high1 < q1_pmp)) | ((q2_pmp < low2) |
-        (high2 < q2_pmp))));
-    const wide_mask v106 = v103 | (v101 | (((q1_mpp < low1) | (high1 < q1_mpp)) | ((q2_mpp < low2) |
-        (high2 < q2_mpp))));
-    const wide_mask v107 = v103 | (v101 | (((q1_mmp < low1) | (high1 < q1_mmp)) | ((q2_mmp < low2) |
-        (high2 < q2_mmp))));
-    const wide_mask outside_ppp = ((angle5 < low7) | (high7 < angle5)) | (((q6_ppp < low6) | (high6
-        < q6_ppp)) | (v104 | ((angle1 < low5) | (high5 < angle1))));
-    const wide_mask outside_ppm = ((q7_ppm < low7) | (high7 < q7_ppm)) | (((q6_ppm < low6) | (high6
-        < q6_ppm)) | (v104 | ((q5_ppm < low5) | (high5 < q5_ppm))));
-    const wide_mask outside_pmp = ((angle6 < low7) | (high7 < angle6)) | (((q6_pmp < low6) | (high6
-        < q6_pmp)) | (v105 | ((angle2 < low5) | (high5 < angle2))));
-    const wide_mask outside_pmm = ((q7_pmm < low7) | (high7 < q7_pmm)) | (((q6_pmm < low6) | (high6
-        < q6_pmm)) | (v105 | ((q5_pmm < low5) | (high5 < q5_pmm))));
-    const wide_mask outside_mpp = ((angle7 < low7) | (high7 < angle7)) | (((q6_mpp < low6) | (high6
-        < q6_mpp)) | (v106 | ((angle3 < low5) | (high5 < angle3))));
-    const wide_mask outside_mpm = ((q7_mpm < low7) | (high7 < q7_mpm)) | (((q6_mpm < low6) | (high6
-        < q6_mpm)) | (v106 | ((q5_mpm < low5) | (high5 < q5_mpm))));
-    const wide_mask outside_mmp = ((angle8 < low7) | (high7 < angle8)) | (((q6_mmp < low6) | (high6
-        < q6_mmp)) | (v107 | ((angle4 < low5) | (high5 < angle4))));
-    const wide_mask outside_mmm = ((q7_mmm < low7) | (high7 < q7_mmm)) | (((q6_mmm < low6) | (high6
-        < q6_mmm)) | (v107 | ((q5_mmm < low5) | (high5 < q5_mmm))));
-    const wide_mask doubt1 = (N1 <= doubt_limit_squared2) | ((((shortest4_reach <= V4) & (V4 <=
-        longest4_reach)) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | ((v51 <= m2) |
-        ((v27 <= m1) | ((v50 <= m2) | ((v49 <= m2) | ((v26 <= m1) | ((v48 <= m2) | ((abs_wide(D1) <=
-        reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) | (v25 <= m1)))))))));
+    const wide angle9 = atan2_wide(s1_pp, c1_pp), v83 = angle9 - offset1,
+        angle10 = atan2_wide(s1_pm, c1_pm), v84 = angle10 - offset1,
+        angle11 = atan2_wide(s1_mp, -v12), v85 = angle11 - offset1,
+        angle12 = atan2_wide(s1_mm, -v13), v86 = angle12 - offset1,
+        q1_ppp = v83 + only_wide(v83 <= -half_turn, m4),
+        q1_pmp = v84 + only_wide(v84 <= -half_turn, m4),
+        q1_mpp = v85 + only_wide(v85 <= -half_turn, m4),
+        q1_mmp = v86 + only_wide(v86 <= -half_turn, m4), angle13 = atan2_wide(S2_pp, -v22),
+        v87 = angle13 - offset2, angle14 = atan2_wide(-S2_mp, -v23), v88 = angle14 - offset2,
+        angle15 = atan2_wide(S2_mp, -v23), v89 = angle15 - offset2,
+        angle16 = atan2_wide(-S2_pp, -v22), v90 = angle16 - offset2,
+        q2_ppp = v87 + only_wide(v87 <= -half_turn, m4),
+        q2_pmp = v88 + only_wide(v88 <= -half_turn, m4),
+        q2_mpp = v89 + only_wide(v89 <= -half_turn, m4),
+        q2_mmp = v90 + only_wide(v90 <= -half_turn, m4), angle17 = atan2_wide(-v4, -v2),
+        v91 = angle17 - offset4, v92 = offset4 + angle17,
+        q4__p = v91 + only_wide(v91 <= -half_turn, m4),
+        q4__m = only_wide(-v92 <= -half_turn, m4) - v92,
+        angle18 = atan2_wide(sqrt_wide(v48), v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp *
+            v56 - v57) + v22 * (v54 + (c1_pp * v52 + s1_pp * v53)))),
+        angle19 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 +
+            s1_pm * v53)) - S2_mp * (c1_pm * v55 + s1_pm * v56 - v57))),
+        angle20 = atan2_wide(sqrt_wide(v50), -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56
+            - v12 * v55)) + v23 * (v54 + (v12 * v52 - s1_mp * v53))))),
+        angle21 = atan2_wide(sqrt_wide(v51), -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56
+            - v13 * v55)) + v22 * (v54 + (v13 * v52 - s1_mm * v53))))), v93 = angle18 - offset6,
+        v94 = offset6 + angle18, v95 = angle19 - offset6, v96 = offset6 + angle19,
+        v97 = angle20 - offset6, v98 = offset6 + angle20, v99 = angle21 - offset6,
+        v100 = offset6 + angle21, q6_ppp = v93 + only_wide(v93 <= -half_turn, m4),
+        q6_ppm = only_wide(-v94 <= -half_turn, m4) - v94,
+        q6_pmp = v95 + only_wide(v95 <= -half_turn, m4),
+        q6_pmm = only_wide(-v96 <= -half_turn, m4) - v96,
+        q6_mpp = v97 + only_wide(v97 <= -half_turn, m4),
+        q6_mpm = only_wide(-v98 <= -half_turn, m4) - v98,
+        q6_mmp = v99 + only_wide(v99 <= -half_turn, m4),
+        q6_mmm = only_wide(-v100 <= -half_turn, m4) - v100;
+    const wide_mask v101 = beyond(free_joints[0], low3, high3), v102 = beyond(q4__p, low4, high4),
+        v103 = beyond(q4__m, low4, high4);
+    const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4)), q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
+    const wide_mask v104 = v102 | v101 | beyond(q1_ppp, low1, high1) | beyond(q2_ppp, low2, high2),
+        v105 = v102 | v101 | beyond(q1_pmp, low1, high1) | beyond(q2_pmp, low2, high2),
+        v106 = v103 | v101 | beyond(q1_mpp, low1, high1) | beyond(q2_mpp, low2, high2),
+        v107 = v103 | v101 | beyond(q1_mmp, low1, high1) | beyond(q2_mmp, low2, high2),
+        outside_ppp = beyond(angle5, low7, high7) | beyond(q6_ppp, low6, high6) | v104 |
+            beyond(angle1, low5, high5),
+        outside_ppm = beyond(q7_ppm, low7, high7) | beyond(q6_ppm, low6, high6) | v104 |
+            beyond(q5_ppm, low5, high5),
+        outside_pmp = beyond(angle6, low7, high7) | beyond(q6_pmp, low6, high6) | v105 |
+            beyond(angle2, low5, high5),
+        outside_pmm = beyond(q7_pmm, low7, high7) | beyond(q6_pmm, low6, high6) | v105 |
+            beyond(q5_pmm, low5, high5),
+        outside_mpp = beyond(angle7, low7, high7) | beyond(q6_mpp, low6, high6) | v106 |
+            beyond(angle3, low5, high5),
+        outside_mpm = beyond(q7_mpm, low7, high7) | beyond(q6_mpm, low6, high6) | v106 |
+            beyond(q5_mpm, low5, high5),
+        outside_mmp = beyond(angle8, low7, high7) | beyond(q6_mmp, low6, high6) | v107 |
+            beyond(angle4, low5, high5),
+        outside_mmm = beyond(q7_mmm, low7, high7) | beyond(q6_mmm, low6, high6) | v107 |
+            beyond(q5_mmm, low5, high5),
+        doubt1 = (N1 <= doubt_limit_squared2) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) &
+            (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v51 <= m2) | (v27 <= m1) |
+            (v50 <= m2) | (v49 <= m2) | (v26 <= m1) | (v48 <= m2) | (abs_wide(D1) <= reach_slack1 *
+            (reach_slack1 + 2.0 * abs_wide(Z1))) | (v25 <= m1);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
     q[6] = angle5;
@@ -819,111 +682,92 @@ HELPER int solve_regular(
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
-    const double c3 = cos(free_joints[0]);
-    const double s3 = sin(free_joints[0]);
+    const double c3 = cos(free_joints[0]), s3 = sin(free_joints[0]);
 
     /* theta4 */
-    const double wx = T14 - d7 * T13;
-    const double wy = T24 - d7 * T23;
-    const double v1 = wy * wy;
-    const double Z1_2 = T34 - d7 * T33 - d1;
-    const double V4 = v1 + wx * wx + Z1_2 * Z1_2;
-    const double w4 = sqrt((longest4 - V4) * (V4 - shortest4));
-    const double v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
+    const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, Z1_2 = T34 - d7 * T33 - d1,
+        V4 = v1 + wx * wx + Z1_2 * Z1_2, w4 = sqrt((longest4 - V4) * (V4 - shortest4)),
+        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
-    const double N1 = v1 + -wx * -wx;
-    const double Z1 = d5 * (s3 * v5);
-    const double D1 = N1 - Z1 * Z1;
-    const double w1 = sqrt(D1);
-    const double v6 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v7 = -wx * Z1, v8 = wy * Z1;
-    const four v9 = e1 * v8, v10 = w1 * (inverse1 * (e2 * -wx)), v11 = inverse1 * v9;
-    const four c1 = v11 - v10;
-    const four v12 = e1 * v7, v13 = w1 * (inverse1 * (e2 * wy)), v14 = inverse1 * v12;
-    const four s1 = v13 + v14;
+    const double N1 = v1 + -wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt(D1),
+        v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1;
+    const four v9 = e1 * v8, v10 = w1 * (inverse1 * (e2 * -wx)), v11 = inverse1 * v9,
+        c1 = v11 - v10, v12 = e1 * v7, v13 = w1 * (inverse1 * (e2 * wy)), v14 = inverse1 * v12,
+        s1 = v13 + v14;
 
     /* theta2 */
-    const double v15 = d5 * (c3 * v5);
-    const double X2_2 = d3 + d5 * v3;
-    const double v16 = Z1_2 * v15, v17 = w1 * X2_2;
-    const four v18 = e2 * v17, v19 = e1 * v16;
-    const four S2 = v18 - v19;
+    const double v15 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v16 = Z1_2 * v15, v17 = w1 * X2_2;
+    const four v18 = e2 * v17, v19 = e1 * v16, S2 = v18 - v19;
     const double v20 = Z1_2 * X2_2, v21 = w1 * v15;
-    const four v22 = v20 + v21 * (e1 * e2), v23 = S2 * S2 + v22 * v22;
-    const four factor2 = sqrt_four(v23) * (1.0 / v23);
+    const four v22 = v20 + v21 * (e1 * e2), v23 = S2 * S2 + v22 * v22,
+        factor2 = sqrt_four(v23) * (1.0 / v23);
 
     /* theta5 */
-    const double v24 = c3 * T13, v25 = v3 * v24, v26 = c3 * T23, v27 = v3 * v26, v28 = T33 * v5;
-    const double v29 = T13 * v5, v30 = T23 * v5, v31 = c3 * T33, v32 = v3 * v31;
-    const double v33 = T13 * wy + T23 * -wx;
-    const four v34 = w1 * (inverse1 * (s3 * (e2 * v33)));
-    const four v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v36 = v34 + v35, v37 = e1 * v28;
-    const four X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e1 * (c1
-        * v29 + s1 * v30)));
+    const double v24 = c3 * T13, v25 = v3 * v24, v26 = c3 * T23, v27 = v3 * v26, v28 = T33 * v5,
+        v29 = T13 * v5, v30 = T23 * v5, v31 = c3 * T33, v32 = v3 * v31, v33 = T13 * wy + T23 * -wx;
+    const four v34 = w1 * (inverse1 * (s3 * (e2 * v33))),
+        v35 = inverse1 * (s3 * (T13 * v12 - T23 * v9)), v36 = v34 + v35, v37 = e1 * v28,
+        X5 = v3 * v36 + factor2 * (v22 * (v37 - (c1 * v25 + s1 * v27)) + S2 * (v32 + e1 * (c1 * v29
+            + s1 * v30)));
     const double v38 = s3 * T33;
     const four Y5 = factor2 * (S2 * v38 - v22 * (s3 * (T13 * c1 + T23 * s1))) - c3 * (T13 * s1 - T23
-        * c1);
-    const four v39 = X5 * X5 + Y5 * Y5;
+        * c1), v39 = X5 * X5 + Y5 * Y5;
 
     /* theta6 */
-    const double v40 = v5 * v24, v41 = v5 * v26, v42 = T33 * v3, v43 = T13 * v3, v44 = T23 * v3;
-    const double v45 = v5 * v31;
+    const double v40 = v5 * v24, v41 = v5 * v26, v42 = T33 * v3, v43 = T13 * v3, v44 = T23 * v3,
+        v45 = v5 * v31;
     const four v46 = e1 * v45;
 
     /* theta7 */
     const double v47 = s3 * T32;
     const four v48 = s1 * T12 - c1 * T22;
-    const double v49 = v3 * (c3 * T12), v50 = v3 * (c3 * T22), v51 = v5 * T32, v52 = v5 * T12;
-    const double v53 = v5 * T22, v54 = v3 * (c3 * T32);
+    const double v49 = v3 * (c3 * T12), v50 = v3 * (c3 * T22), v51 = v5 * T32, v52 = v5 * T12,
+        v53 = v5 * T22, v54 = v3 * (c3 * T32);
     const four v55 = e1 * v51;
     const double v56 = s3 * T31;
     const four v57 = s1 * T11 - c1 * T21;
-    const double v58 = v3 * (c3 * T11), v59 = v3 * (c3 * T21), v60 = v5 * T31, v61 = v5 * T11;
-    const double v62 = v5 * T21, v63 = v3 * (c3 * T31);
+    const double v58 = v3 * (c3 * T11), v59 = v3 * (c3 * T21), v60 = v5 * T31, v61 = v5 * T11,
+        v62 = v5 * T21, v63 = v3 * (c3 * T31);
     const four v64 = e1 * v60;
 
     /* joint values */
-    const int v70 = (free_joints[0] < low3) | (high3 < free_joints[0]);
+    const int v70 = beyond(free_joints[0], low3, high3);
     const double q3_p = v6 + (free_joints[0] + (w4 - w4));
     const four_mask doubt2 = (v23 <= m1) | (v39 <= m2);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | ((fabs(D1) <= reach_slack1 * (reach_slack1 +
-        2.0 * fabs(Z1))) | (((shortest4_reach <= V4) & (V4 <= longest4_reach)) & (((shortest4_apart
-        < V4) & (V4 < longest4_apart)) == 0)));
+    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
+        2.0 * fabs(Z1))) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) & (((shortest4_apart <
+        V4) & (V4 < longest4_apart)) == 0));
 
-    const four angle1 = atan2_four(Y5, -X5);
-    const four angle2 = atan2_four(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1 * T11 +
-        s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 + s1 * v59)) + S2 *
-        (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2 * (S2 * v47 - v22 * (s3 *
-        (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v48) + factor2 * (v22 * (v55 - (c1 * v49 + s1 *
-        v50)) + S2 * (v54 + e1 * (c1 * v52 + s1 * v53)))))), angle3 = atan2_four(s1, c1);
-    const four angle4 = atan2_four(S2, -v22);
-    const four angle6 = atan2_four(sqrt_four(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1
-        * v44 - v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41))));
-    const four packed6 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 });
-    const four angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
-    const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1;
-    const four q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v57 - factor2 *
-        (S2 * v56 - v22 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 *
-        (v64 - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62))))));
-    const four v65 = angle3 - offset1;
-    const four q1_p = v65 + only_four(v65 <= -half_turn, m4);
-    const four v66 = angle4 - offset2;
-    const four q2_p = v66 + only_four(v66 <= -half_turn, m4);
-    const four v67 = e1 * angle5 - offset4;
-    const four q4_ = v67 + only_four(v67 <= -half_turn, m4);
-    const four v68 = angle6 - offset6, v69 = offset6 + angle6;
-    const four q6_p = v68 + only_four(v68 <= -half_turn, m4);
-    const four q6_m = only_four(-v69 <= -half_turn, m4) - v69;
-    const four_mask v71 = (q4_ < low4) | (high4 < q4_);
+    const four angle1 = atan2_four(Y5, -X5),
+        angle2 = atan2_four(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1 * T11 + s1 *
+            T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 + s1 * v59)) + S2 *
+            (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2 * (S2 * v47 - v22 *
+            (s3 * (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v48) + factor2 * (v22 * (v55 - (c1 *
+            v49 + s1 * v50)) + S2 * (v54 + e1 * (c1 * v52 + s1 * v53)))))),
+        angle3 = atan2_four(s1, c1), angle4 = atan2_four(S2, -v22),
+        angle6 = atan2_four(sqrt_four(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1 * v44 -
+            v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
+        packed6 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 }),
+        angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
+    const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1,
+        q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v57 - factor2 * (S2 *
+            v56 - v22 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 *
+            (v64 - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62)))))),
+        v65 = angle3 - offset1, q1_p = v65 + only_four(v65 <= -half_turn, m4),
+        v66 = angle4 - offset2, q2_p = v66 + only_four(v66 <= -half_turn, m4),
+        v67 = e1 * angle5 - offset4, q4_ = v67 + only_four(v67 <= -half_turn, m4),
+        v68 = angle6 - offset6, v69 = offset6 + angle6,
+        q6_p = v68 + only_four(v68 <= -half_turn, m4),
+        q6_m = only_four(-v69 <= -half_turn, m4) - v69;
+    const four_mask v71 = beyond(q4_, low4, high4);
     const four q4_p = v6 + q4_;
-    const four_mask v72 = v71 | (where_four(v70) | (((q1_p < low1) | (high1 < q1_p)) | ((q2_p <
-        low2) | (high2 < q2_p))));
-    const four_mask outside_p = ((angle2 < low7) | (high7 < angle2)) | (((q6_p < low6) | (high6 <
-        q6_p)) | (v72 | ((angle1 < low5) | (high5 < angle1))));
-    const four_mask outside_m = ((q7_m < low7) | (high7 < q7_m)) | (((q6_m < low6) | (high6 < q6_m))
-        | (v72 | ((q5_m < low5) | (high5 < q5_m))));
+    const four_mask v72 = v71 | where_four(v70) | beyond(q1_p, low1, high1) | beyond(q2_p, low2,
+        high2),
+        outside_p = beyond(angle2, low7, high7) | beyond(q6_p, low6, high6) | v72 | beyond(angle1,
+            low5, high5),
+        outside_m = beyond(q7_m, low7, high7) | beyond(q6_m, low6, high6) | v72 | beyond(q5_m, low5,
+            high5);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -1012,8 +856,7 @@ static void solve(
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
-    const double c3 = cos(free_joints[0]);
-    const double s3 = sin(free_joints[0]);
+    const double c3 = cos(free_joints[0]), s3 = sin(free_joints[0]);
 
     /* theta4, type 2: the squared length of column 4 of U1 A7^-1 */
     const double wx = T14 - T13 * d7;
@@ -1032,37 +875,23 @@ static void solve(
     /* theta1, type 2: U1 A7^-1 [3, 4] */
     const double N1 = v1 + -wx * -wx;
     const int free1 = N1 <= free_limit_squared2;
-    const double v6 = sqrt(N1);
-    const double v9 = seed[0] + offset1;
+    const double v6 = sqrt(N1), v9 = seed[0] + offset1;
 
     /* theta2, type 3: U1 A7^-1 [2, 4] and U1 A7^-1 [1, 4] */
     const double X2_2 = d3 + d5 * v2;
-    const double v12 = Z1_2 * X2_2;
-    const double v14 = seed[1] + offset2;
+    const double v12 = Z1_2 * X2_2, v14 = seed[1] + offset2;
 
     /* theta5, type 2: U5[3, 3] */
-    const double v15 = c3 * T13;
-    const double v16 = v2 * v15;
-    const double v17 = c3 * T23;
-    const double v18 = v2 * v17;
-    const double v22 = c3 * T33;
-    const double v23 = v2 * v22;
-    const double v26 = s3 * T33;
+    const double v15 = c3 * T13, v16 = v2 * v15, v17 = c3 * T23, v18 = v2 * v17, v22 = c3 * T33,
+        v23 = v2 * v22, v26 = s3 * T33;
 
     /* theta6, type 3: U5[2, 3] and U5[1, 3] */
-    const double v29 = T33 * v2;
-    const double v30 = T13 * v2;
-    const double v31 = T23 * v2;
+    const double v29 = T33 * v2, v30 = T13 * v2, v31 = T23 * v2;
 
     /* theta7, type 3: U5[3, 2] and U5[3, 1] */
-    const double v33 = s3 * T32;
-    const double v36 = v2 * (c3 * T12);
-    const double v37 = v2 * (c3 * T22);
-    const double v41 = v2 * (c3 * T32);
-    const double v43 = s3 * T31;
-    const double v46 = v2 * (c3 * T11);
-    const double v47 = v2 * (c3 * T21);
-    const double v51 = v2 * (c3 * T31);
+    const double v33 = s3 * T32, v36 = v2 * (c3 * T12), v37 = v2 * (c3 * T22),
+        v41 = v2 * (c3 * T32), v43 = s3 * T31, v46 = v2 * (c3 * T11), v47 = v2 * (c3 * T21),
+        v51 = v2 * (c3 * T31);
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip4, flip4 */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -1073,36 +902,25 @@ static void solve(
         /* theta1 */
         const double Z1 = d5 * (s3 * v3);
         const double D1 = N1 - Z1 * Z1;
-        const double v4 = fabs(Z1);
-        const double v5 = 2.0 * v4;
+        const double v4 = fabs(Z1), v5 = 2.0 * v4;
         const int apart1 = merge_slack1 * (v5 + merge_slack1) < D1;
         if (!(-(reach_slack1 * (v5 + reach_slack1)) <= D1)) continue; /* out of reach */
         const double w1 = sqrt(apart1 ? D1 : 0.0);
         const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v4 * v6));
-        const double v7 = -wx * Z1;
-        const double v8 = wy * Z1;
+        const double v7 = -wx * Z1, v8 = wy * Z1;
 
         /* theta2 */
-        const double v10 = d5 * (c3 * v3);
-        const double v11 = Z1_2 * v10;
+        const double v10 = d5 * (c3 * v3), v11 = Z1_2 * v10;
 
         /* theta5 */
-        const double v19 = T33 * v3;
-        const double v20 = T13 * v3;
-        const double v21 = T23 * v3;
+        const double v19 = T33 * v3, v20 = T13 * v3, v21 = T23 * v3;
 
         /* theta6 */
-        const double v27 = v3 * v15;
-        const double v28 = v3 * v17;
-        const double v32 = v3 * v22;
+        const double v27 = v3 * v15, v28 = v3 * v17, v32 = v3 * v22;
 
         /* theta7 */
-        const double v38 = T32 * v3;
-        const double v39 = T12 * v3;
-        const double v40 = T22 * v3;
-        const double v48 = T31 * v3;
-        const double v49 = T11 * v3;
-        const double v50 = T21 * v3;
+        const double v38 = T32 * v3, v39 = T12 * v3, v40 = T22 * v3, v48 = T31 * v3, v49 = T11 * v3,
+            v50 = T21 * v3;
 
         /* joint values */
         const double q4 = wrap(atan2(-v3, -v2) - offset4);
@@ -1112,8 +930,8 @@ static void solve(
             /* theta1 */
             if (e2 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
             const double root1 = w1 * e2;
-            const double c1 = free1 ? cos(v9) : inverse1 * (v8 - -wx * root1);
-            const double s1 = free1 ? sin(v9) : inverse1 * (v7 + wy * root1);
+            const double c1 = free1 ? cos(v9) : inverse1 * (v8 - -wx * root1),
+                s1 = free1 ? sin(v9) : inverse1 * (v7 + wy * root1);
 
             /* theta2 */
             const double S2 = root1 * X2_2 - v11;
@@ -1121,12 +939,11 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + v13 * v13);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v14) : -(v13 * factor2);
-            const double s2 = free2 ? sin(v14) : S2 * factor2;
+            const double c2 = free2 ? cos(v14) : -(v13 * factor2),
+                s2 = free2 ? sin(v14) : S2 * factor2;
 
             /* theta5 */
-            const double v24 = T13 * s1 - T23 * c1;
-            const double v25 = s3 * v24;
+            const double v24 = T13 * s1 - T23 * c1, v25 = s3 * v24;
             const double X5 = v2 * v25 - (c2 * (v19 - (c1 * v16 + s1 * v18)) - s2 * (c1 * v20 + s1 *
                 v21 + v23));
             const double Y5 = c2 * (s3 * (T13 * c1 + T23 * s1)) + s2 * v26 - c3 * v24;
@@ -1139,14 +956,13 @@ static void solve(
                 v28 + v29));
 
             /* theta7 */
-            const double v34 = T12 * s1 - T22 * c1;
-            const double v35 = c3 * v34 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v33);
-            const double v42 = c2 * (v38 - (c1 * v36 + s1 * v37)) - s2 * (c1 * v39 + s1 * v40 + v41)
-                - v2 * (s3 * v34);
-            const double v44 = T11 * s1 - T21 * c1;
-            const double v45 = c3 * v44 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v43);
-            const double v52 = c2 * (v48 - (c1 * v46 + s1 * v47)) - s2 * (c1 * v49 + s1 * v50 + v51)
-                - v2 * (s3 * v44);
+            const double v34 = T12 * s1 - T22 * c1,
+                v35 = c3 * v34 - (c2 * (s3 * (T12 * c1 + T22 * s1)) + s2 * v33),
+                v42 = c2 * (v38 - (c1 * v36 + s1 * v37)) - s2 * (c1 * v39 + s1 * v40 + v41) - v2 *
+                    (s3 * v34), v44 = T11 * s1 - T21 * c1,
+                v45 = c3 * v44 - (c2 * (s3 * (T11 * c1 + T21 * s1)) + s2 * v43),
+                v52 = c2 * (v48 - (c1 * v46 + s1 * v47)) - s2 * (c1 * v49 + s1 * v50 + v51) - v2 *
+                    (s3 * v44);
 
             /* joint values */
             const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -1157,26 +973,20 @@ static void solve(
                 /* theta5 */
                 if (e3 < 0.0 && free5) continue; /* both signs give the same */
                 const double factor5 = e3 / divisor5;
-                const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5);
-                const double s5 = free5 ? sin(seed[4]) : Y5 * factor5;
+                const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5),
+                    s5 = free5 ? sin(seed[4]) : Y5 * factor5;
                 const double q5 = atan2(s5, c5);
                 const double s6 = w5 * e3;
 
                 /* theta7 */
-                const double c7 = c5 * v35 + s5 * v42;
-                const double s7 = c5 * v45 + s5 * v52;
+                const double c7 = c5 * v35 + s5 * v42, s7 = c5 * v45 + s5 * v52;
                 const double q7 = atan2(s7, c7);
 
                 /* joint values */
                 const double q6 = wrap(atan2(s6, c6) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = free_joints[0];
-                q[row][3] = q4;
-                q[row][4] = q5;
-                q[row][5] = q6;
-                q[row][6] = q7;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = free_joints[0]; q[row][3] = q4;
+                q[row][4] = q5; q[row][5] = q6; q[row][6] = q7;
                 status[row] = (free1 || free2 || free5) ? KUKA_IIWA14_FREE_JOINT : KUKA_IIWA14_OK;
             }
         }

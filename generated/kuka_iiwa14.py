@@ -841,10 +841,10 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
-        N1 <= doubt_limit_squared2 or ((shortest4_reach <= V4 and V4 <= longest4_reach and not
-        (shortest4_apart < V4 and V4 < longest4_apart)) or (v51 <= m2 or (v27 <= m1 or (v50 <= m2 or
-        (v49 <= m2 or (v26 <= m1 or (v48 <= m2 or (abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
-        abs(Z1)) or v25 <= m1))))))))
+        N1 <= doubt_limit_squared2 or (shortest4_reach <= V4 and V4 <= longest4_reach and not
+        (shortest4_apart < V4 and V4 < longest4_apart)) or v51 <= m2 or v27 <= m1 or v50 <= m2 or
+        v49 <= m2 or v26 <= m1 or v48 <= m2 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs(Z1)) or v25 <= m1
     )
 
     # angles, side by side
@@ -1010,41 +1010,41 @@ def _regular(pose, q_free, q, status):
     q6_mpm = (m4 if -v98 <= -half_turn else 0.0) - v98
     q6_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
     q6_mmm = (m4 if -v100 <= -half_turn else 0.0) - v100
-    v104 = v102 or (v101 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 < q2_ppp)))
-    v105 = v102 or (v101 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 < q2_pmp)))
-    v106 = v103 or (v101 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 < q2_mpp)))
-    v107 = v103 or (v101 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 < q2_mmp)))
+    v104 = v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
+    v105 = v102 or v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
+    v106 = v103 or v101 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
+    v107 = v103 or v101 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
     outside_ppp = (
-        angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v104 or (angle1 <
-        low5 or high5 < angle1)))
+        angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v104 or angle1 < low5
+        or high5 < angle1
     )
     outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v104 or (q5_ppm <
-        low5 or high5 < q5_ppm)))
+        q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v104 or q5_ppm < low5
+        or high5 < q5_ppm
     )
     outside_pmp = (
-        angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v105 or (angle2 <
-        low5 or high5 < angle2)))
+        angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v105 or angle2 < low5
+        or high5 < angle2
     )
     outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v105 or (q5_pmm <
-        low5 or high5 < q5_pmm)))
+        q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v105 or q5_pmm < low5
+        or high5 < q5_pmm
     )
     outside_mpp = (
-        angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v106 or (angle3 <
-        low5 or high5 < angle3)))
+        angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v106 or angle3 < low5
+        or high5 < angle3
     )
     outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v106 or (q5_mpm <
-        low5 or high5 < q5_mpm)))
+        q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v106 or q5_mpm < low5
+        or high5 < q5_mpm
     )
     outside_mmp = (
-        angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v107 or (angle4 <
-        low5 or high5 < angle4)))
+        angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v107 or angle4 < low5
+        or high5 < angle4
     )
     outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v107 or (q5_mmm <
-        low5 or high5 < q5_mmm)))
+        q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v107 or q5_mmm < low5
+        or high5 < q5_mmm
     )
 
     # a joint is free, or branches meet
@@ -1565,10 +1565,10 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
-                N1 <= doubt_limit_squared2 or ((shortest4_reach <= V4 and V4 <= longest4_reach and
-                not (shortest4_apart < V4 and V4 < longest4_apart)) or (v51 <= m2 or (v27 <= m1 or
-                (v50 <= m2 or (v49 <= m2 or (v26 <= m1 or (v48 <= m2 or (abs(D1) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z1)) or v25 <= m1))))))))
+                N1 <= doubt_limit_squared2 or (shortest4_reach <= V4 and V4 <= longest4_reach and
+                not (shortest4_apart < V4 and V4 < longest4_apart)) or v51 <= m2 or v27 <= m1 or v50
+                <= m2 or v49 <= m2 or v26 <= m1 or v48 <= m2 or abs(D1) <= reach_slack1 *
+                (reach_slack1 + 2.0 * abs(Z1)) or v25 <= m1
             )
             work[736 + k] = c1_pp
             work[752 + k] = v12
@@ -1808,52 +1808,48 @@ def _in_tiles(T, q_free, q, status):
             q6_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
             q6_mmm = (m4 if -v100 <= -half_turn else 0.0) - v100
             v104 = (
-                v102 or (v101 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp < low2 or high2 <
-                q2_ppp)))
+                v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
             )
             v105 = (
-                v102 or (v101 or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp < low2 or high2 <
-                q2_pmp)))
+                v102 or v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
             )
             v106 = (
-                v103 or (v101 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp < low2 or high2 <
-                q2_mpp)))
+                v103 or v101 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
             )
             v107 = (
-                v103 or (v101 or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp < low2 or high2 <
-                q2_mmp)))
+                v103 or v101 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
             )
             outside_ppp = (
-                angle5 < low7 or high7 < angle5 or (q6_ppp < low6 or high6 < q6_ppp or (v104 or
-                (angle1 < low5 or high5 < angle1)))
+                angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v104 or angle1
+                < low5 or high5 < angle1
             )
             outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or (q6_ppm < low6 or high6 < q6_ppm or (v104 or
-                (q5_ppm < low5 or high5 < q5_ppm)))
+                q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v104 or q5_ppm
+                < low5 or high5 < q5_ppm
             )
             outside_pmp = (
-                angle6 < low7 or high7 < angle6 or (q6_pmp < low6 or high6 < q6_pmp or (v105 or
-                (angle2 < low5 or high5 < angle2)))
+                angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v105 or angle2
+                < low5 or high5 < angle2
             )
             outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or (q6_pmm < low6 or high6 < q6_pmm or (v105 or
-                (q5_pmm < low5 or high5 < q5_pmm)))
+                q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v105 or q5_pmm
+                < low5 or high5 < q5_pmm
             )
             outside_mpp = (
-                angle7 < low7 or high7 < angle7 or (q6_mpp < low6 or high6 < q6_mpp or (v106 or
-                (angle3 < low5 or high5 < angle3)))
+                angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v106 or angle3
+                < low5 or high5 < angle3
             )
             outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or (q6_mpm < low6 or high6 < q6_mpm or (v106 or
-                (q5_mpm < low5 or high5 < q5_mpm)))
+                q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v106 or q5_mpm
+                < low5 or high5 < q5_mpm
             )
             outside_mmp = (
-                angle8 < low7 or high7 < angle8 or (q6_mmp < low6 or high6 < q6_mmp or (v107 or
-                (angle4 < low5 or high5 < angle4)))
+                angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v107 or angle4
+                < low5 or high5 < angle4
             )
             outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or (q6_mmm < low6 or high6 < q6_mmm or (v107 or
-                (q5_mmm < low5 or high5 < q5_mmm)))
+                q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v107 or q5_mmm
+                < low5 or high5 < q5_mmm
             )
             _1936 = q1_ppp
             work[1936 + k] = _1936

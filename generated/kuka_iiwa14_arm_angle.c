@@ -90,84 +90,33 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v cos_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = cos(x[k]); \
+    return x; \
+} \
+HELPER v sin_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = sin(x[k]); \
+    return x; \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-HELPER four cos_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER four sin_four(four x)
-{
-    for (int k = 0; k < 4; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
-HELPER wide cos_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = cos(x[k]);
-    return x;
-}
-
-HELPER wide sin_wide(wide x)
-{
-    for (int k = 0; k < LANES; k++)
-        x[k] = sin(x[k]);
-    return x;
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -209,7 +158,7 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -307,6 +256,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -378,60 +329,36 @@ static const double highest[7] = {
 void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z2_x = c1 * s2;
-    const double z2_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = x2_y * c3 - c1 * s3;
-    const double x3_z = s2 * c3;
-    const double z3_y = c1 * c3 + x2_y * s3;
-    const double z3_z = s2 * s3;
-    const double z3_x = x2_x * s3 - s1 * c3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
+    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
     const double v3 = q[3] + offset4;
-    const double c4 = cos(v3);
-    const double s4 = sin(v3);
-    const double x4_x = x3_x * c4 + z2_x * s4;
-    const double x4_y = x3_y * c4 + z2_y * s4;
-    const double x4_z = x3_z * c4 - c2 * s4;
-    const double z4_z = c2 * c4 + x3_z * s4;
-    const double z4_x = x3_x * s4 - z2_x * c4;
-    const double z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double z5_x = x4_x * s5 - z3_x * c5;
-    const double z5_y = x4_y * s5 - z3_y * c5;
-    const double z5_z = x4_z * s5 - z3_z * c5;
+    const double c4 = cos(v3), s4 = sin(v3);
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
+        x4_z = x3_z * c4 - c2 * s4;
+    const double z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
+        z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
+        z5_z = x4_z * s5 - z3_z * c5;
     const double v4 = q[5] + offset6;
-    const double c6 = cos(v4);
-    const double s6 = sin(v4);
-    const double x6_x = x5_x * c6 + z4_x * s6;
-    const double x6_y = x5_y * c6 + z4_y * s6;
-    const double x6_z = x5_z * c6 + z4_z * s6;
-    const double T13_ = x5_x * s6 - z4_x * c6;
-    const double T23_ = x5_y * s6 - z4_y * c6;
-    const double T33_ = x5_z * s6 - z4_z * c6;
-    const double c7 = cos(q[6]);
-    const double s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + z5_x * s7;
-    const double T21_ = x6_y * c7 + z5_y * s7;
-    const double T31_ = x6_z * c7 + z5_z * s7;
-    const double T12_ = z5_x * c7 - x6_x * s7;
-    const double T22_ = z5_y * c7 - x6_y * s7;
-    const double T32_ = z5_z * c7 - x6_z * s7;
-    const double T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7;
-    const double T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7;
-    const double T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7;
+    const double c6 = cos(v4), s6 = sin(v4);
+    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
+        x6_z = x5_z * c6 + z4_z * s6;
+    const double T13_ = x5_x * s6 - z4_x * c6, T23_ = x5_y * s6 - z4_y * c6,
+        T33_ = x5_z * s6 - z4_z * c6;
+    const double c7 = cos(q[6]), s7 = sin(q[6]);
+    const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
+        T31_ = x6_z * c7 + z5_z * s7, T12_ = z5_x * c7 - x6_x * s7, T22_ = z5_y * c7 - x6_y * s7,
+        T32_ = z5_z * c7 - x6_z * s7, T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7,
+        T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7, T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -442,74 +369,40 @@ void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
 void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J43 = c1 * s2;
-    const double J53 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = x2_y * c3 - c1 * s3;
-    const double x3_z = s2 * c3;
-    const double J54 = c1 * c3 + x2_y * s3;
-    const double J64 = s2 * s3;
-    const double p3_x = J43 * d3;
-    const double p3_y = J53 * d3;
-    const double p3_z = d1 - c2 * d3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J43 = c1 * s2, J53 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
+    const double J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3;
+    const double p3_x = J43 * d3, p3_y = J53 * d3, p3_z = d1 - c2 * d3;
     const double J44 = x2_x * s3 - s1 * c3;
     const double v3 = q[3] + offset4;
-    const double c4 = cos(v3);
-    const double s4 = sin(v3);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 + J53 * s4;
-    const double x4_z = x3_z * c4 - c2 * s4;
-    const double J65 = c2 * c4 + x3_z * s4;
-    const double J45 = x3_x * s4 - J43 * c4;
-    const double J55 = x3_y * s4 - J53 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double p5_x = p3_x + J45 * d5;
-    const double p5_y = p3_y + J55 * d5;
-    const double p5_z = p3_z + J65 * d5;
-    const double J46 = x4_x * s5 - J44 * c5;
-    const double J56 = x4_y * s5 - J54 * c5;
-    const double J66 = x4_z * s5 - J64 * c5;
+    const double c4 = cos(v3), s4 = sin(v3);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
+        x4_z = x3_z * c4 - c2 * s4;
+    const double J65 = c2 * c4 + x3_z * s4, J45 = x3_x * s4 - J43 * c4, J55 = x3_y * s4 - J53 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
+    const double J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5;
     const double v4 = q[5] + offset6;
-    const double c6 = cos(v4);
-    const double s6 = sin(v4);
-    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6;
-    const double J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6;
-    const double J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6;
-    const double J21 = p5_x + J47 * d7;
-    const double p7_y = p5_y + J57 * d7;
-    const double p7_z = p5_z + J67 * d7;
+    const double c6 = cos(v4), s6 = sin(v4);
+    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6,
+        J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6, J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6,
+        J21 = p5_x + J47 * d7;
+    const double p7_y = p5_y + J57 * d7, p7_z = p5_z + J67 * d7;
     const double v5 = p7_z - d1;
-    const double J32 = s1 * p7_y + c1 * J21;
-    const double J13 = J53 * v5 + c2 * p7_y;
-    const double J33 = J43 * p7_y - J53 * J21;
-    const double v6 = J21 - p3_x;
-    const double v7 = p7_y - p3_y;
-    const double v8 = p7_z - p3_z;
-    const double J14 = J54 * v8 - J64 * v7;
-    const double J24 = J64 * v6 - J44 * v8;
-    const double J34 = J44 * v7 - J54 * v6;
-    const double J15 = J55 * v8 - J65 * v7;
-    const double J25 = J65 * v6 - J45 * v8;
-    const double J35 = J45 * v7 - J55 * v6;
-    const double v9 = J21 - p5_x;
-    const double v10 = p7_y - p5_y;
-    const double v11 = p7_z - p5_z;
-    const double J16 = J56 * v11 - J66 * v10;
-    const double J26 = J66 * v9 - J46 * v11;
-    const double J36 = J46 * v10 - J56 * v9;
-    const double J17 = J57 * v11 - J67 * v10;
-    const double J27 = J67 * v9 - J47 * v11;
-    const double J37 = J47 * v10 - J57 * v9;
+    const double J32 = s1 * p7_y + c1 * J21, J13 = J53 * v5 + c2 * p7_y,
+        J33 = J43 * p7_y - J53 * J21;
+    const double v6 = J21 - p3_x, v7 = p7_y - p3_y, v8 = p7_z - p3_z;
+    const double J14 = J54 * v8 - J64 * v7, J24 = J64 * v6 - J44 * v8, J34 = J44 * v7 - J54 * v6,
+        J15 = J55 * v8 - J65 * v7, J25 = J65 * v6 - J45 * v8, J35 = J45 * v7 - J55 * v6;
+    const double v9 = J21 - p5_x, v10 = p7_y - p5_y, v11 = p7_z - p5_z;
+    const double J16 = J56 * v11 - J66 * v10, J26 = J66 * v9 - J46 * v11,
+        J36 = J46 * v10 - J56 * v9, J17 = J57 * v11 - J67 * v10, J27 = J67 * v9 - J47 * v11,
+        J37 = J47 * v10 - J57 * v9;
     J[0] = -p7_y; J[1] = -(c1 * v5); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
     J[7] = J21; J[8] = -(s1 * v5); J[9] = -(c2 * J21 + J43 * v5); J[10] = J24; J[11] = J25;
     J[12] = J26; J[13] = J27;
@@ -522,46 +415,28 @@ void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
 double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z2_x = c1 * s2;
-    const double z2_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double z3_y = c1 * c3 + x2_y * s3;
-    const double z3_z = s2 * s3;
-    const double p3_x = z2_x * d3;
-    const double p3_y = z2_y * d3;
-    const double p3_z = d1 - c2 * d3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3;
+    const double p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = d1 - c2 * d3;
     const double z3_x = x2_x * s3 - s1 * c3;
     const double v3 = q[3] + offset4;
-    const double c4 = cos(v3);
-    const double s4 = sin(v3);
-    const double p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5;
-    const double p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5;
-    const double v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1;
-    const double v5 = p3_z - d1;
-    const double v6 = p3_x * z3_x + z3_y * p3_y + z3_z * v5;
-    const double v7 = p3_x - z3_x * v6;
-    const double v8 = p3_y - z3_y * v6;
-    const double v9 = v5 - z3_z * v6;
-    const double v10 = z3_x * (p5_y * v9 - v4 * v8) + z3_y * (v4 * v7 - p5_x * v9) + z3_z * (p5_x *
-        v8 - p5_y * v7) < -straight_limit ? -1.0 : 1.0;
-    const double v11 = z3_x * v10;
-    const double v12 = z3_y * v10;
-    const double v13 = z3_z * v10;
-    const double v14 = p5_x * p5_x + p5_y * p5_y;
-    const double v15 = sqrt(v14 + v4 * v4);
+    const double c4 = cos(v3), s4 = sin(v3);
+    const double p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5,
+        p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5;
+    const double v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1, v5 = p3_z - d1,
+        v6 = p3_x * z3_x + z3_y * p3_y + z3_z * v5, v7 = p3_x - z3_x * v6, v8 = p3_y - z3_y * v6,
+        v9 = v5 - z3_z * v6,
+        v10 = z3_x * (p5_y * v9 - v4 * v8) + z3_y * (v4 * v7 - p5_x * v9) + z3_z * (p5_x * v8 - p5_y
+            * v7) < -straight_limit ? -1.0 : 1.0, v11 = z3_x * v10, v12 = z3_y * v10,
+        v13 = z3_z * v10, v14 = p5_x * p5_x + p5_y * p5_y, v15 = sqrt(v14 + v4 * v4);
     const int v16 = sqrt(v14) <= v15 * free_limit;
-    const double v17 = v16 ? 0.0 : p5_y;
-    const double v18 = v16 ? 1.0 : -p5_x;
-    const double v19 = v4 * v12 - p5_y * v13;
-    const double v20 = p5_x * v13 - v4 * v11;
+    const double v17 = v16 ? 0.0 : p5_y, v18 = v16 ? 1.0 : -p5_x, v19 = v4 * v12 - p5_y * v13,
+        v20 = p5_x * v13 - v4 * v11;
     const double psi = atan2(v15 * (v17 * v19 + v18 * v20), v4 * v18 * v19 - v4 * v17 * v20 + (p5_y
         * v17 - p5_x * v18) * (p5_y * v11 - p5_x * v12));
     return psi;
@@ -571,13 +446,16 @@ double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -625,168 +503,133 @@ HELPER wide_mask solve_wide(
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta4 */
-    const wide wx = T14 - d7 * T13;
-    const wide wy = T24 - d7 * T23;
-    const wide v1 = T34 - d7 * T33 - d1;
-    const wide V4 = wx * wx + wy * wy + v1 * v1;
-    const wide v2 = k1 * (V4 - k2), v3 = k3 * v2;
-    const wide v4 = k1 * sqrt_wide((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
+    const wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
+        V4 = wx * wx + wy * wy + v1 * v1, v2 = k1 * (V4 - k2), v3 = k3 * v2,
+        v4 = k1 * sqrt_wide((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
 
     /* shoulder */
-    const wide v6 = sqrt_wide(V4) * (1.0 / V4);
-    const wide gx = wx * v6;
-    const wide gy = wy * v6;
-    const wide gz = v1 * v6;
-    const wide v7 = gy * gy + gx * gx;
+    const wide v6 = sqrt_wide(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
+        v7 = gy * gy + gx * gx;
     const wide_mask upright = v7 <= m1;
-    const wide v8 = 1.0 / pick_wide(upright, all_wide(1.0), sqrt_wide(v7));
-    const wide v9 = pick_wide(upright, all_wide(0.0), gy * v8);
-    const wide v10 = pick_wide(upright, all_wide(1.0), -(gx * v8)), v11 = gz * v10, v12 = gz * v9;
-    const wide cos_psi = cos_wide(free_joints[0]);
-    const wide sin_psi = sin_wide(free_joints[0]);
-    const wide uz = cos_psi * (gy * v9 - gx * v10);
-    const wide ux = v11 * cos_psi + v9 * sin_psi;
-    const wide uy = v10 * sin_psi - v12 * cos_psi;
-    const wide nx = v9 * cos_psi - v11 * sin_psi;
-    const wide ny = v10 * cos_psi + v12 * sin_psi;
-    const wide v13 = d5 * v5, v14 = d3 + d5 * v3, v15 = v14 * v14 + v13 * v13;
-    const wide arm = sqrt_wide(v15);
-    const wide v16 = 1.0 / v15, v17 = arm * v16, v18 = v13 * v17, v19 = v14 * v17;
-    const wide v20 = d5 * (d3 * v5);
-    const wide side_p = pick_wide(-v20 < -straight_limit, all_wide(-1.0), all_wide(1.0));
-    const wide side_m = pick_wide(v20 < -straight_limit, all_wide(-1.0), all_wide(1.0));
-    const wide v21 = v19 * side_p, v22 = v19 * side_m, v23 = v18 * side_p, v24 = v18 * side_m;
-    const wide v25 = gx * v18, v26 = gy * v18, v27 = gy * v19;
-    const wide b22_p = v27 - uy * v23, b22_m = v27 + uy * v24;
+    const wide v8 = 1.0 / pick_wide(upright, all_wide(1.0), sqrt_wide(v7)),
+        v9 = pick_wide(upright, all_wide(0.0), gy * v8),
+        v10 = pick_wide(upright, all_wide(1.0), -(gx * v8)), v11 = gz * v10, v12 = gz * v9,
+        cos_psi = cos_wide(free_joints[0]), sin_psi = sin_wide(free_joints[0]),
+        uz = cos_psi * (gy * v9 - gx * v10), ux = v11 * cos_psi + v9 * sin_psi,
+        uy = v10 * sin_psi - v12 * cos_psi, nx = v9 * cos_psi - v11 * sin_psi,
+        ny = v10 * cos_psi + v12 * sin_psi, v13 = d5 * v5, v14 = d3 + d5 * v3,
+        v15 = v14 * v14 + v13 * v13, arm = sqrt_wide(v15), v16 = 1.0 / v15, v17 = arm * v16,
+        v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5),
+        side_p = pick_wide(-v20 < -straight_limit, all_wide(-1.0), all_wide(1.0)),
+        side_m = pick_wide(v20 < -straight_limit, all_wide(-1.0), all_wide(1.0)),
+        v21 = v19 * side_p, v22 = v19 * side_m, v23 = v18 * side_p, v24 = v18 * side_m,
+        v25 = gx * v18, v26 = gy * v18, v27 = gy * v19, b22_p = v27 - uy * v23,
+        b22_m = v27 + uy * v24;
 
     /* theta1 */
-    const wide v28 = gx * v19;
-    const wide X1_p = ux * v23 - v28;
-    const wide v29 = v28 + ux * v24, v30 = X1_p * X1_p + b22_p * b22_p;
-    const wide v31 = v29 * v29 + b22_m * b22_m;
-    const wide w1_p = sqrt_wide(v30), w1_m = sqrt_wide(v31);
-    const wide v32 = 1.0 / v30, v33 = 1.0 / v31;
+    const wide v28 = gx * v19, X1_p = ux * v23 - v28, v29 = v28 + ux * v24,
+        v30 = X1_p * X1_p + b22_p * b22_p, v31 = v29 * v29 + b22_m * b22_m, w1_p = sqrt_wide(v30),
+        w1_m = sqrt_wide(v31), v32 = 1.0 / v30, v33 = 1.0 / v31;
 
     /* theta2 */
-    const wide v34 = gz * v19;
-    const wide c2_p = uz * v23 - v34;
-    const wide v35 = v34 + uz * v24;
+    const wide v34 = gz * v19, c2_p = uz * v23 - v34, v35 = v34 + uz * v24;
 
     /* theta3 */
-    const wide v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21));
-    const wide v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26)), v38 = w1_p * v36;
-    const wide v39 = w1_m * v37, v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p));
-    const wide v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m)), v42 = w1_p * v40;
-    const wide v43 = w1_m * v41;
-    const wide angle1 = atan2_wide(-v36, -v40), angle2 = atan2_wide(-v37, -v41);
-    const wide q3_pmp = angle1 - copysign_wide(all_wide(half_turn), -v36) * h1;
-    const wide q3_mmp = angle2 - copysign_wide(all_wide(half_turn), -v37) * h1;
+    const wide v36 = v32 * (b22_p * (v25 + ux * v21) + X1_p * (v26 + uy * v21)),
+        v37 = v33 * (b22_m * (ux * v22 - v25) - v29 * (uy * v22 - v26)), v38 = w1_p * v36,
+        v39 = w1_m * v37, v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p)),
+        v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m)), v42 = w1_p * v40,
+        v43 = w1_m * v41, angle1 = atan2_wide(-v36, -v40), angle2 = atan2_wide(-v37, -v41),
+        q3_pmp = angle1 - copysign_wide(all_wide(half_turn), -v36) * h1,
+        q3_mmp = angle2 - copysign_wide(all_wide(half_turn), -v37) * h1;
 
     /* theta5 */
-    const wide v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p));
-    const wide v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29)), v46 = c2_p * v44 + T33 * w1_p;
-    const wide v47 = T33 * w1_m - v35 * v45, v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p));
-    const wide v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29));
-    const wide v50 = arm * (v16 * (gz * (T33 * v14))), v51 = T33 * v13;
-    const wide v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50);
-    const wide v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51))));
-    const wide X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48));
-    const wide v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49));
-    const wide Y5_p = v42 * v48 - v38 * v46, Y5_m = v43 * v49 - v39 * v47;
-    const wide v55 = X5_p * X5_p + Y5_p * Y5_p, v56 = v54 * v54 + Y5_m * Y5_m;
-    const wide w5_p = sqrt_wide(v55), w5_m = sqrt_wide(v56);
-    const wide factor5_p = w5_p * (1.0 / v55), factor5_m = w5_m * (1.0 / v56);
-    const wide v57 = X5_p * factor5_p, v58 = v54 * factor5_m;
-    const wide s5_p = Y5_p * factor5_p, s5_m = Y5_m * factor5_m;
-    const wide angle3 = atan2_wide(Y5_p, -X5_p), angle4 = atan2_wide(Y5_m, v54);
-    const wide q5_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), Y5_p);
-    const wide q5_mpm = angle4 - h1 * copysign_wide(all_wide(half_turn), Y5_m);
+    const wide v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p)),
+        v45 = w1_m * (v33 * (T23 * b22_m + T13 * v29)), v46 = c2_p * v44 + T33 * w1_p,
+        v47 = T33 * w1_m - v35 * v45, v48 = w1_p * (v32 * (T13 * b22_p + T23 * X1_p)),
+        v49 = w1_m * (v33 * (T13 * b22_m - T23 * v29)), v50 = arm * (v16 * (gz * (T33 * v14))),
+        v51 = T33 * v13, v52 = w1_p * v44 - (uz * (arm * (v16 * (side_p * v51))) - v50),
+        v53 = w1_m * v45 + (v50 + uz * (arm * (v16 * (side_m * v51)))),
+        X5_p = v5 * v52 - (v42 * (v3 * v46) + v38 * (v3 * v48)),
+        v54 = v5 * v53 + (v43 * (v3 * v47) + v39 * (v3 * v49)), Y5_p = v42 * v48 - v38 * v46,
+        Y5_m = v43 * v49 - v39 * v47, v55 = X5_p * X5_p + Y5_p * Y5_p,
+        v56 = v54 * v54 + Y5_m * Y5_m, w5_p = sqrt_wide(v55), w5_m = sqrt_wide(v56),
+        factor5_p = w5_p * (1.0 / v55), factor5_m = w5_m * (1.0 / v56), v57 = X5_p * factor5_p,
+        v58 = v54 * factor5_m, s5_p = Y5_p * factor5_p, s5_m = Y5_m * factor5_m,
+        angle3 = atan2_wide(Y5_p, -X5_p), angle4 = atan2_wide(Y5_m, v54),
+        q5_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), Y5_p),
+        q5_mpm = angle4 - h1 * copysign_wide(all_wide(half_turn), Y5_m);
 
     /* theta7 */
-    const wide v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22));
-    const wide v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22));
-    const wide v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12));
-    const wide v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12)), v63 = c2_p * v61 + w1_p * T32;
-    const wide v64 = w1_m * T32 - v35 * v62, v65 = arm * (v16 * (gz * (v14 * T32)));
-    const wide v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21));
-    const wide v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21));
-    const wide v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11));
-    const wide v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11)), v70 = c2_p * v68 + w1_p * T31;
-    const wide v71 = w1_m * T31 - v35 * v69, v72 = arm * (v16 * (gz * (v14 * T31)));
-    const wide v73 = v13 * T31;
-    const wide v74 = v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 *
-        (side_p * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66)));
-    const wide v75 = s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43
-        * (v3 * v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71), v76 = v13 * T32;
-    const wide angle5 = atan2_wide(v74, v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 -
-        (uz * (arm * (v16 * (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59))));
-    const wide angle6 = atan2_wide(v75, s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m
-        * v76))))) + (v43 * (v3 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64));
-    const wide q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v74);
-    const wide q7_mpm = angle6 - h1 * copysign_wide(all_wide(half_turn), v75);
+    const wide v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22)),
+        v60 = w1_m * (v33 * (b22_m * T12 - v29 * T22)),
+        v61 = w1_p * (v32 * (b22_p * T22 - X1_p * T12)),
+        v62 = w1_m * (v33 * (b22_m * T22 + v29 * T12)), v63 = c2_p * v61 + w1_p * T32,
+        v64 = w1_m * T32 - v35 * v62, v65 = arm * (v16 * (gz * (v14 * T32))),
+        v66 = w1_p * (v32 * (b22_p * T11 + X1_p * T21)),
+        v67 = w1_m * (v33 * (b22_m * T11 - v29 * T21)),
+        v68 = w1_p * (v32 * (b22_p * T21 - X1_p * T11)),
+        v69 = w1_m * (v33 * (b22_m * T21 + v29 * T11)), v70 = c2_p * v68 + w1_p * T31,
+        v71 = w1_m * T31 - v35 * v69, v72 = arm * (v16 * (gz * (v14 * T31))), v73 = v13 * T31,
+        v74 = v57 * (v42 * v66 - v38 * v70) - s5_p * (v5 * (w1_p * v68 - (uz * (arm * (v16 * (side_p
+            * v73))) - v72)) - (v42 * (v3 * v70) + v38 * (v3 * v66))),
+        v75 = s5_m * (v5 * (w1_m * v69 + (v72 + uz * (arm * (v16 * (side_m * v73))))) + (v43 * (v3 *
+            v71) + v39 * (v3 * v67))) - v58 * (v43 * v67 - v39 * v71), v76 = v13 * T32,
+        angle5 = atan2_wide(v74, v57 * (v42 * v59 - v38 * v63) - s5_p * (v5 * (w1_p * v61 - (uz *
+            (arm * (v16 * (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))),
+        angle6 = atan2_wide(v75, s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m *
+            v76))))) + (v43 * (v3 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)),
+        q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v74),
+        q7_mpm = angle6 - h1 * copysign_wide(all_wide(half_turn), v75);
 
     /* joint values */
-    const wide angle7 = atan2_wide(b22_p, -X1_p), angle8 = atan2_wide(b22_m, v29);
-    const wide v77 = angle7 - offset1;
-    const wide v78 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1;
-    const wide v79 = angle8 - offset1;
-    const wide v80 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1;
-    const wide q1_ppp = v77 + only_wide(v77 <= -half_turn, m4);
-    const wide q1_pmp = v78 + only_wide(v78 <= -half_turn, m4);
-    const wide q1_mpp = v79 + only_wide(v79 <= -half_turn, m4);
-    const wide q1_mmp = v80 + only_wide(v80 <= -half_turn, m4);
-    const wide angle9 = atan2_wide(w1_p, c2_p), angle10 = atan2_wide(w1_m, -v35);
-    const wide v81 = angle9 - offset2, v82 = offset2 + angle9, v83 = angle10 - offset2;
-    const wide v84 = offset2 + angle10;
-    const wide q2_ppp = v81 + only_wide(v81 <= -half_turn, m4);
-    const wide q2_pmp = only_wide(-v82 <= -half_turn, m4) - v82;
-    const wide q2_mpp = v83 + only_wide(v83 <= -half_turn, m4);
-    const wide q2_mmp = only_wide(-v84 <= -half_turn, m4) - v84;
-    const wide angle11 = atan2_wide(-v4, -v2);
-    const wide v85 = angle11 - offset4, v86 = offset4 + angle11;
-    const wide q4_ppp = v85 + only_wide(v85 <= -half_turn, m4);
-    const wide q4_mpp = only_wide(-v86 <= -half_turn, m4) - v86;
-    const wide angle12 = atan2_wide(w5_p, -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48))));
-    const wide angle13 = atan2_wide(w5_m, v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53);
-    const wide v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6;
-    const wide v90 = offset6 + angle13;
-    const wide q6_ppp = v87 + only_wide(v87 <= -half_turn, m4);
-    const wide q6_ppm = only_wide(-v88 <= -half_turn, m4) - v88;
-    const wide q6_mpp = v89 + only_wide(v89 <= -half_turn, m4);
-    const wide q6_mpm = only_wide(-v90 <= -half_turn, m4) - v90;
-    const wide_mask v91 = (q4_ppp < low4) | (high4 < q4_ppp);
-    const wide_mask v92 = (q4_mpp < low4) | (high4 < q4_mpp);
-    const wide_mask v93 = (angle3 < low5) | (high5 < angle3);
-    const wide_mask v94 = (q5_ppm < low5) | (high5 < q5_ppm);
-    const wide_mask v95 = (angle4 < low5) | (high5 < angle4);
-    const wide_mask v96 = (q5_mpm < low5) | (high5 < q5_mpm);
-    const wide_mask v97 = (q6_ppp < low6) | (high6 < q6_ppp);
-    const wide_mask v98 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask v99 = (q6_mpp < low6) | (high6 < q6_mpp);
-    const wide_mask v100 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask v101 = (angle5 < low7) | (high7 < angle5);
-    const wide_mask v102 = (q7_ppm < low7) | (high7 < q7_ppm);
-    const wide_mask v103 = (angle6 < low7) | (high7 < angle6);
-    const wide_mask v104 = (q7_mpm < low7) | (high7 < q7_mpm);
-    const wide_mask v105 = v91 | (((angle1 < low3) | (high3 < angle1)) | (((q1_ppp < low1) | (high1
-        < q1_ppp)) | ((q2_ppp < low2) | (high2 < q2_ppp))));
-    const wide_mask v106 = v91 | (((q3_pmp < low3) | (high3 < q3_pmp)) | (((q1_pmp < low1) | (high1
-        < q1_pmp)) | ((q2_pmp < low2) | (high2 < q2_pmp))));
-    const wide_mask v107 = v92 | (((angle2 < low3) | (high3 < angle2)) | (((q1_mpp < low1) | (high1
-        < q1_mpp)) | ((q2_mpp < low2) | (high2 < q2_mpp))));
-    const wide_mask v108 = v92 | (((q3_mmp < low3) | (high3 < q3_mmp)) | (((q1_mmp < low1) | (high1
-        < q1_mmp)) | ((q2_mmp < low2) | (high2 < q2_mmp))));
-    const wide_mask outside_ppp = v101 | (v97 | (v93 | v105));
-    const wide_mask outside_ppm = v102 | (v98 | (v94 | v105));
-    const wide_mask outside_pmp = v101 | (v97 | (v93 | v106));
-    const wide_mask outside_pmm = v102 | (v98 | (v94 | v106));
-    const wide_mask outside_mpp = v103 | (v99 | (v95 | v107));
-    const wide_mask outside_mpm = v104 | (v100 | (v96 | v107));
-    const wide_mask outside_mmp = v103 | (v99 | (v95 | v108));
-    const wide_mask outside_mmm = v104 | (v100 | (v96 | v108));
-    const wide_mask doubt1 = (v56 <= m2) | ((v31 <= m2) | ((v55 <= m2) | ((((shortest4_reach <= V4)
-        & (V4 <= longest4_reach)) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v30
-        <= m2))));
+    const wide angle7 = atan2_wide(b22_p, -X1_p), angle8 = atan2_wide(b22_m, v29),
+        v77 = angle7 - offset1,
+        v78 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1,
+        v79 = angle8 - offset1,
+        v80 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1,
+        q1_ppp = v77 + only_wide(v77 <= -half_turn, m4),
+        q1_pmp = v78 + only_wide(v78 <= -half_turn, m4),
+        q1_mpp = v79 + only_wide(v79 <= -half_turn, m4),
+        q1_mmp = v80 + only_wide(v80 <= -half_turn, m4), angle9 = atan2_wide(w1_p, c2_p),
+        angle10 = atan2_wide(w1_m, -v35), v81 = angle9 - offset2, v82 = offset2 + angle9,
+        v83 = angle10 - offset2, v84 = offset2 + angle10,
+        q2_ppp = v81 + only_wide(v81 <= -half_turn, m4),
+        q2_pmp = only_wide(-v82 <= -half_turn, m4) - v82,
+        q2_mpp = v83 + only_wide(v83 <= -half_turn, m4),
+        q2_mmp = only_wide(-v84 <= -half_turn, m4) - v84, angle11 = atan2_wide(-v4, -v2),
+        v85 = angle11 - offset4, v86 = offset4 + angle11,
+        q4_ppp = v85 + only_wide(v85 <= -half_turn, m4),
+        q4_mpp = only_wide(-v86 <= -half_turn, m4) - v86,
+        angle12 = atan2_wide(w5_p, -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))),
+        angle13 = atan2_wide(w5_m, v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53),
+        v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6,
+        v90 = offset6 + angle13, q6_ppp = v87 + only_wide(v87 <= -half_turn, m4),
+        q6_ppm = only_wide(-v88 <= -half_turn, m4) - v88,
+        q6_mpp = v89 + only_wide(v89 <= -half_turn, m4),
+        q6_mpm = only_wide(-v90 <= -half_turn, m4) - v90;
+    const wide_mask v91 = beyond(q4_ppp, low4, high4), v92 = beyond(q4_mpp, low4, high4),
+        v93 = beyond(angle3, low5, high5), v94 = beyond(q5_ppm, low5, high5),
+        v95 = beyond(angle4, low5, high5), v96 = beyond(q5_mpm, low5, high5),
+        v97 = beyond(q6_ppp, low6, high6), v98 = beyond(q6_ppm, low6, high6),
+        v99 = beyond(q6_mpp, low6, high6), v100 = beyond(q6_mpm, low6, high6),
+        v101 = beyond(angle5, low7, high7), v102 = beyond(q7_ppm, low7, high7),
+        v103 = beyond(angle6, low7, high7), v104 = beyond(q7_mpm, low7, high7),
+        v105 = v91 | beyond(angle1, low3, high3) | beyond(q1_ppp, low1, high1) | beyond(q2_ppp,
+            low2, high2),
+        v106 = v91 | beyond(q3_pmp, low3, high3) | beyond(q1_pmp, low1, high1) | beyond(q2_pmp,
+            low2, high2),
+        v107 = v92 | beyond(angle2, low3, high3) | beyond(q1_mpp, low1, high1) | beyond(q2_mpp,
+            low2, high2),
+        v108 = v92 | beyond(q3_mmp, low3, high3) | beyond(q1_mmp, low1, high1) | beyond(q2_mmp,
+            low2, high2), outside_ppp = v101 | v97 | v93 | v105,
+        outside_ppm = v102 | v98 | v94 | v105, outside_pmp = v101 | v97 | v93 | v106,
+        outside_pmm = v102 | v98 | v94 | v106, outside_mpp = v103 | v99 | v95 | v107,
+        outside_mpm = v104 | v100 | v96 | v107, outside_mmp = v103 | v99 | v95 | v108,
+        outside_mmm = v104 | v100 | v96 | v108,
+        doubt1 = (v56 <= m2) | (v31 <= m2) | (v55 <= m2) | ((shortest4_reach <= V4) & (V4 <=
+            longest4_reach) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v30 <=
+            m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
     q[6] = angle5;
@@ -831,75 +674,59 @@ HELPER int solve_regular(
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta4 */
-    const double wx = T14 - d7 * T13;
-    const double wy = T24 - d7 * T23;
-    const double v1 = T34 - d7 * T33 - d1;
-    const double V4 = wx * wx + wy * wy + v1 * v1;
-    const int doubt1 = ((shortest4_reach <= V4) & (V4 <= longest4_reach)) & (((shortest4_apart < V4)
-        & (V4 < longest4_apart)) == 0);
-    const double v2 = k1 * (V4 - k2), v3 = k3 * v2;
-    const double v4 = k1 * sqrt((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
+    const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
+        V4 = wx * wx + wy * wy + v1 * v1;
+    const int doubt1 = (shortest4_reach <= V4) & (V4 <= longest4_reach) & (((shortest4_apart < V4) &
+        (V4 < longest4_apart)) == 0);
+    const double v2 = k1 * (V4 - k2), v3 = k3 * v2,
+        v4 = k1 * sqrt((longest4 - V4) * (V4 - shortest4)), v5 = k3 * v4;
 
     /* shoulder */
-    const double v6 = sqrt(V4) * (1.0 / V4);
-    const double gx = wx * v6;
-    const double gy = wy * v6;
-    const double gz = v1 * v6;
-    const double v7 = gy * gy + gx * gx;
+    const double v6 = sqrt(V4) * (1.0 / V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
+        v7 = gy * gy + gx * gx;
     const int upright = v7 <= m1;
-    const double v8 = 1.0 / (upright ? 1.0 : sqrt(v7)), v9 = upright ? 0.0 : (gy * v8);
-    const double v10 = upright ? 1.0 : (-(gx * v8)), v11 = gz * v10, v12 = gz * v9;
-    const double cos_psi = cos(free_joints[0]);
-    const double sin_psi = sin(free_joints[0]);
-    const double uz = cos_psi * (gy * v9 - gx * v10);
-    const double ux = v11 * cos_psi + v9 * sin_psi;
-    const double uy = v10 * sin_psi - v12 * cos_psi;
-    const double nx = v9 * cos_psi - v11 * sin_psi;
-    const double ny = v10 * cos_psi + v12 * sin_psi;
-    const double v13 = d5 * v5, v14 = d3 + d5 * v3, v15 = v14 * v14 + v13 * v13;
-    const double arm = sqrt(v15);
-    const double v16 = 1.0 / v15, v17 = arm * v16, v18 = v13 * v17, v19 = v14 * v17;
-    const double v20 = d5 * (d3 * v5);
-    const four side = pick_four(-(e1 * v20) < -straight_limit, all_four(-1.0), all_four(1.0));
-    const four v21 = v19 * side, v22 = v18 * side;
+    const double v8 = 1.0 / (upright ? 1.0 : sqrt(v7)), v9 = upright ? 0.0 : (gy * v8),
+        v10 = upright ? 1.0 : (-(gx * v8)), v11 = gz * v10, v12 = gz * v9,
+        cos_psi = cos(free_joints[0]), sin_psi = sin(free_joints[0]),
+        uz = cos_psi * (gy * v9 - gx * v10), ux = v11 * cos_psi + v9 * sin_psi,
+        uy = v10 * sin_psi - v12 * cos_psi, nx = v9 * cos_psi - v11 * sin_psi,
+        ny = v10 * cos_psi + v12 * sin_psi, v13 = d5 * v5, v14 = d3 + d5 * v3,
+        v15 = v14 * v14 + v13 * v13, arm = sqrt(v15), v16 = 1.0 / v15, v17 = arm * v16,
+        v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5);
+    const four side = pick_four(-(e1 * v20) < -straight_limit, all_four(-1.0), all_four(1.0)),
+        v21 = v19 * side, v22 = v18 * side;
     const double v23 = gx * v18, v24 = gy * v18, v25 = gy * v19;
     const four b22 = v25 - e1 * (uy * v22);
 
     /* theta1 */
     const double v26 = gx * v19;
-    const four X1 = e1 * (ux * v22) - v26;
-    const four v27 = X1 * X1 + b22 * b22;
-    const four w1 = sqrt_four(v27);
-    const four v28 = 1.0 / v27;
+    const four X1 = e1 * (ux * v22) - v26, v27 = X1 * X1 + b22 * b22, w1 = sqrt_four(v27),
+        v28 = 1.0 / v27;
 
     /* theta2 */
     const double v29 = gz * v19;
     const four c2 = e1 * (uz * v22) - v29;
 
     /* theta3 */
-    const four v30 = v28 * (b22 * (ux * v21 + e1 * v23) + X1 * (uy * v21 + e1 * v24));
-    const four v31 = w1 * v30, v32 = v28 * (b22 * (nx * side) + X1 * (ny * side)), v33 = w1 * v32;
-    const four v34 = copysign_four(all_four(half_turn), -v30), v35 = m3 * (e2 - 1.0);
+    const four v30 = v28 * (b22 * (ux * v21 + e1 * v23) + X1 * (uy * v21 + e1 * v24)),
+        v31 = w1 * v30, v32 = v28 * (b22 * (nx * side) + X1 * (ny * side)), v33 = w1 * v32,
+        v34 = copysign_four(all_four(half_turn), -v30), v35 = m3 * (e2 - 1.0);
 
     /* theta5 */
-    const four v36 = w1 * (v28 * (T23 * b22 - T13 * X1)), v37 = c2 * v36 + T33 * w1;
-    const four v38 = w1 * (v28 * (T13 * b22 + T23 * X1));
+    const four v36 = w1 * (v28 * (T23 * b22 - T13 * X1)), v37 = c2 * v36 + T33 * w1,
+        v38 = w1 * (v28 * (T13 * b22 + T23 * X1));
     const double v39 = arm * (v16 * (gz * (T33 * v14)));
-    const four v40 = w1 * v36 - (uz * (arm * (v16 * (side * (v13 * (e1 * T33))))) - v39);
-    const four X5 = e1 * (v5 * v40) - (v33 * (v3 * v37) + v31 * (v3 * v38));
-    const four Y5 = v33 * v38 - v31 * v37;
-    const four v41 = X5 * X5 + Y5 * Y5;
-    const four w5 = sqrt_four(v41);
-    const four factor5 = w5 * (1.0 / v41);
-    const four v42 = X5 * factor5;
-    const four s5 = Y5 * factor5;
+    const four v40 = w1 * v36 - (uz * (arm * (v16 * (side * (v13 * (e1 * T33))))) - v39),
+        X5 = e1 * (v5 * v40) - (v33 * (v3 * v37) + v31 * (v3 * v38)), Y5 = v33 * v38 - v31 * v37,
+        v41 = X5 * X5 + Y5 * Y5, w5 = sqrt_four(v41), factor5 = w5 * (1.0 / v41),
+        v42 = X5 * factor5, s5 = Y5 * factor5;
 
     /* theta7 */
-    const four v43 = w1 * (v28 * (b22 * T12 + X1 * T22)), v44 = w1 * (v28 * (b22 * T22 - X1 * T12));
-    const four v45 = c2 * v44 + w1 * T32;
+    const four v43 = w1 * (v28 * (b22 * T12 + X1 * T22)), v44 = w1 * (v28 * (b22 * T22 - X1 * T12)),
+        v45 = c2 * v44 + w1 * T32;
     const double v46 = arm * (v16 * (gz * (v14 * T32)));
-    const four v47 = w1 * (v28 * (b22 * T11 + X1 * T21)), v48 = w1 * (v28 * (b22 * T21 - X1 * T11));
-    const four v49 = c2 * v48 + w1 * T31;
+    const four v47 = w1 * (v28 * (b22 * T11 + X1 * T21)), v48 = w1 * (v28 * (b22 * T21 - X1 * T11)),
+        v49 = c2 * v48 + w1 * T31;
     const double v50 = arm * (v16 * (gz * (v14 * T31)));
     const four v51 = v42 * (v33 * v47 - v31 * v49) - s5 * (e1 * (v5 * (w1 * v48 - (uz * (arm * (v16
         * (side * (v13 * (e1 * T31))))) - v50))) - (v33 * (v3 * v49) + v31 * (v3 * v47)));
@@ -909,41 +736,36 @@ HELPER int solve_regular(
     const four_mask doubt2 = (v27 <= m2) | (v41 <= m2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v30, Y5, 0, 5, 2, 7),
-        __builtin_shufflevector(-v32, -X5, 0, 5, 2, 7));
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
-    const four packed2 = atan2_four(__builtin_shufflevector(v51, b22, 0, 5, 2, 7),
-        __builtin_shufflevector(v42 * (v33 * v43 - v31 * v45) - s5 * (e1 * (v5 * (w1 * v44 - (uz *
-        (arm * (v16 * (side * (v13 * (e1 * T32))))) - v46))) - (v33 * (v3 * v45) + v31 * (v3 *
-        v43))), -X1, 0, 5, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
-    const four packed3 = atan2_four(__builtin_shufflevector(w1, w5, 0, 5, 2, 7),
-        __builtin_shufflevector(c2, -(v3 * v40 + e1 * (v33 * (v5 * v37) + v31 * (v5 * v38))), 0, 5,
-        2, 7));
-    const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 2, 2);
-    const four angle7 = __builtin_shufflevector(packed3, packed3, 1, 1, 3, 3);
-    const four packed4 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 });
-    const four angle6 = __builtin_shufflevector(packed4, packed4, 0, 0, 0, 0);
-    const four q3_p = angle1 + v34 * v35;
-    const four q5_m = angle2 - copysign_four(all_four(half_turn), Y5) * h1;
-    const four q7_m = angle3 - h1 * copysign_four(all_four(half_turn), v51);
-    const four v53 = angle4 + v35 * v52 - offset1;
-    const four q1_p = v53 + only_four(v53 <= -half_turn, m4);
-    const four v54 = e2 * angle5 - offset2;
-    const four q2_p = v54 + only_four(v54 <= -half_turn, m4);
-    const four v55 = e1 * angle6 - offset4;
-    const four q4_p = v55 + only_four(v55 <= -half_turn, m4);
-    const four v56 = angle7 - offset6, v57 = offset6 + angle7;
-    const four q6_p = v56 + only_four(v56 <= -half_turn, m4);
-    const four q6_m = only_four(-v57 <= -half_turn, m4) - v57;
-    const four_mask v58 = (q4_p < low4) | (high4 < q4_p), v59 = (angle2 < low5) | (high5 < angle2);
-    const four_mask v60 = (q5_m < low5) | (high5 < q5_m), v61 = (q6_p < low6) | (high6 < q6_p);
-    const four_mask v62 = (q6_m < low6) | (high6 < q6_m), v63 = (angle3 < low7) | (high7 < angle3);
-    const four_mask v64 = (q7_m < low7) | (high7 < q7_m);
-    const four_mask v65 = v58 | (((q3_p < low3) | (high3 < q3_p)) | (((q1_p < low1) | (high1 <
-        q1_p)) | ((q2_p < low2) | (high2 < q2_p))));
-    const four_mask outside_p = v63 | (v61 | (v59 | v65)), outside_m = v64 | (v62 | (v60 | v65));
+        __builtin_shufflevector(-v32, -X5, 0, 5, 2, 7)),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3),
+        packed2 = atan2_four(__builtin_shufflevector(v51, b22, 0, 5, 2, 7),
+            __builtin_shufflevector(v42 * (v33 * v43 - v31 * v45) - s5 * (e1 * (v5 * (w1 * v44 - (uz
+            * (arm * (v16 * (side * (v13 * (e1 * T32))))) - v46))) - (v33 * (v3 * v45) + v31 * (v3 *
+            v43))), -X1, 0, 5, 2, 7)),
+        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
+        angle4 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3),
+        packed3 = atan2_four(__builtin_shufflevector(w1, w5, 0, 5, 2, 7),
+            __builtin_shufflevector(c2, -(v3 * v40 + e1 * (v33 * (v5 * v37) + v31 * (v5 * v38))), 0,
+            5, 2, 7)), angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 2, 2),
+        angle7 = __builtin_shufflevector(packed3, packed3, 1, 1, 3, 3),
+        packed4 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 }),
+        angle6 = __builtin_shufflevector(packed4, packed4, 0, 0, 0, 0);
+    const four q3_p = angle1 + v34 * v35,
+        q5_m = angle2 - copysign_four(all_four(half_turn), Y5) * h1,
+        q7_m = angle3 - h1 * copysign_four(all_four(half_turn), v51),
+        v53 = angle4 + v35 * v52 - offset1, q1_p = v53 + only_four(v53 <= -half_turn, m4),
+        v54 = e2 * angle5 - offset2, q2_p = v54 + only_four(v54 <= -half_turn, m4),
+        v55 = e1 * angle6 - offset4, q4_p = v55 + only_four(v55 <= -half_turn, m4),
+        v56 = angle7 - offset6, v57 = offset6 + angle7,
+        q6_p = v56 + only_four(v56 <= -half_turn, m4),
+        q6_m = only_four(-v57 <= -half_turn, m4) - v57;
+    const four_mask v58 = beyond(q4_p, low4, high4), v59 = beyond(angle2, low5, high5),
+        v60 = beyond(q5_m, low5, high5), v61 = beyond(q6_p, low6, high6),
+        v62 = beyond(q6_m, low6, high6), v63 = beyond(angle3, low7, high7),
+        v64 = beyond(q7_m, low7, high7),
+        v65 = v58 | beyond(q3_p, low3, high3) | beyond(q1_p, low1, high1) | beyond(q2_p, low2,
+            high2), outside_p = v63 | v61 | v59 | v65, outside_m = v64 | v62 | v60 | v65;
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -1053,11 +875,8 @@ static void solve(
     const double gz = v1 * v4;
     const double lean = sqrt(gy * gy + gx * gx);
     const int upright = lean <= free_limit;
-    const double v5 = 1.0 / (upright ? 1.0 : lean);
-    const double v6 = upright ? 0.0 : gy * v5;
-    const double v7 = upright ? 1.0 : -(gx * v5);
-    const double v8 = gz * v7;
-    const double v9 = gz * v6;
+    const double v5 = 1.0 / (upright ? 1.0 : lean), v6 = upright ? 0.0 : gy * v5,
+        v7 = upright ? 1.0 : -(gx * v5), v8 = gz * v7, v9 = gz * v6;
     const double cos_psi = cos(free_joints[0]);
     const double sin_psi = sin(free_joints[0]);
     const double uz = (gy * v6 - gx * v7) * cos_psi;
@@ -1065,8 +884,7 @@ static void solve(
     const double uy = v7 * sin_psi - v9 * cos_psi;
     const double nx = v6 * cos_psi - v8 * sin_psi;
     const double ny = v7 * cos_psi + v9 * sin_psi;
-    const double v11 = d3 + d5 * v2;
-    const double v12 = v11 * v11;
+    const double v11 = d3 + d5 * v2, v12 = v11 * v11;
 
     /* theta1, type 2: B1[3, 2] */
     const double v20 = seed[0] + offset1;
@@ -1080,13 +898,9 @@ static void solve(
         /* shoulder */
         const double v10 = d5 * v3;
         const double arm = sqrt(v10 * v10 + v12);
-        const double v13 = 1.0 / arm;
-        const double v14 = v10 * v13;
-        const double v15 = v11 * v13;
+        const double v13 = 1.0 / arm, v14 = v10 * v13, v15 = v11 * v13;
         const double side = -(d5 * (d3 * v3)) < -straight_limit ? -1.0 : 1.0;
-        const double v16 = v15 * side;
-        const double v17 = v14 * side;
-        const double v18 = gx * v14 + ux * v16;
+        const double v16 = v15 * side, v17 = v14 * side, v18 = gx * v14 + ux * v16;
         const double b13 = nx * side;
         const double v19 = gy * v14 + uy * v16;
         const double b22 = gy * v15 - uy * v17;
@@ -1105,8 +919,7 @@ static void solve(
         const double v24 = T33 * c2;
 
         /* theta7, type 3: U5[3, 2] and U5[3, 1] */
-        const double v30 = T32 * c2;
-        const double v36 = T31 * c2;
+        const double v30 = T32 * c2, v36 = T31 * c2;
 
         /* joint values */
         const double q4 = wrap(atan2(-v3, -v2) - offset4);
@@ -1116,20 +929,17 @@ static void solve(
             /* theta1 */
             if (e2 < 0.0 && free1) continue; /* both signs give the same */
             const double factor1 = e2 / divisor1;
-            const double c1 = free1 ? cos(v20) : -(X1 * factor1);
-            const double s1 = free1 ? sin(v20) : b22 * factor1;
+            const double c1 = free1 ? cos(v20) : -(X1 * factor1),
+                s1 = free1 ? sin(v20) : b22 * factor1;
             const double s2 = w1 * e2;
 
             /* theta3, type 3: B1[3, 1] and B1[3, 3] */
-            const double s3 = v19 * c1 - v18 * s1;
-            const double c3 = b23 * c1 - b13 * s1;
+            const double s3 = v19 * c1 - v18 * s1, c3 = b23 * c1 - b13 * s1;
             const double q3 = atan2(s3, c3);
 
             /* theta5 */
-            const double v21 = T13 * c1 + T23 * s1;
-            const double v22 = c2 * v21 + T33 * s2;
-            const double v23 = T13 * s1 - T23 * c1;
-            const double v25 = s2 * v21 - v24;
+            const double v21 = T13 * c1 + T23 * s1, v22 = c2 * v21 + T33 * s2,
+                v23 = T13 * s1 - T23 * c1, v25 = s2 * v21 - v24;
             const double X5 = c3 * (v2 * v22) + s3 * (v2 * v23) + v3 * v25;
             const double Y5 = c3 * -v23 + s3 * v22;
             const double w5 = sqrt(X5 * X5 + Y5 * Y5);
@@ -1140,16 +950,12 @@ static void solve(
             const double c6 = c3 * (v3 * v22) + s3 * (v3 * v23) - v2 * v25;
 
             /* theta7 */
-            const double v26 = T12 * s1 - T22 * c1;
-            const double v27 = T12 * c1 + T22 * s1;
-            const double v28 = c2 * v27 + T32 * s2;
-            const double v29 = c3 * -v26 + s3 * v28;
-            const double v31 = c3 * (v2 * v28) + s3 * (v2 * v26) + v3 * (s2 * v27 - v30);
-            const double v32 = T11 * s1 - T21 * c1;
-            const double v33 = T11 * c1 + T21 * s1;
-            const double v34 = c2 * v33 + T31 * s2;
-            const double v35 = c3 * -v32 + s3 * v34;
-            const double v37 = c3 * (v2 * v34) + s3 * (v2 * v32) + v3 * (s2 * v33 - v36);
+            const double v26 = T12 * s1 - T22 * c1, v27 = T12 * c1 + T22 * s1,
+                v28 = c2 * v27 + T32 * s2, v29 = c3 * -v26 + s3 * v28,
+                v31 = c3 * (v2 * v28) + s3 * (v2 * v26) + v3 * (s2 * v27 - v30),
+                v32 = T11 * s1 - T21 * c1, v33 = T11 * c1 + T21 * s1, v34 = c2 * v33 + T31 * s2,
+                v35 = c3 * -v32 + s3 * v34,
+                v37 = c3 * (v2 * v34) + s3 * (v2 * v32) + v3 * (s2 * v33 - v36);
 
             /* joint values */
             const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -1160,8 +966,8 @@ static void solve(
                 /* theta5 */
                 if (e3 < 0.0 && free5) continue; /* both signs give the same */
                 const double factor5 = e3 / divisor5;
-                const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5);
-                const double s5 = free5 ? sin(seed[4]) : Y5 * factor5;
+                const double c5 = free5 ? cos(seed[4]) : -(X5 * factor5),
+                    s5 = free5 ? sin(seed[4]) : Y5 * factor5;
                 const double q5 = atan2(s5, c5);
                 const double s6 = w5 * e3;
 
@@ -1171,13 +977,8 @@ static void solve(
                 /* joint values */
                 const double q6 = wrap(atan2(s6, c6) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
-                q[row][5] = q6;
-                q[row][6] = q7;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
+                q[row][5] = q6; q[row][6] = q7;
                 status[row] = (free1 || free5) ? KUKA_IIWA14_ARM_ANGLE_FREE_JOINT :
                     KUKA_IIWA14_ARM_ANGLE_OK;
             }

@@ -845,8 +845,8 @@ def _regular(pose, q_free, q, status):
     v91 = q4_ppp < low4 or high4 < q4_ppp
     v92 = q4_mpp < low4 or high4 < q4_mpp
     doubt1 = (
-        v56 <= m2 or (v31 <= m2 or (v55 <= m2 or ((shortest4_reach <= V4 and V4 <= longest4_reach
-        and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <= m2)))
+        v56 <= m2 or v31 <= m2 or v55 <= m2 or (shortest4_reach <= V4 and V4 <= longest4_reach and
+        not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <= m2
     )
 
     # angles, side by side
@@ -947,29 +947,29 @@ def _regular(pose, q_free, q, status):
     v103 = angle6 < low7 or high7 < angle6
     v104 = q7_mpm < low7 or high7 < q7_mpm
     v105 = (
-        v91 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or (q2_ppp <
-        low2 or high2 < q2_ppp)))
+        v91 or angle1 < low3 or high3 < angle1 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2
+        or high2 < q2_ppp
     )
     v106 = (
-        v91 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or (q2_pmp <
-        low2 or high2 < q2_pmp)))
+        v91 or q3_pmp < low3 or high3 < q3_pmp or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2
+        or high2 < q2_pmp
     )
     v107 = (
-        v92 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or (q2_mpp <
-        low2 or high2 < q2_mpp)))
+        v92 or angle2 < low3 or high3 < angle2 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2
+        or high2 < q2_mpp
     )
     v108 = (
-        v92 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or (q2_mmp <
-        low2 or high2 < q2_mmp)))
+        v92 or q3_mmp < low3 or high3 < q3_mmp or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2
+        or high2 < q2_mmp
     )
-    outside_ppp = v101 or (v97 or (v93 or v105))
-    outside_ppm = v102 or (v98 or (v94 or v105))
-    outside_pmp = v101 or (v97 or (v93 or v106))
-    outside_pmm = v102 or (v98 or (v94 or v106))
-    outside_mpp = v103 or (v99 or (v95 or v107))
-    outside_mpm = v104 or (v100 or (v96 or v107))
-    outside_mmp = v103 or (v99 or (v95 or v108))
-    outside_mmm = v104 or (v100 or (v96 or v108))
+    outside_ppp = v101 or v97 or v93 or v105
+    outside_ppm = v102 or v98 or v94 or v105
+    outside_pmp = v101 or v97 or v93 or v106
+    outside_pmm = v102 or v98 or v94 or v106
+    outside_mpp = v103 or v99 or v95 or v107
+    outside_mpm = v104 or v100 or v96 or v107
+    outside_mmp = v103 or v99 or v95 or v108
+    outside_mmm = v104 or v100 or v96 or v108
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1462,9 +1462,8 @@ def _in_tiles(T, q_free, q, status):
             v91 = q4_ppp < low4 or high4 < q4_ppp
             v92 = q4_mpp < low4 or high4 < q4_mpp
             doubt1 = (
-                v56 <= m2 or (v31 <= m2 or (v55 <= m2 or ((shortest4_reach <= V4 and V4 <=
-                longest4_reach and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <=
-                m2)))
+                v56 <= m2 or v31 <= m2 or v55 <= m2 or (shortest4_reach <= V4 and V4 <=
+                longest4_reach and not (shortest4_apart < V4 and V4 < longest4_apart)) or v30 <= m2
             )
             work[800 + k] = b22_p
             work[816 + k] = b22_m
@@ -1580,29 +1579,29 @@ def _in_tiles(T, q_free, q, status):
             v103 = angle6 < low7 or high7 < angle6
             v104 = q7_mpm < low7 or high7 < q7_mpm
             v105 = (
-                v91 or (angle1 < low3 or high3 < angle1 or (q1_ppp < low1 or high1 < q1_ppp or
-                (q2_ppp < low2 or high2 < q2_ppp)))
+                v91 or angle1 < low3 or high3 < angle1 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp
+                < low2 or high2 < q2_ppp
             )
             v106 = (
-                v91 or (q3_pmp < low3 or high3 < q3_pmp or (q1_pmp < low1 or high1 < q1_pmp or
-                (q2_pmp < low2 or high2 < q2_pmp)))
+                v91 or q3_pmp < low3 or high3 < q3_pmp or q1_pmp < low1 or high1 < q1_pmp or q2_pmp
+                < low2 or high2 < q2_pmp
             )
             v107 = (
-                v92 or (angle2 < low3 or high3 < angle2 or (q1_mpp < low1 or high1 < q1_mpp or
-                (q2_mpp < low2 or high2 < q2_mpp)))
+                v92 or angle2 < low3 or high3 < angle2 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp
+                < low2 or high2 < q2_mpp
             )
             v108 = (
-                v92 or (q3_mmp < low3 or high3 < q3_mmp or (q1_mmp < low1 or high1 < q1_mmp or
-                (q2_mmp < low2 or high2 < q2_mmp)))
+                v92 or q3_mmp < low3 or high3 < q3_mmp or q1_mmp < low1 or high1 < q1_mmp or q2_mmp
+                < low2 or high2 < q2_mmp
             )
-            outside_ppp = v101 or (v97 or (v93 or v105))
-            outside_ppm = v102 or (v98 or (v94 or v105))
-            outside_pmp = v101 or (v97 or (v93 or v106))
-            outside_pmm = v102 or (v98 or (v94 or v106))
-            outside_mpp = v103 or (v99 or (v95 or v107))
-            outside_mpm = v104 or (v100 or (v96 or v107))
-            outside_mmp = v103 or (v99 or (v95 or v108))
-            outside_mmm = v104 or (v100 or (v96 or v108))
+            outside_ppp = v101 or v97 or v93 or v105
+            outside_ppm = v102 or v98 or v94 or v105
+            outside_pmp = v101 or v97 or v93 or v106
+            outside_pmm = v102 or v98 or v94 or v106
+            outside_mpp = v103 or v99 or v95 or v107
+            outside_mpm = v104 or v100 or v96 or v107
+            outside_mmp = v103 or v99 or v95 or v108
+            outside_mmm = v104 or v100 or v96 or v108
             _1392 = q1_ppp
             work[1392 + k] = _1392
             _1408 = q2_ppp

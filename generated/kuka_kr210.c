@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -336,49 +295,31 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void kuka_kr210_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double v4 = s2 * c3 + c2 * s3;
-    const double v5 = v2 * c3 + x2_x * s3;
-    const double v6 = v3 * c3 + x2_y * s3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
+    const double v4 = s2 * c3 + c2 * s3, v5 = v2 * c3 + x2_x * s3, v6 = v3 * c3 + x2_y * s3;
     const double y3_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = x3_y * c4 - c1 * s4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4;
     const double v7 = v4 * c4;
     const double y4_x = s1 * c4 - x3_x * s4;
     const double z5_y = c1 * c4 + x3_y * s4;
     const double y4_z = v4 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v5 * s5;
-    const double x5_y = x4_y * c5 - v6 * s5;
-    const double x5_z = y3_z * s5 - v7 * c5;
-    const double v8 = v5 * c5 + x4_x * s5;
-    const double v9 = v6 * c5 + x4_y * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v5 * s5, x5_y = x4_y * c5 - v6 * s5, x5_z = y3_z * s5 - v7 * c5;
+    const double v8 = v5 * c5 + x4_x * s5, v9 = v6 * c5 + x4_y * s5;
     const double T33_ = y3_z * c5 + v7 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y4_x * s6;
-    const double T21_ = x5_y * c6 - z5_y * s6;
-    const double T31_ = x5_z * c6 + y4_z * s6;
-    const double T12_ = y4_x * c6 - x5_x * s6;
-    const double T32_ = y4_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 - x3_x * a3 - v5 * d4 - v8 * d7;
-    const double T24_ = s1 * a1 + x2_y * a2 - x3_y * a3 - v6 * d4 - v9 * d7;
-    const double T34_ = d1 - s2 * a2 + v4 * a3 + y3_z * d4 + T33_ * d7;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y4_x * s6, T21_ = x5_y * c6 - z5_y * s6,
+        T31_ = x5_z * c6 + y4_z * s6, T12_ = y4_x * c6 - x5_x * s6, T32_ = y4_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 - x3_x * a3 - v5 * d4 - v8 * d7,
+        T24_ = s1 * a1 + x2_y * a2 - x3_y * a3 - v6 * d4 - v9 * d7,
+        T34_ = d1 - s2 * a2 + v4 * a3 + y3_z * d4 + T33_ * d7;
     T[0] = T11_; T[1] = T12_; T[2] = -v8; T[3] = T14_;
     T[4] = T21_; T[5] = -(z5_y * c6 + x5_y * s6); T[6] = -v9; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -388,59 +329,35 @@ void kuka_kr210_fk(const double q[6], double T[16])
 
 void kuka_kr210_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p2_x = c1 * a1;
-    const double p2_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p2_x = c1 * a1, p2_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double p3_x = p2_x + x2_x * a2;
-    const double p3_y = p2_y + x2_y * a2;
-    const double p3_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double v4 = s2 * c3 + c2 * s3;
-    const double v5 = v2 * c3 + x2_x * s3;
-    const double v6 = v3 * c3 + x2_y * s3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double p3_x = p2_x + x2_x * a2, p3_y = p2_y + x2_y * a2, p3_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
+    const double v4 = s2 * c3 + c2 * s3, v5 = v2 * c3 + x2_x * s3, v6 = v3 * c3 + x2_y * s3;
     const double J64 = s2 * s3 - c2 * c3;
-    const double p4_x = p3_x - x3_x * a3 - v5 * d4;
-    const double p4_y = p3_y - x3_y * a3 - v6 * d4;
-    const double p4_z = p3_z + v4 * a3 + J64 * d4;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double p4_x = p3_x - x3_x * a3 - v5 * d4, p4_y = p3_y - x3_y * a3 - v6 * d4,
+        p4_z = p3_z + v4 * a3 + J64 * d4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J55 = c1 * c4 + x3_y * s4;
     const double y4_z = v4 * s4;
     const double J45 = x3_x * s4 - s1 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double v7 = v5 * c5 + (x3_x * c4 + s1 * s4) * s5;
-    const double v8 = v6 * c5 + (x3_y * c4 - c1 * s4) * s5;
-    const double J66 = J64 * c5 + v4 * c4 * s5;
-    const double J21 = p4_x - v7 * d7;
-    const double v9 = p4_y - v8 * d7;
-    const double v10 = p4_z + J66 * d7;
-    const double v11 = v10 - d1;
-    const double J12 = c1 * v11;
-    const double J22 = s1 * v11;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double v7 = v5 * c5 + (x3_x * c4 + s1 * s4) * s5,
+        v8 = v6 * c5 + (x3_y * c4 - c1 * s4) * s5;
+    const double J66 = J64 * c5 + v4 * c4 * s5, J21 = p4_x - v7 * d7;
+    const double v9 = p4_y - v8 * d7, v10 = p4_z + J66 * d7, v11 = v10 - d1;
+    const double J12 = c1 * v11, J22 = s1 * v11;
     const double v12 = v10 - p3_z;
-    const double J13 = c1 * v12;
-    const double J23 = s1 * v12;
-    const double v13 = J21 - p4_x;
-    const double v14 = v9 - p4_y;
-    const double v15 = v10 - p4_z;
-    const double J24 = J64 * v13 + v5 * v15;
-    const double J34 = v6 * v13 - v5 * v14;
-    const double J15 = J55 * v15 + y4_z * v14;
-    const double J35 = J45 * v14 - J55 * v13;
-    const double J26 = J66 * v13 + v7 * v15;
-    const double J36 = v8 * v13 - v7 * v14;
+    const double J13 = c1 * v12, J23 = s1 * v12;
+    const double v13 = J21 - p4_x, v14 = v9 - p4_y, v15 = v10 - p4_z;
+    const double J24 = J64 * v13 + v5 * v15, J34 = v6 * v13 - v5 * v14,
+        J15 = J55 * v15 + y4_z * v14, J35 = J45 * v14 - J55 * v13, J26 = J66 * v13 + v7 * v15,
+        J36 = v8 * v13 - v7 * v14;
     J[0] = -v9; J[1] = J12; J[2] = J13; J[3] = -(v6 * v15 + J64 * v14); J[4] = J15;
     J[5] = -(v8 * v15 + J66 * v14);
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = -(y4_z * v13 + J45 * v15); J[11] = J26;
@@ -455,13 +372,16 @@ void kuka_kr210_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -508,123 +428,100 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide t14 = T14 - d7 * T13;
-    const wide Y1 = d7 * T23 - T24;
-    const wide v1 = t14 * t14 + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(Y1, -t14);
+    const wide t14 = T14 - d7 * T13, Y1 = d7 * T23 - T24, v1 = t14 * t14 + Y1 * Y1,
+        w1 = sqrt_wide(v1), v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -t14);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d7 * T33 - d1;
-    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v6 = m5 * N3_p - m4, v7 = m5 * N3_m - m4, v8 = m3 * w3_p, v9 = v6 + v8;
-    const wide v10 = v6 - v8, v11 = m3 * w3_m, v12 = v7 + v11, v13 = v7 - v11, v14 = m6 - m3 * N3_p;
-    const wide v15 = m6 - m3 * N3_m, v16 = m5 * w3_p;
-    const wide c3_pp = v14 + v16, c3_pm = v14 - v16;
-    const wide v17 = m5 * w3_m;
-    const wide c3_mp = v15 + v17, c3_mm = v15 - v17;
-    const wide angle2 = atan2_wide(-v9, c3_pp), angle3 = atan2_wide(-v10, c3_pm);
-    const wide angle4 = atan2_wide(-v12, c3_mp), angle5 = atan2_wide(-v13, c3_mm);
+    const wide Z1_3 = T34 - d7 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v6 = m5 * N3_p - m4,
+        v7 = m5 * N3_m - m4, v8 = m3 * w3_p, v9 = v6 + v8, v10 = v6 - v8, v11 = m3 * w3_m,
+        v12 = v7 + v11, v13 = v7 - v11, v14 = m6 - m3 * N3_p, v15 = m6 - m3 * N3_m, v16 = m5 * w3_p,
+        c3_pp = v14 + v16, c3_pm = v14 - v16, v17 = m5 * w3_m, c3_mp = v15 + v17, c3_mm = v15 - v17,
+        angle2 = atan2_wide(-v9, c3_pp), angle3 = atan2_wide(-v10, c3_pm),
+        angle4 = atan2_wide(-v12, c3_mp), angle5 = atan2_wide(-v13, c3_mm);
 
     /* theta2 */
-    const wide X2_2_p = m8 - m7 * N3_p, X2_2_m = m8 - m7 * N3_m;
-    const wide v18 = Z1_3 * X2_2_p, v19 = Z1_3 * X2_2_m, v20 = w3_p * (m7 * v3);
-    const wide S2_pp = v18 + v20, S2_pm = v18 - v20, S2_mp = v19 + w3_m * (m7 * v4);
-    const wide S2_mm = v19 + w3_m * (m7 * -v4);
-    const wide v21 = v3 * X2_2_p, v22 = v4 * X2_2_m, v23 = m7 * Z1_3, v24 = m7 * -Z1_3;
-    const wide C2_pp = v21 - w3_p * v23, C2_pm = v21 - w3_p * v24, C2_mp = v22 - w3_m * v23;
-    const wide C2_mm = v22 - w3_m * v24;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide X2_2_p = m8 - m7 * N3_p, X2_2_m = m8 - m7 * N3_m, v18 = Z1_3 * X2_2_p,
+        v19 = Z1_3 * X2_2_m, v20 = w3_p * (m7 * v3), S2_pp = v18 + v20, S2_pm = v18 - v20,
+        S2_mp = v19 + w3_m * (m7 * v4), S2_mm = v19 + w3_m * (m7 * -v4), v21 = v3 * X2_2_p,
+        v22 = v4 * X2_2_m, v23 = m7 * Z1_3, v24 = m7 * -Z1_3, C2_pp = v21 - w3_p * v23,
+        C2_pm = v21 - w3_p * v24, C2_mp = v22 - w3_m * v23, C2_mm = v22 - w3_m * v24,
+        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide c23_pp = c3_pp * C2_pp + v9 * S2_pp, c23_pm = c3_pm * C2_pm + v10 * S2_pm;
-    const wide c23_mp = c3_mp * C2_mp + v12 * S2_mp, c23_mm = c3_mm * C2_mm + v13 * S2_mm;
-    const wide s23_pp = c3_pp * S2_pp - v9 * C2_pp, s23_pm = c3_pm * S2_pm - v10 * C2_pm;
-    const wide s23_mp = c3_mp * S2_mp - v12 * C2_mp, s23_mm = c3_mm * S2_mm - v13 * C2_mm;
-    const wide v25 = w1 * (v2 * (T23 * Y1 - T13 * t14));
-    const wide X4_pp = c23_pp * v25 - T33 * s23_pp, X4_pm = c23_pm * v25 - T33 * s23_pm;
-    const wide v26 = c23_mp * v25 + T33 * s23_mp, v27 = c23_mm * v25 + T33 * s23_mm;
-    const wide v28 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v29 = v28 * v28;
-    const wide v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp));
-    const wide v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm)), v32 = factor2_m * v26;
-    const wide v33 = v29 + factor2_m * (v26 * v32), v34 = factor2_m * v27;
-    const wide v35 = v29 + factor2_m * (v27 * v34);
-    const wide angle6 = atan2_wide(-v28, factor2_p * -X4_pp);
-    const wide angle7 = atan2_wide(-v28, factor2_p * -X4_pm), angle8 = atan2_wide(v28, v32);
-    const wide angle9 = atan2_wide(v28, v34);
-    const wide v36 = copysign_wide(all_wide(half_turn), -v28) * h1;
-    const wide v37 = copysign_wide(all_wide(half_turn), v28) * h1;
-    const wide q4_ppm = angle6 - v36, q4_pmm = angle7 - v36, q4_mpm = angle8 - v37;
-    const wide q4_mmm = angle9 - v37;
+    const wide c23_pp = c3_pp * C2_pp + v9 * S2_pp, c23_pm = c3_pm * C2_pm + v10 * S2_pm,
+        c23_mp = c3_mp * C2_mp + v12 * S2_mp, c23_mm = c3_mm * C2_mm + v13 * S2_mm,
+        s23_pp = c3_pp * S2_pp - v9 * C2_pp, s23_pm = c3_pm * S2_pm - v10 * C2_pm,
+        s23_mp = c3_mp * S2_mp - v12 * C2_mp, s23_mm = c3_mm * S2_mm - v13 * C2_mm,
+        v25 = w1 * (v2 * (T23 * Y1 - T13 * t14)), X4_pp = c23_pp * v25 - T33 * s23_pp,
+        X4_pm = c23_pm * v25 - T33 * s23_pm, v26 = c23_mp * v25 + T33 * s23_mp,
+        v27 = c23_mm * v25 + T33 * s23_mm, v28 = w1 * (v2 * (T13 * Y1 + t14 * T23)),
+        v29 = v28 * v28, v30 = v29 + factor2_p * (X4_pp * (factor2_p * X4_pp)),
+        v31 = v29 + factor2_p * (X4_pm * (factor2_p * X4_pm)), v32 = factor2_m * v26,
+        v33 = v29 + factor2_m * (v26 * v32), v34 = factor2_m * v27,
+        v35 = v29 + factor2_m * (v27 * v34), angle6 = atan2_wide(-v28, factor2_p * -X4_pp),
+        angle7 = atan2_wide(-v28, factor2_p * -X4_pm), angle8 = atan2_wide(v28, v32),
+        angle9 = atan2_wide(v28, v34), v36 = copysign_wide(all_wide(half_turn), -v28) * h1,
+        v37 = copysign_wide(all_wide(half_turn), v28) * h1;
 
     /* theta5 */
-    const wide angle10 = atan2_wide(sqrt_wide(v30), -(factor2_p * (T33 * c23_pp + s23_pp * v25)));
-    const wide angle11 = atan2_wide(sqrt_wide(v31), -(factor2_p * (T33 * c23_pm + s23_pm * v25)));
-    const wide angle12 = atan2_wide(sqrt_wide(v33), -(factor2_m * (T33 * c23_mp - s23_mp * v25)));
-    const wide angle13 = atan2_wide(sqrt_wide(v35), -(factor2_m * (T33 * c23_mm - s23_mm * v25)));
+    const wide angle10 = atan2_wide(sqrt_wide(v30), -(factor2_p * (T33 * c23_pp + s23_pp * v25))),
+        angle11 = atan2_wide(sqrt_wide(v31), -(factor2_p * (T33 * c23_pm + s23_pm * v25))),
+        angle12 = atan2_wide(sqrt_wide(v33), -(factor2_m * (T33 * c23_mp - s23_mp * v25))),
+        angle13 = atan2_wide(sqrt_wide(v35), -(factor2_m * (T33 * c23_mm - s23_mm * v25)));
 
     /* theta6 */
-    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const wide v40 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v41 = w1 * (v2 * (Y1 * T21 - t14 * T11));
-    const wide v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31);
-    const wide v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31);
-    const wide v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40;
-    const wide v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40;
-    const wide angle14 = atan2_wide(v42, -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32));
-    const wide angle15 = atan2_wide(v43, -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32));
-    const wide angle16 = atan2_wide(v44, v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38);
-    const wide angle17 = atan2_wide(v45, v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38);
-    const wide q6_ppm = angle14 - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_pmm = angle15 - h1 * copysign_wide(all_wide(half_turn), v43);
-    const wide q6_mpm = angle16 - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_mmm = angle17 - h1 * copysign_wide(all_wide(half_turn), v45);
+    const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
+        v40 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v41 = w1 * (v2 * (Y1 * T21 - t14 * T11)),
+        v42 = -X4_pp * v40 + v28 * (c23_pp * v41 - s23_pp * T31),
+        v43 = -X4_pm * v40 + v28 * (c23_pm * v41 - s23_pm * T31),
+        v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40,
+        v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40,
+        angle14 = atan2_wide(v42, -X4_pp * v38 + v28 * (c23_pp * v39 - s23_pp * T32)),
+        angle15 = atan2_wide(v43, -X4_pm * v38 + v28 * (c23_pm * v39 - s23_pm * T32)),
+        angle16 = atan2_wide(v44, v28 * (c23_mp * v39 + s23_mp * T32) - v26 * v38),
+        angle17 = atan2_wide(v45, v28 * (c23_mm * v39 + s23_mm * T32) - v27 * v38);
 
     /* joint values */
-    const wide angle18 = atan2_wide(S2_pp, C2_pp);
-    const wide v46 = angle18 - offset2;
-    const wide angle19 = atan2_wide(S2_pm, C2_pm);
-    const wide v47 = angle19 - offset2;
-    const wide angle20 = atan2_wide(S2_mp, C2_mp);
-    const wide v48 = angle20 - offset2;
-    const wide angle21 = atan2_wide(S2_mm, C2_mm);
-    const wide v49 = angle21 - offset2;
-    const wide q2_ppp = v46 - only_wide(half_turn < v46, m10);
-    const wide q2_pmp = v47 - only_wide(half_turn < v47, m10);
-    const wide q2_mpp = v48 - only_wide(half_turn < v48, m10);
-    const wide q2_mmp = v49 - only_wide(half_turn < v49, m10);
-    const wide q1_ppp = angle1 + (w3_p - w3_p);
-    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v35 <= m9) | ((v33 <= m9) |
-        ((v31 <= m9) | ((v1 <= m1) | (v30 <= m9))))))));
+    const wide angle18 = atan2_wide(S2_pp, C2_pp), v46 = angle18 - offset2,
+        angle19 = atan2_wide(S2_pm, C2_pm), v47 = angle19 - offset2,
+        angle20 = atan2_wide(S2_mp, C2_mp), v48 = angle20 - offset2,
+        angle21 = atan2_wide(S2_mm, C2_mm), v49 = angle21 - offset2,
+        q2_ppp = v46 - only_wide(half_turn < v46, m10),
+        q2_pmp = v47 - only_wide(half_turn < v47, m10),
+        q2_mpp = v48 - only_wide(half_turn < v48, m10),
+        q2_mmp = v49 - only_wide(half_turn < v49, m10), q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v35 <= m9) | (v33 <= m9) |
+        (v31 <= m9) | (v1 <= m1) | (v30 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle2; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = angle2; q[9] = q4_ppm; q[10] = -angle10; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = angle2; q[9] = angle6 - v36; q[10] = -angle10;
+    q[11] = angle14 - h1 * copysign_wide(all_wide(half_turn), v42);
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = angle3; q[15] = angle7; q[16] = angle11;
     q[17] = angle15;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = angle3; q[21] = q4_pmm; q[22] = -angle11;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = angle3; q[21] = angle7 - v36; q[22] = -angle11;
+    q[23] = angle15 - h1 * copysign_wide(all_wide(half_turn), v43);
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = angle4; q[27] = angle8; q[28] = angle12;
     q[29] = angle16;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = angle4; q[33] = q4_mpm; q[34] = -angle12;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = angle4; q[33] = angle8 - v37; q[34] = -angle12;
+    q[35] = angle16 - h1 * copysign_wide(all_wide(half_turn), v44);
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = angle5; q[39] = angle9; q[40] = angle13;
     q[41] = angle17;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = angle5; q[45] = q4_mmm; q[46] = -angle13;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = angle5; q[45] = angle9 - v37; q[46] = -angle13;
+    q[47] = angle17 - h1 * copysign_wide(all_wide(half_turn), v45);
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -644,10 +541,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double t14 = T14 - d7 * T13;
-    const double Y1 = d7 * T23 - T24;
-    const double v1 = t14 * t14 + Y1 * Y1;
-    const double w1 = sqrt(v1);
+    const double t14 = T14 - d7 * T13, Y1 = d7 * T23 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
     const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
@@ -655,22 +549,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d7 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v6 = m3 * e2, v7 = m5 * N3 - m4, v8 = v7 + w3 * v6, v9 = m5 * e2, v10 = m6 - m3 * N3;
-    const four c3 = v10 + w3 * v9;
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)), v6 = m3 * e2,
+        v7 = m5 * N3 - m4, v8 = v7 + w3 * v6, v9 = m5 * e2, v10 = m6 - m3 * N3, c3 = v10 + w3 * v9;
 
     /* theta2 */
-    const four X2_2 = m8 - m7 * N3;
-    const four v11 = Z1_3 * X2_2;
-    const four S2 = v11 + w3 * (m7 * (e2 * v4));
-    const four v12 = v4 * X2_2, v13 = m7 * (e2 * Z1_3);
-    const four C2 = v12 - w3 * v13;
-    const four factor2 = 1.0 / N3;
+    const four X2_2 = m8 - m7 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m7 * (e2 * v4)),
+        v12 = v4 * X2_2, v13 = m7 * (e2 * Z1_3), C2 = v12 - w3 * v13, factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * C2 + v8 * S2;
-    const four s23 = c3 * S2 - v8 * C2;
+    const four c23 = c3 * C2 + v8 * S2, s23 = c3 * S2 - v8 * C2;
     const double v14 = w1 * (v2 * (T23 * Y1 - T13 * t14));
     const four X4 = e1 * (c23 * v14) - T33 * s23;
     const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v16 = v15 * v15;
@@ -679,25 +566,23 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v18 = copysign_four(all_four(half_turn), -(e1 * v15)) * h1;
 
     /* theta6 */
-    const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v20 = w1 * (v2 * (Y1 * T22 - t14 * T12));
-    const double v21 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
+    const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v20 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
+        v21 = w1 * (v2 * (t14 * T21 + Y1 * T11)), v22 = w1 * (v2 * (Y1 * T21 - t14 * T11));
     const four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
 
     /* joint values */
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(-v8, c3), angle3 = atan2_four(-(e1 * v15), factor2 * -X4);
-    const four angle4 = atan2_four(sqrt_four(v17), -(factor2 * (T33 * c23 + e1 * (s23 * v14))));
-    const four angle5 = atan2_four(v23, e1 * (-X4 * v19 + v15 * (e1 * (c23 * v20) - s23 * T32)));
-    const four angle6 = atan2_four(S2, C2);
-    const four packed6 = atan2_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14 });
-    const four angle1 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
-    const four q4_m = angle3 - v18;
-    const four q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v23);
-    const four v24 = angle6 - offset2;
-    const four q2_p = v24 - only_four(half_turn < v24, m10);
-    const four q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
+    const four angle2 = atan2_four(-v8, c3), angle3 = atan2_four(-(e1 * v15), factor2 * -X4),
+        angle4 = atan2_four(sqrt_four(v17), -(factor2 * (T33 * c23 + e1 * (s23 * v14)))),
+        angle5 = atan2_four(v23, e1 * (-X4 * v19 + v15 * (e1 * (c23 * v20) - s23 * T32))),
+        angle6 = atan2_four(S2, C2),
+        packed6 = atan2_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14 }),
+        angle1 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
+    const four q4_m = angle3 - v18, q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v23),
+        v24 = angle6 - offset2, q2_p = v24 - only_four(half_turn < v24, m10),
+        q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -793,8 +678,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(t14 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(t14 * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -805,8 +690,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v3 = k1 * K3;
-        const double v5 = k2 * K3;
+        const double v3 = k1 * K3, v5 = k2 * K3;
 
         /* theta4, type 2: U4[2, 3] */
         const double v8 = T13 * c1 + T23 * s1;
@@ -814,10 +698,8 @@ static void solve(
         const double v9 = Y4 * Y4;
 
         /* theta6, type 3: U4[2, 2] and U4[2, 1] */
-        const double v10 = T22 * c1 - T12 * s1;
-        const double v11 = T12 * c1 + T22 * s1;
-        const double v13 = T21 * c1 - T11 * s1;
-        const double v14 = T11 * c1 + T21 * s1;
+        const double v10 = T22 * c1 - T12 * s1, v11 = T12 * c1 + T22 * s1,
+            v13 = T21 * c1 - T11 * s1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -836,20 +718,17 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v7) : C2 * factor2;
-            const double s2 = free2 ? sin(v7) : S2 * factor2;
+            const double c2 = free2 ? cos(v7) : C2 * factor2, s2 = free2 ? sin(v7) : S2 * factor2;
 
             /* theta4 */
-            const double c23 = c3 * c2 + v4 * s2;
-            const double s23 = c3 * s2 - v4 * c2;
+            const double c23 = c3 * c2 + v4 * s2, s23 = c3 * s2 - v4 * c2;
             const double X4 = c23 * v8 - T33 * s23;
             const double w4 = sqrt(X4 * X4 + v9);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v12 = c23 * v11 - T32 * s23;
-            const double v15 = c23 * v14 - T31 * s23;
+            const double v12 = c23 * v11 - T32 * s23, v15 = c23 * v14 - T31 * s23;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -859,8 +738,8 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e3;
 
@@ -870,11 +749,7 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? KUKA_KR210_FREE_JOINT : KUKA_KR210_OK;
             }

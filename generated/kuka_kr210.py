@@ -643,11 +643,10 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (v35 <= m9 or (v33 <= m9 or (v31 <= m9 or (v1 <= m1 or v30 <=
-        m9)))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or v35 <= m9 or v33 <= m9 or v31 <= m9 or v1 <= m1 or v30 <= m9
     )
 
     # angles, side by side
@@ -1102,11 +1101,11 @@ def _in_tiles(T, q, status):
             v44 = v28 * (c23_mp * v41 + s23_mp * T31) - v26 * v40
             v45 = v28 * (c23_mm * v41 + s23_mm * T31) - v27 * v40
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v35 <= m9 or (v33 <= m9 or
-                (v31 <= m9 or (v1 <= m1 or v30 <= m9)))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v35 <= m9 or v33 <= m9 or v31
+                <= m9 or v1 <= m1 or v30 <= m9
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p

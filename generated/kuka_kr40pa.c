@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -189,24 +154,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +222,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -289,32 +238,14 @@ HELPER void transpose(wide x[LANES])
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+    double reached[16], sum = 0.0;
     kuka_kr40pa_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 0.4545454545454546 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 0.4545454545454546 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 0.4545454545454546 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 9; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.4545454545454546 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -326,6 +257,8 @@ static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
 static const double measure[4] = {
     0.4545454545454546, 0.4545454545454546, 0.4545454545454546, 0.4545454545454546,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -354,15 +287,12 @@ static void look(struct descent *d, const double u[4])
         d->q[solved[j]] = unit[j] * u[j];
     kuka_kr40pa_fk(d->q, P);
     kuka_kr40pa_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 2.1999999999999997;
-    for (int j = 0; j < 4; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 2.1999999999999997;
-    for (int j = 0; j < 4; j++)
-        d->A[1][j] = measure[j] * J[4 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 2.1999999999999997;
-    for (int j = 0; j < 4; j++)
-        d->A[2][j] = measure[j] * J[8 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 2.1999999999999997;
+        for (int j = 0; j < 4; j++)
+            d->A[i][j] = measure[j] * J[4 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -377,6 +307,20 @@ static void look(struct descent *d, const double u[4])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[4], double to[4])
+{
+    for (int j = 0; j < 4; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -411,14 +355,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
  * much
  * it misses the pose then. */
@@ -438,8 +374,7 @@ static double tightened(struct descent *d, double exact, double q[4], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 4; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -483,9 +418,8 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 2.1999999999999997);
-    distance = fmax(distance, fabs(T[7]) / 2.1999999999999997);
-    distance = fmax(distance, fabs(T[11]) / 2.1999999999999997);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 2.1999999999999997);
     const double exact = 1e-12 * distance;
     int moved[2] = { 0 };
     double miss[2], least = HUGE_VAL;
@@ -549,32 +483,20 @@ static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 
 void kuka_kr40pa_fk(const double q[4], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double v3 = s2 * c3 + c2 * s3;
-    const double v4 = v1 * c3 + x2_x * s3;
-    const double v5 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
+    const double v3 = s2 * c3 + c2 * s3, v4 = v1 * c3 + x2_x * s3, v5 = v2 * c3 + x2_y * s3;
     const double y3_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - v4 * s4;
-    const double T21_ = x3_y * c4 - v5 * s4;
-    const double T31_ = y3_z * s4 - v3 * c4;
-    const double T13_ = v4 * c4 + x3_x * s4;
-    const double T23_ = v5 * c4 + x3_y * s4;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T11_ * a4;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T21_ * a4;
-    const double T34_ = d1 - s2 * a2 - v3 * a3 + T31_ * a4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double T11_ = x3_x * c4 - v4 * s4, T21_ = x3_y * c4 - v5 * s4, T31_ = y3_z * s4 - v3 * c4,
+        T13_ = v4 * c4 + x3_x * s4, T23_ = v5 * c4 + x3_y * s4,
+        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T11_ * a4,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T21_ * a4,
+        T34_ = d1 - s2 * a2 - v3 * a3 + T31_ * a4;
     T[0] = T11_; T[1] = -s1; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = c1; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = 0.0; T[10] = -(y3_z * c4 + v3 * s4); T[11] = T34_;
@@ -584,41 +506,26 @@ void kuka_kr40pa_fk(const double q[4], double T[16])
 
 void kuka_kr40pa_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
     const double v3 = s2 * c3 + c2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z - v3 * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z - v3 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J21 = p3_x + (x3_x * c4 - (v1 * c3 + x2_x * s3) * s4) * a4;
-    const double p4_y = p3_y + (x3_y * c4 - (v2 * c3 + x2_y * s3) * s4) * a4;
-    const double p4_z = p3_z + ((s2 * s3 - c2 * c3) * s4 - v3 * c4) * a4;
+    const double p4_y = p3_y + (x3_y * c4 - (v2 * c3 + x2_y * s3) * s4) * a4,
+        p4_z = p3_z + ((s2 * s3 - c2 * c3) * s4 - v3 * c4) * a4;
     const double v4 = p4_z - d1;
-    const double J12 = c1 * v4;
-    const double J22 = s1 * v4;
+    const double J12 = c1 * v4, J22 = s1 * v4;
     const double v5 = p4_z - p2_z;
-    const double J13 = c1 * v5;
-    const double J23 = s1 * v5;
+    const double J13 = c1 * v5, J23 = s1 * v5;
     const double v6 = p4_z - p3_z;
-    const double J14 = c1 * v6;
-    const double J24 = s1 * v6;
+    const double J14 = c1 * v6, J24 = s1 * v6;
     J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
     J[8] = 0.0; J[9] = -(s1 * (p4_y - p1_y) + c1 * (J21 - p1_x));
@@ -633,13 +540,16 @@ void kuka_kr40pa_jacobian(const double q[4], double J[24])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -683,68 +593,52 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const wide v1 = T31 * T31 + T33 * T33;
-    const wide factor234 = sqrt_wide(v1) * (1.0 / v1);
-    const wide angle1 = atan2_wide(-T31, T33);
+    const wide v1 = T31 * T31 + T33 * T33, factor234 = sqrt_wide(v1) * (1.0 / v1),
+        angle1 = atan2_wide(-T31, T33);
 
     /* theta1 */
-    const wide v2 = T12 * T12 + T22 * T22, v3 = sqrt_wide(v2) * (1.0 / v2);
-    const wide c1 = T22 * v3;
-    const wide v4 = T12 * v3;
+    const wide v2 = T12 * T12 + T22 * T22, v3 = sqrt_wide(v2) * (1.0 / v2), c1 = T22 * v3,
+        v4 = T12 * v3;
 
     /* theta3 */
-    const wide v5 = factor234 * (a4 * T31);
-    const wide Z1_3 = T34 - d1 - v5;
-    const wide v6 = a1 + factor234 * (a4 * T33);
-    const wide Z2_3 = c1 * T14 - v4 * T24 - v6;
-    const wide N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide angle2 = atan2_wide(w3, N3 - k1);
+    const wide v5 = factor234 * (a4 * T31), Z1_3 = T34 - d1 - v5, v6 = a1 + factor234 * (a4 * T33),
+        Z2_3 = c1 * T14 - v4 * T24 - v6, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v7 = w3 * (m2 * Z2_3), v8 = w3 * (m2 * -Z2_3), v9 = m2 * (Z1_3 * N3), v10 = v7 + v9;
-    const wide v11 = v8 + v9, v12 = m2 * (Z2_3 * N3);
-    const wide factor2 = 1.0 / N3;
-    const wide v13 = m2 * (N3 * -Z1_3);
-    const wide angle3 = atan2_wide(-v10, v12 - w3 * (m2 * Z1_3));
-    const wide angle4 = atan2_wide(-v11, v12 - w3 * (m2 * -Z1_3));
+    const wide v7 = w3 * (m2 * Z2_3), v8 = w3 * (m2 * -Z2_3), v9 = m2 * (Z1_3 * N3), v10 = v7 + v9,
+        v11 = v8 + v9, v12 = m2 * (Z2_3 * N3), factor2 = 1.0 / N3, v13 = m2 * (N3 * -Z1_3),
+        angle3 = atan2_wide(-v10, v12 - w3 * (m2 * Z1_3)),
+        angle4 = atan2_wide(-v11, v12 - w3 * (m2 * -Z1_3));
 
     /* is the pose one that the arm can take? */
-    const wide v14 = v6 + Z2_3, v15 = d1 + v5, v16 = T33 - T33 * factor234;
-    const wide v17 = T31 - T31 * factor234, v18 = T23 - factor234 * (T31 * v4), v19 = T22 - c1;
-    const wide v20 = T21 + factor234 * (T33 * v4), v21 = T13 + factor234 * (T31 * c1);
-    const wide v22 = T11 - factor234 * (T33 * c1), v23 = T12 - v4;
-    const wide v24 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)));
-    const wide v25 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)));
-    const wide v26 = T14 - c1 * v14, v27 = v26 * v26, v28 = T24 + v4 * v14, v29 = v28 * v28;
-    const wide v30 = v29 + (v27 + v24 * v24), v31 = v29 + (v27 + v25 * v25);
-    const double v32 = NAN;
-    const wide v33 = pick_wide(v30 <= m4, all_wide(0.0), all_wide(v32));
-    const wide v34 = pick_wide(v31 <= m4, all_wide(0.0), all_wide(v32));
+    const wide v14 = v6 + Z2_3, v15 = d1 + v5, v16 = T33 - T33 * factor234,
+        v17 = T31 - T31 * factor234, v18 = T23 - factor234 * (T31 * v4),
+        v19 = T21 + factor234 * (T33 * v4), v20 = T11 - factor234 * (T33 * c1),
+        v21 = T13 + factor234 * (T31 * c1),
+        v22 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10))),
+        v23 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11))),
+        v24 = T14 - c1 * v14, v25 = v24 * v24, v26 = T24 + v4 * v14, v27 = v26 * v26,
+        v28 = v27 + (v25 + v22 * v22), v29 = v27 + (v25 + v23 * v23);
 
     /* joint values */
-    const wide v35 = angle1 - (angle2 + angle3), v36 = angle1 - (angle4 - angle2);
-    const wide angle5 = atan2_wide(-T12, T22);
-    const wide v37 = angle5 + (w3 - w3);
-    const wide q1_p = v33 + v37, q1_m = v34 + v37;
-    const wide q2_p = angle3 + v33, q2_m = angle4 + v34;
-    const wide q3_p = angle2 + v33, q3_m = v34 - angle2;
-    const wide q4_p = v33 + (v35 - only_wide(half_turn < v35, m6) + only_wide(v35 <= -half_turn,
-        m6));
-    const wide q4_m = v34 + (v36 - only_wide(half_turn < v36, m6) + only_wide(v36 <= -half_turn,
-        m6));
-    const wide_mask doubt1 = (v2 <= m1) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((N3 <=
-        doubt_limit_squared2) | ((m3 < v23 * v23 + (v22 * v22 + (v21 * v21 + (v20 * v20 + (v19 * v19
-        + (v18 * v18 + (v17 * v17 + (v16 * v16 + T32 * T32)))))))) | (((m4 < v30) & (v30 <= m5)) |
-        ((m4 < v31) & (v31 <= m5)))))));
+    const wide v30 = angle1 - (angle2 + angle3), v31 = angle1 - (angle4 - angle2);
+    const double v32 = NAN;
+    const wide v33 = only_wide((v28 <= m4) == 0, v32), v34 = only_wide((v29 <= m4) == 0, v32),
+        angle5 = atan2_wide(-T12, T22), v35 = angle5 + (w3 - w3);
+    const wide_mask doubt1 = (v2 <= m1) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <=
+        longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <=
+        doubt_limit_squared2) | (m3 < v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16
+        + v17 * v17))))) | ((m4 < v28) & (v28 <= m5)) | ((m4 < v29) & (v29 <= m5));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p; q[3] = q4_p;
+    q[0] = v33 + v35; q[1] = angle3 + v33; q[2] = angle2 + v33;
+    q[3] = v33 + (v30 - only_wide(half_turn < v30, m6) + only_wide(v30 <= -half_turn, m6));
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_m; q[5] = q2_m; q[6] = q3_m; q[7] = q4_m;
+    q[4] = v34 + v35; q[5] = angle4 + v34; q[6] = v34 - angle2;
+    q[7] = v34 + (v31 - only_wide(half_turn < v31, m6) + only_wide(v31 <= -half_turn, m6));
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -759,65 +653,55 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const double v1 = T31 * T31 + T33 * T33;
-    const double factor234 = sqrt(v1) * (1.0 / v1);
+    const double v1 = T31 * T31 + T33 * T33, factor234 = sqrt(v1) * (1.0 / v1);
 
     /* theta1 */
-    const double v2 = T12 * T12 + T22 * T22, v3 = sqrt(v2) * (1.0 / v2);
-    const double c1 = T22 * v3;
-    const double v4 = T12 * v3;
+    const double v2 = T12 * T12 + T22 * T22, v3 = sqrt(v2) * (1.0 / v2), c1 = T22 * v3,
+        v4 = T12 * v3;
 
     /* theta3 */
-    const double v5 = factor234 * (a4 * T31);
-    const double Z1_3 = T34 - d1 - v5;
-    const double v6 = a1 + factor234 * (a4 * T33);
-    const double Z2_3 = c1 * T14 - v4 * T24 - v6;
-    const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double v5 = factor234 * (a4 * T31), Z1_3 = T34 - d1 - v5,
+        v6 = a1 + factor234 * (a4 * T33), Z2_3 = c1 * T14 - v4 * T24 - v6,
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, w3 = sqrt((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
     const four v7 = w3 * (m2 * (e1 * Z2_3));
     const double v8 = m2 * (Z1_3 * N3);
     const four v9 = v7 + v8;
-    const double v10 = m2 * (Z2_3 * N3);
-    const double factor2 = 1.0 / N3;
-    const double v11 = m2 * (N3 * -Z1_3);
+    const double v10 = m2 * (Z2_3 * N3), factor2 = 1.0 / N3, v11 = m2 * (N3 * -Z1_3);
 
     /* is the pose one that the arm can take? */
-    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T33 - T33 * factor234;
-    const double v15 = T31 - T31 * factor234, v16 = T23 - factor234 * (T31 * v4), v17 = T22 - c1;
-    const double v18 = T21 + factor234 * (T33 * v4), v19 = T13 + factor234 * (T31 * c1);
-    const double v20 = T11 - factor234 * (T33 * c1), v21 = T12 - v4;
-    const four v22 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
-    const double v23 = T14 - c1 * v12, v24 = v23 * v23, v25 = T24 + v4 * v12, v26 = v25 * v25;
-    const four v27 = v26 + (v24 + v22 * v22);
-    const double v28 = NAN;
-    const four v29 = pick_four(v27 <= m4, all_four(0.0), all_four(v28));
-    const four_mask doubt2 = (m4 < v27) & (v27 <= m5);
+    const double v12 = v6 + Z2_3, v13 = d1 + v5, v14 = T33 - T33 * factor234,
+        v15 = T31 - T31 * factor234, v16 = T23 - factor234 * (T31 * v4),
+        v17 = T21 + factor234 * (T33 * v4), v18 = T11 - factor234 * (T33 * c1),
+        v19 = T13 + factor234 * (T31 * c1);
+    const four v20 = T34 + (factor2 * (a3 * (v7 + v11)) - (v13 + factor2 * (a2 * v9)));
+    const double v21 = T14 - c1 * v12, v22 = v21 * v21, v23 = T24 + v4 * v12, v24 = v23 * v23;
+    const four v25 = v24 + (v22 + v20 * v20);
+    const four_mask doubt2 = (m4 < v25) & (v25 <= m5);
 
     /* joint values */
-    const int doubt1 = (v2 <= m1) | ((v1 <= m1) | ((((shortest3_reach <= N3) & (N3 <=
-        longest3_reach)) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((m3 < v21 *
-        v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 *
-        v14 + T32 * T32)))))))) | (N3 <= doubt_limit_squared2))));
+    const double v28 = NAN;
+    const four v29 = only_four((v25 <= m4) == 0, v28);
+    const int doubt1 = (v2 <= m1) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (m3 < v19 * v19 + (v18 * v18 +
+        (v17 * v17 + (v16 * v16 + (v14 * v14 + v15 * v15))))) | (N3 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(-v9,
         all_four(-T31), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(v10 - w3 * (m2 * (e1 * Z1_3)),
-        all_four(T33), 0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four packed2 = atan2_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22, T22 });
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four v30 = e1 * angle2, v31 = angle1 - (angle3 + v30), v32 = angle4 + (w3 - w3);
-    const four q1 = v29 + v32;
-    const four q2 = angle3 + v29;
-    const four q3 = v29 + v30;
-    const four q4 = v29 + (v31 - only_four(half_turn < v31, m6) + only_four(v31 <= -half_turn, m6));
+        all_four(T33), 0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7)),
+        angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3),
+        packed2 = atan2_four((four){ -T12, -T12, -T12, -T12 }, (four){ T22, T22, T22, T22 }),
+        angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four v26 = e1 * angle2, v27 = angle1 - (angle3 + v26), v30 = angle4 + (w3 - w3),
+        q1 = v29 + v30, q2 = angle3 + v29, q3 = v26 + v29,
+        q4 = v29 + (v27 - only_four(half_turn < v27, m6) + only_four(v27 <= -half_turn, m6));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -885,6 +769,13 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[4], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -892,23 +783,22 @@ static void solve(
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta234, type 3: U0[3, 3] and U0[3, 1] */
     const double w234 = sqrt(T31 * T31 + T33 * T33);
     const int free234 = w234 <= free_limit_squared;
     const double factor234 = 1.0 / (free234 ? 1.0 : w234);
     const double v1 = seed[1] + seed[2] + seed[3];
-    const double c234 = free234 ? cos(v1) : T33 * factor234;
-    const double s234 = free234 ? sin(v1) : -(T31 * factor234);
+    const double c234 = free234 ? cos(v1) : T33 * factor234,
+        s234 = free234 ? sin(v1) : -(T31 * factor234);
     const double theta234 = atan2(s234, c234);
 
     /* theta1, type 3: U0[1, 2] and U0[2, 2] */
     const double w1 = sqrt(T12 * T12 + T22 * T22);
     const int free1 = w1 <= free_limit_squared;
     const double v2 = 1.0 / (free1 ? 1.0 : w1);
-    const double c1 = free1 ? cos(seed[0]) : T22 * v2;
-    const double s1 = free1 ? sin(seed[0]) : -(T12 * v2);
+    const double c1 = free1 ? cos(seed[0]) : T22 * v2, s1 = free1 ? sin(seed[0]) : -(T12 * v2);
     const double q1 = atan2(s1, c1);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
@@ -921,22 +811,10 @@ static void solve(
     const double D3 = (longest3 - N3) * (N3 - shortest3);
     const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
     if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-        if (free234) {
-            status[0] = LOST + 2;
-            q[0][0] = D3;
-        }
-        if (free234) {
-            status[0] = LOST + 3;
-            q[0][0] = D3;
-        }
-        if (free234) {
-            status[0] = LOST + 4;
-            q[0][0] = D3;
-        }
-        if (free1) {
-            status[0] = LOST + 1;
-            q[0][0] = D3;
-        }
+        if (free234) lose(LOST + 2, D3, q[0], &status[0]);
+        if (free234) lose(LOST + 3, D3, q[0], &status[0]);
+        if (free234) lose(LOST + 4, D3, q[0], &status[0]);
+        if (free1) lose(LOST + 1, D3, q[0], &status[0]);
         return; /* out of reach */
     }
     const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -944,16 +822,13 @@ static void solve(
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
     const double Y1_2 = a2 + a3 * c3;
-    const double v6 = Z1_3 * Y1_2;
-    const double v8 = Z2_3 * Y1_2;
+    const double v6 = Z1_3 * Y1_2, v8 = Z2_3 * Y1_2;
 
     /* is the pose one that the arm can take? */
     const double v10 = v3 - d1;
-    if (!(fabs(T33 - c234) <= doubtful_slack && (fabs(T32) <= doubtful_slack && (fabs(T31 + s234) <=
-        doubtful_slack && (fabs(T23 - s234 * s1) <= doubtful_slack && (fabs(T22 - c1) <=
-        doubtful_slack && (fabs(T21 - c234 * s1) <= doubtful_slack && (fabs(T13 - s234 * c1) <=
-        doubtful_slack && (fabs(T11 - c234 * c1) <= doubtful_slack && fabs(T12 + s1) <=
-        doubtful_slack)))))))))
+    if (!(fabs(T33 - c234) <= doubtful_slack && fabs(T31 + s234) <= doubtful_slack && fabs(T23 -
+        s234 * s1) <= doubtful_slack && fabs(T21 - c234 * s1) <= doubtful_slack && fabs(T11 - c234 *
+        c1) <= doubtful_slack && fabs(T13 - s234 * c1) <= doubtful_slack))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -964,32 +839,27 @@ static void solve(
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
-        const double v5 = a3 * s3;
-        const double v7 = Z2_3 * v5 + v6;
+        const double v5 = a3 * s3, v7 = Z2_3 * v5 + v6;
         const double C2 = v8 - Z1_3 * v5;
         const double w2 = sqrt(v7 * v7 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-        const double s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
+        const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+            s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double c23 = c3 * c2 - s3 * s2;
-        const double s23 = c3 * s2 + s3 * c2;
+        const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
         const double v9 = a3 * c23 + (v4 + a2 * c2);
-        if (!(fabs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 && (fabs(T14 - c1 * v9) <=
-            doubtful_slack1 && fabs(T24 - s1 * v9) <= doubtful_slack1)))
+        if (!(fabs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 && fabs(T14 - c1 * v9) <=
+            doubtful_slack1 && fabs(T24 - s1 * v9) <= doubtful_slack1))
             continue; /* the arm can't take this pose */
 
         /* joint values */
         const double q4 = wrap(theta234 - (q3 + q2));
         const int free2_ = free234 || free2;
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
         status[row] = (free1 || free2_ || free234 || free234) ? KUKA_KR40PA_FREE_JOINT :
             KUKA_KR40PA_OK;
     }
@@ -1015,6 +885,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == KUKA_KR40PA_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != KUKA_KR40PA_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -1028,7 +905,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -1077,16 +958,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[4], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[4], int row, double q[2][4], unsigned char status[2])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = KUKA_KR40PA_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 4; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : KUKA_KR40PA_UNREACHABLE;
+    for (int i = 0; i < 4; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1123,17 +1009,9 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
     if (!valid)
         return -KUKA_KR40PA_INVALID_POSE;
     solve(pose, seed, q, status);
-    for (int row = 0; row < 2; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 4; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
-    }
+    for (int row = 0; row < 2; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     tighten(pose, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == KUKA_KR40PA_UNREACHABLE)

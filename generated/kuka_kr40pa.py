@@ -306,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa e0340243587f2382"
+_KEY = "kuka_kr40pa b1395e122681fc85"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -395,23 +395,17 @@ def _missed_by(pose, q):
     miss = 0.0
     off = T11_ - pose[0]
     miss += (1.0 * off) ** 2
-    off = -s1 - pose[1]
-    miss += (1.0 * off) ** 2
     off = T13_ - pose[2]
     miss += (1.0 * off) ** 2
     off = T14_ - pose[3]
     miss += (0.4545454545454546 * off) ** 2
     off = T21_ - pose[4]
     miss += (1.0 * off) ** 2
-    off = c1 - pose[5]
-    miss += (1.0 * off) ** 2
     off = T23_ - pose[6]
     miss += (1.0 * off) ** 2
     off = T24_ - pose[7]
     miss += (0.4545454545454546 * off) ** 2
     off = T31_ - pose[8]
-    miss += (1.0 * off) ** 2
-    off = 0.0 - pose[9]
     miss += (1.0 * off) ** 2
     off = -(y3_z * c4 + v3 * s4) - pose[10]
     miss += (1.0 * off) ** 2
@@ -474,6 +468,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(4):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -498,21 +507,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(4):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner
@@ -592,21 +586,18 @@ def _tighten(pose, q, status):
     distance = max(distance, abs(pose[7]) / 2.1999999999999997)
     distance = max(distance, abs(pose[11]) / 2.1999999999999997)
     exact = 1e-12 * distance
-    worst = 0.0
+    worst, miss = 0.0, carray(_room(2), 2)
     for row in range(2):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, miss = np.empty((3, 4)), np.empty((2, 4)), np.empty(2)
-    held = np.empty(2, np.bool_)
+    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(2, np.bool_)
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     for row in range(2):
         held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
     _tighten_rows(T, exact, miss, rows, held)
     for row in range(2):
         if not held[row]:
@@ -621,7 +612,7 @@ def _solve(pose, seed, q, status):
 
     The first value of a row that is _LOST says how far it is from a solution (negative).
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta234, type 3: U0[3, 3] and U0[3, 1]
     w234 = math.sqrt(T31 * T31 + T33 * T33)
@@ -674,11 +665,9 @@ def _solve(pose, seed, q, status):
     # is the pose one that the arm can take?
     v10 = v3 - d1
     if (
-        not (abs(T33 - c234) <= doubtful_slack and (abs(T32) <= doubtful_slack and (abs(T31 + s234)
-        <= doubtful_slack and (abs(T23 - s234 * s1) <= doubtful_slack and (abs(T22 - c1) <=
-        doubtful_slack and (abs(T21 - c234 * s1) <= doubtful_slack and (abs(T13 - s234 * c1) <=
-        doubtful_slack and (abs(T11 - c234 * c1) <= doubtful_slack and abs(T12 + s1) <=
-        doubtful_slack))))))))
+        not (abs(T33 - c234) <= doubtful_slack and abs(T31 + s234) <= doubtful_slack and abs(T23 -
+        s234 * s1) <= doubtful_slack and abs(T21 - c234 * s1) <= doubtful_slack and abs(T11 - c234 *
+        c1) <= doubtful_slack and abs(T13 - s234 * c1) <= doubtful_slack)
     ):
         return  # the arm can't take this pose
 
@@ -706,8 +695,8 @@ def _solve(pose, seed, q, status):
         s23 = c3 * s2 + s3 * c2
         v9 = a3 * c23 + (v4 + a2 * c2)
         if (
-            not (abs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 and (abs(T14 - c1 * v9)
-            <= doubtful_slack1 and abs(T24 - s1 * v9) <= doubtful_slack1))
+            not (abs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 and abs(T14 - c1 * v9)
+            <= doubtful_slack1 and abs(T24 - s1 * v9) <= doubtful_slack1)
         ):
             continue  # the arm can't take this pose
 
@@ -780,6 +769,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -810,7 +805,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -876,7 +876,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(4):
         q[row, i] = trial[row, i] if served else math.nan
@@ -890,11 +891,11 @@ def _whole(pose, seed, q, status):
         for i in range(4):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(2):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
     _tighten(pose, q, status)
+    count = 0
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
@@ -914,7 +915,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta234, type 3: U0[3, 3] and U0[3, 1]
@@ -951,29 +952,27 @@ def _regular(pose, q, status):
     v16 = T33 - T33 * factor234
     v17 = T31 - T31 * factor234
     v18 = T23 - factor234 * (T31 * v4)
-    v19 = T22 - c1
-    v20 = T21 + factor234 * (T33 * v4)
+    v19 = T21 + factor234 * (T33 * v4)
+    v20 = T11 - factor234 * (T33 * c1)
     v21 = T13 + factor234 * (T31 * c1)
-    v22 = T11 - factor234 * (T33 * c1)
-    v23 = T12 - v4
-    v24 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
-    v25 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-    v26 = T14 - c1 * v14
+    v22 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+    v23 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+    v24 = T14 - c1 * v14
+    v25 = v24 * v24
+    v26 = T24 + v4 * v14
     v27 = v26 * v26
-    v28 = T24 + v4 * v14
-    v29 = v28 * v28
-    v30 = v29 + (v27 + v24 * v24)
-    v31 = v29 + (v27 + v25 * v25)
-    v32 = math.sqrt(-1.0)
-    v33 = 0.0 if v30 <= m4 else v32
-    v34 = 0.0 if v31 <= m4 else v32
+    v28 = v27 + (v25 + v22 * v22)
+    v29 = v27 + (v25 + v23 * v23)
 
     # joint values
+    v32 = math.sqrt(-1.0)
+    v33 = 0.0 if v28 <= m4 else v32
+    v34 = 0.0 if v29 <= m4 else v32
     doubt1 = (
-        v2 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or (m3 < v23
-        * v23 + (v22 * v22 + (v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 *
-        v16 + T32 * T32))))))) or ((m4 < v30 and v30 <= m5) or (m4 < v31 and v31 <= m5))))))
+        v2 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3 < v21 *
+        v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16 + v17 * v17)))) or (m4 < v28 and v28
+        <= m5) or (m4 < v29 and v29 <= m5)
     )
 
     # angles, side by side
@@ -998,17 +997,17 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # joint values
-    v35 = angle1 - (angle2 + angle3)
-    v36 = angle1 - (angle4 - angle2)
-    v37 = angle5 + (w3 - w3)
-    q1_p = v33 + v37
-    q1_m = v34 + v37
+    v30 = angle1 - (angle2 + angle3)
+    v31 = angle1 - (angle4 - angle2)
+    v35 = angle5 + (w3 - w3)
+    q1_p = v33 + v35
+    q1_m = v34 + v35
     q2_p = angle3 + v33
     q2_m = angle4 + v34
     q3_p = angle2 + v33
     q3_m = v34 - angle2
-    q4_p = v33 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
-    q4_m = v34 + (v36 - (m6 if half_turn < v36 else 0.0) + (m6 if v36 <= -half_turn else 0.0))
+    q4_p = v33 + (v30 - (m6 if half_turn < v30 else 0.0) + (m6 if v30 <= -half_turn else 0.0))
+    q4_m = v34 + (v31 - (m6 if half_turn < v31 else 0.0) + (m6 if v31 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1234,7 +1233,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T31 * T31 + T33 * T33
@@ -1262,28 +1260,25 @@ def _in_tiles(T, q, status):
             v16 = T33 - T33 * factor234
             v17 = T31 - T31 * factor234
             v18 = T23 - factor234 * (T31 * v4)
-            v19 = T22 - c1
-            v20 = T21 + factor234 * (T33 * v4)
+            v19 = T21 + factor234 * (T33 * v4)
+            v20 = T11 - factor234 * (T33 * c1)
             v21 = T13 + factor234 * (T31 * c1)
-            v22 = T11 - factor234 * (T33 * c1)
-            v23 = T12 - v4
-            v24 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
-            v25 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
-            v26 = T14 - c1 * v14
+            v22 = T34 + (factor2 * (a3 * (v7 + v13)) - (v15 + factor2 * (a2 * v10)))
+            v23 = T34 + (factor2 * (a3 * (v8 + v13)) - (v15 + factor2 * (a2 * v11)))
+            v24 = T14 - c1 * v14
+            v25 = v24 * v24
+            v26 = T24 + v4 * v14
             v27 = v26 * v26
-            v28 = T24 + v4 * v14
-            v29 = v28 * v28
-            v30 = v29 + (v27 + v24 * v24)
-            v31 = v29 + (v27 + v25 * v25)
+            v28 = v27 + (v25 + v22 * v22)
+            v29 = v27 + (v25 + v23 * v23)
             v32 = math.sqrt(-1.0)
-            v33 = 0.0 if v30 <= m4 else v32
-            v34 = 0.0 if v31 <= m4 else v32
+            v33 = 0.0 if v28 <= m4 else v32
+            v34 = 0.0 if v29 <= m4 else v32
             doubt1 = (
-                v2 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or
-                (m3 < v23 * v23 + (v22 * v22 + (v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 +
-                (v17 * v17 + (v16 * v16 + T32 * T32))))))) or ((m4 < v30 and v30 <= m5) or (m4 < v31
-                and v31 <= m5))))))
+                v2 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3
+                < v21 * v21 + (v20 * v20 + (v19 * v19 + (v18 * v18 + (v16 * v16 + v17 * v17)))) or
+                (m4 < v28 and v28 <= m5) or (m4 < v29 and v29 <= m5)
             )
             work[272 + k] = w3
             work[288 + k] = v33
@@ -1311,20 +1306,20 @@ def _in_tiles(T, q, status):
             angle3 = work[368 + k]
             angle4 = work[384 + k]
             angle5 = work[400 + k]
-            v35 = angle1 - (angle2 + angle3)
-            v36 = angle1 - (angle4 - angle2)
-            v37 = angle5 + (w3 - w3)
-            q1_p = v33 + v37
-            q1_m = v34 + v37
+            v30 = angle1 - (angle2 + angle3)
+            v31 = angle1 - (angle4 - angle2)
+            v35 = angle5 + (w3 - w3)
+            q1_p = v33 + v35
+            q1_m = v34 + v35
             q2_p = angle3 + v33
             q2_m = angle4 + v34
             q3_p = angle2 + v33
             q3_m = v34 - angle2
             q4_p = (
-                v33 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
+                v33 + (v30 - (m6 if half_turn < v30 else 0.0) + (m6 if v30 <= -half_turn else 0.0))
             )
             q4_m = (
-                v34 + (v36 - (m6 if half_turn < v36 else 0.0) + (m6 if v36 <= -half_turn else 0.0))
+                v34 + (v31 - (m6 if half_turn < v31 else 0.0) + (m6 if v31 <= -half_turn else 0.0))
             )
             _496 = q1_p
             work[496 + k] = _496

@@ -650,11 +650,10 @@ def _regular(pose, q, status):
     # joint values
     v42 = w3_p * (m3 * v3)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (v31 <= m9 or (v30 <= m9 or (v29 <= m9 or (v1 <= m1 or v28 <=
-        m9)))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or v31 <= m9 or v30 <= m9 or v29 <= m9 or v1 <= m1 or v28 <= m9
     )
 
     # angles, side by side
@@ -1113,11 +1112,11 @@ def _in_tiles(T, q, status):
             v41 = Y4 * (c23_mm * v37 + s23_mm * T31) - X4_mm * v36
             v42 = w3_p * (m3 * v3)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v31 <= m9 or (v30 <= m9 or
-                (v29 <= m9 or (v1 <= m1 or v28 <= m9)))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v31 <= m9 or v30 <= m9 or v29
+                <= m9 or v1 <= m1 or v28 <= m9
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -189,16 +154,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -275,6 +230,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -314,17 +271,15 @@ static const double k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 4.7265624999999995e-07; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 0.2175; /* a coefficient of Z1_3 */
-static const double m5 = 3.2258064516129035; /* a coefficient of S2 */
-static const double m6 = 0.018709677419354823; /* a coefficient of S2 */
-static const double m7 = 2.234039306640625e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m8 = 3.7037037037037037; /* a coefficient of c23 */
-static const double m9 = 0.021481481481481466; /* a coefficient of c23 */
-static const double m10 = 0.147; /* a coefficient of v17 */
-static const double m11 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m12 = 4.7265625e-11; /* pose_slack1^2 [m^2] */
-static const double m13 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
-static const double m14 = 6.283185307179586; /* 2 * half_turn */
+static const double m4 = 3.2258064516129035; /* a coefficient of S2 */
+static const double m5 = 0.018709677419354823; /* a coefficient of S2 */
+static const double m6 = 2.234039306640625e-13; /* doubt_limit_squared2^2 [m^4] */
+static const double m7 = 3.7037037037037037; /* a coefficient of c23 */
+static const double m8 = 0.021481481481481466; /* a coefficient of c23 */
+static const double m9 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m10 = 4.7265625e-11; /* pose_slack1^2 [m^2] */
+static const double m11 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double m12 = 6.283185307179586; /* 2 * half_turn */
 static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_youbot_branches[4] = {
@@ -336,41 +291,26 @@ static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void kuka_youbot_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v4 = v2 * c3 + x2_x * s3;
-    const double v5 = v3 * c3 + x2_y * s3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v4 = v2 * c3 + x2_x * s3, v5 = v3 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double x4_x = x3_x * c4 - v4 * s4;
-    const double x4_y = x3_y * c4 - v5 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double T13_ = v4 * c4 + x3_x * s4;
-    const double T23_ = v5 * c4 + x3_y * s4;
-    const double T33_ = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 + s1 * s5;
-    const double T21_ = x4_y * c5 - c1 * s5;
-    const double T31_ = x4_z * c5;
-    const double T12_ = s1 * c5 - x4_x * s5;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + T33_ * d5;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double x4_x = x3_x * c4 - v4 * s4, x4_y = x3_y * c4 - v5 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double T13_ = v4 * c4 + x3_x * s4, T23_ = v5 * c4 + x3_y * s4,
+        T33_ = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x4_x * c5 + s1 * s5, T21_ = x4_y * c5 - c1 * s5, T31_ = x4_z * c5,
+        T12_ = s1 * c5 - x4_x * s5, T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + T33_ * d5;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(c1 * c5 + x4_y * s5); T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = -(x4_z * s5); T[10] = T33_; T[11] = T34_;
@@ -380,48 +320,29 @@ void kuka_youbot_fk(const double q[5], double T[16])
 
 void kuka_youbot_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
     const double v4 = q[3] + offset4;
-    const double c4 = cos(v4);
-    const double s4 = sin(v4);
-    const double J45 = (v2 * c3 + x2_x * s3) * c4 + x3_x * s4;
-    const double J55 = (v3 * c3 + x2_y * s3) * c4 + x3_y * s4;
-    const double J65 = x3_z * s4 - (c2 * c3 - s2 * s3) * c4;
-    const double J21 = p3_x + J45 * d5;
-    const double p5_y = p3_y + J55 * d5;
-    const double p5_z = p3_z + J65 * d5;
+    const double c4 = cos(v4), s4 = sin(v4);
+    const double J45 = (v2 * c3 + x2_x * s3) * c4 + x3_x * s4,
+        J55 = (v3 * c3 + x2_y * s3) * c4 + x3_y * s4, J65 = x3_z * s4 - (c2 * c3 - s2 * s3) * c4,
+        J21 = p3_x + J45 * d5;
+    const double p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
     const double v5 = p5_z - d1;
     const double J32 = s1 * (p5_y - p1_y) + c1 * (J21 - p1_x);
     const double v6 = p5_z - p2_z;
     const double J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x);
-    const double v7 = J21 - p3_x;
-    const double v8 = p5_y - p3_y;
-    const double v9 = p5_z - p3_z;
-    const double J34 = s1 * v8 + c1 * v7;
-    const double J15 = J55 * v9 - J65 * v8;
-    const double J25 = J65 * v7 - J45 * v9;
-    const double J35 = J45 * v8 - J55 * v7;
+    const double v7 = J21 - p3_x, v8 = p5_y - p3_y, v9 = p5_z - p3_z;
+    const double J34 = s1 * v8 + c1 * v7, J15 = J55 * v9 - J65 * v8, J25 = J65 * v7 - J45 * v9,
+        J35 = J45 * v8 - J55 * v7;
     J[0] = -p5_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(c1 * v9); J[4] = J15;
     J[5] = J21; J[6] = -(s1 * v5); J[7] = -(s1 * v6); J[8] = -(s1 * v9); J[9] = J25;
     J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
@@ -434,13 +355,16 @@ void kuka_youbot_jacobian(const double q[5], double J[30])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -484,137 +408,109 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 {
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
-    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const wide w1 = sqrt_wide(v4);
-    const wide v5 = 1.0 / v4;
-    const wide factor1 = w1 * v5;
-    const wide c1 = v2 * factor1;
-    const wide s1 = v3 * factor1;
-    const wide angle1 = atan2_wide(v3, v2);
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
+        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
+        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1,
+        angle1 = atan2_wide(v3, v2);
 
     /* theta234 */
-    const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
-    const wide v6 = T33 * T33 + Z2_234 * Z2_234;
-    const wide w234 = sqrt_wide(v6);
-    const wide v7 = 1.0 / v6;
-    const wide factor234 = w234 * v7;
-    const wide v8 = T33 * factor234;
-    const wide s234 = Z2_234 * factor234;
-    const wide angle2 = atan2_wide(Z2_234, -T33);
+    const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v6 = T33 * T33 + Z2_234 * Z2_234,
+        w234 = sqrt_wide(v6), v7 = 1.0 / v6, factor234 = w234 * v7,
+        angle2 = atan2_wide(Z2_234, -T33);
 
     /* theta5 */
-    const wide S5 = w1 * (v5 * (v2 * T21 - v3 * T11));
-    const wide C5 = w1 * (v5 * (v2 * T22 - v3 * T12));
-    const wide v9 = S5 * S5 + C5 * C5, v10 = sqrt_wide(v9) * (1.0 / v9), v11 = C5 * v10;
-    const wide v12 = S5 * v10;
-    const wide angle3 = atan2_wide(-S5, -C5);
+    const wide S5 = w1 * (v5 * (v2 * T21 - v3 * T11)), C5 = w1 * (v5 * (v2 * T22 - v3 * T12)),
+        v8 = S5 * S5 + C5 * C5, v9 = sqrt_wide(v8) * (1.0 / v8), v10 = C5 * v9, v11 = S5 * v9,
+        angle3 = atan2_wide(-S5, -C5);
 
     /* theta3 */
-    const wide v13 = T34 - d1, v14 = v13 - d5 * v8, v15 = w234 * (m4 * (T33 * v7));
-    const wide Z1_3 = v13 - v15;
-    const wide v16 = d5 * s234, v17 = T14 * c1 + T24 * s1, v18 = v17 - a1, v19 = a1 + v17;
-    const wide v20 = v18 - v16, v21 = v16 - v19, v22 = w234 * (m4 * ((T13 * c1 + T23 * s1) * v7));
-    const wide Z2_3_p = v18 - v22, Z2_3_m = v22 - v19;
-    const wide v23 = Z1_3 * Z1_3;
-    const wide N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + Z2_3_m * Z2_3_m;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v24 = w3_p - w3_p, v25 = w3_m - w3_m;
-    const wide angle4 = atan2_wide(w3_p, N3_p - k1), angle5 = atan2_wide(w3_m, N3_m - k1);
+    const wide v12 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v12, v13 = d5 * Z2_234,
+        v14 = T14 * c1 + T24 * s1, v15 = v14 - a1, v16 = a1 + v14, v17 = factor234 * v13,
+        v18 = v15 - v17, v19 = v17 - v16, v20 = w234 * (v7 * v13), Z2_3_p = v15 - v20,
+        Z2_3_m = v20 - v16, v21 = Z1_3 * Z1_3, N3_p = v21 + Z2_3_p * Z2_3_p,
+        N3_m = v21 + Z2_3_m * Z2_3_m, w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v22 = w3_p - w3_p,
+        v23 = w3_m - w3_m, angle4 = atan2_wide(w3_p, N3_p - k1),
+        angle5 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v26 = m6 + m5 * N3_p, v27 = m6 + m5 * N3_m, v28 = v14 * v26, v29 = v14 * v27;
-    const wide S2_pp = v28 - w3_p * (m5 * v20), S2_pm = v28 - w3_p * (m5 * -v20);
-    const wide S2_mp = v29 - w3_m * (m5 * v21), S2_mm = v29 - w3_m * (m5 * -v21);
-    const wide v30 = m5 * v14, v31 = m5 * -v14, v32 = v20 * v26, v33 = v21 * v27;
-    const wide C2_pp = v32 + w3_p * v30, C2_pm = v32 + w3_p * v31, C2_mp = v33 + w3_m * v30;
-    const wide C2_mm = v33 + w3_m * v31;
-    const wide v34 = S2_pp * S2_pp + C2_pp * C2_pp, v35 = S2_pm * S2_pm + C2_pm * C2_pm;
-    const wide v36 = S2_mp * S2_mp + C2_mp * C2_mp, v37 = S2_mm * S2_mm + C2_mm * C2_mm;
-    const wide w2_pp = sqrt_wide(v34), w2_pm = sqrt_wide(v35), w2_mp = sqrt_wide(v36);
-    const wide w2_mm = sqrt_wide(v37);
-    const wide v38 = 1.0 / v34, v39 = 1.0 / v35, v40 = 1.0 / v36, v41 = 1.0 / v37;
-    const wide factor2_pp = w2_pp * v38, factor2_pm = w2_pm * v39, factor2_mp = w2_mp * v40;
-    const wide factor2_mm = w2_mm * v41;
-    const wide angle6 = atan2_wide(S2_pp, C2_pp), angle7 = atan2_wide(S2_pm, C2_pm);
-    const wide angle8 = atan2_wide(S2_mp, C2_mp), angle9 = atan2_wide(S2_mm, C2_mm);
+    const wide v24 = m5 + m4 * N3_p, v25 = m5 + m4 * N3_m, v26 = Z1_3 * v24, v27 = Z1_3 * v25,
+        S2_pp = v26 - w3_p * (m4 * v18), S2_pm = v26 - w3_p * (m4 * -v18),
+        S2_mp = v27 - w3_m * (m4 * v19), S2_mm = v27 - w3_m * (m4 * -v19), v28 = m4 * Z1_3,
+        v29 = m4 * -Z1_3, v30 = v18 * v24, v31 = v19 * v25, C2_pp = v30 + w3_p * v28,
+        C2_pm = v30 + w3_p * v29, C2_mp = v31 + w3_m * v28, C2_mm = v31 + w3_m * v29,
+        v32 = S2_pp * S2_pp + C2_pp * C2_pp, v33 = S2_pm * S2_pm + C2_pm * C2_pm,
+        v34 = S2_mp * S2_mp + C2_mp * C2_mp, v35 = S2_mm * S2_mm + C2_mm * C2_mm,
+        w2_pp = sqrt_wide(v32), w2_pm = sqrt_wide(v33), w2_mp = sqrt_wide(v34),
+        w2_mm = sqrt_wide(v35), v36 = 1.0 / v32, v37 = 1.0 / v33, v38 = 1.0 / v34, v39 = 1.0 / v35,
+        factor2_pp = w2_pp * v36, factor2_pm = w2_pm * v37, factor2_mp = w2_mp * v38,
+        factor2_mm = w2_mm * v39, angle6 = atan2_wide(S2_pp, C2_pp),
+        angle7 = atan2_wide(S2_pm, C2_pm), angle8 = atan2_wide(S2_mp, C2_mp),
+        angle9 = atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const wide v42 = c1 * v8, v43 = m8 * v14, v44 = m8 * -v14, v45 = m8 * N3_p - m9;
-    const wide v46 = m8 * N3_m - m9, v47 = v20 * v45, v48 = v21 * v46, v49 = v14 * v45;
-    const wide v50 = v14 * v46, v51 = a1 + v16, v52 = a1 - v16;
-    const wide v53 = v51 + w2_pp * (v38 * (a3 * (v47 - w3_p * v43) + a2 * C2_pp));
-    const wide v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm));
-    const wide v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp));
-    const wide v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm)), v57 = s1 * v8;
-    const wide v58 = m10 + v15, v59 = T33 - v8, v60 = T32 - s234 * v12, v61 = T31 + s234 * v11;
-    const wide v62 = T23 - s1 * s234, v63 = T22 + (v12 * v57 - c1 * v11);
-    const wide v64 = T21 - (v11 * v57 + c1 * v12), v65 = T13 - c1 * s234;
-    const wide v66 = T11 - (v11 * v42 - s1 * v12), v67 = T12 + (s1 * v11 + v12 * v42);
-    const wide v68 = T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 *
-        v20))));
-    const wide v69 = T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 *
-        -v20))));
-    const wide v70 = T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 *
-        v21))));
-    const wide v71 = T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 *
-        -v21)))), v72 = T14 - c1 * v53, v73 = T14 - c1 * v54, v74 = T14 + c1 * v55;
-    const wide v75 = T14 + c1 * v56, v76 = T24 - s1 * v53, v77 = T24 - s1 * v54;
-    const wide v78 = T24 + s1 * v55, v79 = T24 + s1 * v56;
-    const wide v80 = v76 * v76 + (v68 * v68 + v72 * v72), v81 = v77 * v77 + (v69 * v69 + v73 * v73);
-    const wide v82 = v78 * v78 + (v70 * v70 + v74 * v74), v83 = v79 * v79 + (v71 * v71 + v75 * v75);
-    const double v84 = NAN;
-    const wide v85 = pick_wide(v80 <= m12, all_wide(0.0), all_wide(v84));
-    const wide v86 = pick_wide(v81 <= m12, all_wide(0.0), all_wide(v84));
-    const wide v87 = pick_wide(v82 <= m12, all_wide(0.0), all_wide(v84));
-    const wide v88 = pick_wide(v83 <= m12, all_wide(0.0), all_wide(v84));
+    const wide v40 = m7 * Z1_3, v41 = m7 * -Z1_3, v42 = m7 * N3_p - m8, v43 = m7 * N3_m - m8,
+        v44 = v18 * v42, v45 = v19 * v43, v46 = Z1_3 * v42, v47 = Z1_3 * v43, v48 = a1 + v17,
+        v49 = a1 - v17, v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp)),
+        v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm)),
+        v52 = v49 + w2_mp * (v38 * (a3 * (v45 - w3_m * v40) + a2 * C2_mp)),
+        v53 = v49 + w2_mm * (v39 * (a3 * (v45 - w3_m * v41) + a2 * C2_mm)), v54 = d1 + v12,
+        v55 = T33 - T33 * factor234, v56 = T31 + factor234 * (Z2_234 * v10),
+        v57 = T23 - factor234 * (s1 * Z2_234),
+        v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33))),
+        v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11),
+        v60 = T13 - factor234 * (c1 * Z2_234),
+        v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m7 *
+            v18)))),
+        v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m7 *
+            -v18)))),
+        v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m7 *
+            v19)))),
+        v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m7 *
+            -v19)))), v65 = T14 - c1 * v50, v66 = T14 - c1 * v51, v67 = T14 + c1 * v52,
+        v68 = T14 + c1 * v53, v69 = T24 - s1 * v50, v70 = T24 - s1 * v51, v71 = T24 + s1 * v52,
+        v72 = T24 + s1 * v53, v73 = v69 * v69 + (v61 * v61 + v65 * v65),
+        v74 = v70 * v70 + (v62 * v62 + v66 * v66), v75 = v71 * v71 + (v63 * v63 + v67 * v67),
+        v76 = v72 * v72 + (v64 * v64 + v68 * v68);
 
     /* joint values */
-    const wide v89 = angle6 - offset2, v90 = angle7 - offset2, v91 = angle8 - offset2;
-    const wide v92 = angle9 - offset2, v93 = angle2 - (angle4 + angle6) - offset4;
-    const wide v94 = angle2 - (angle7 - angle4) - offset4;
-    const wide v95 = offset4 + (angle2 + (angle5 + angle8));
-    const wide v96 = offset4 + (angle2 + (angle9 - angle5));
-    const wide v97 = v93 - only_wide(half_turn < v93, m14) + only_wide(v93 <= -half_turn, m14);
-    const wide v98 = v94 - only_wide(half_turn < v94, m14) + only_wide(v94 <= -half_turn, m14);
-    const wide v99 = only_wide(-v95 <= -half_turn, m14) - (v95 + only_wide(half_turn < -v95, m14));
-    const wide v100 = only_wide(-v96 <= -half_turn, m14) - (v96 + only_wide(half_turn < -v96, m14));
-    const wide v101 = angle1 + v24;
-    const wide v102 = v25 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1);
-    const wide q1_pp = v85 + v101, q1_pm = v86 + v101, q1_mp = v87 + v102, q1_mm = v88 + v102;
-    const wide q2_pp = v85 + (v89 + only_wide(v89 <= -half_turn, m14));
-    const wide q2_pm = v86 + (v90 + only_wide(v90 <= -half_turn, m14));
-    const wide q2_mp = v87 + (v91 + only_wide(v91 <= -half_turn, m14));
-    const wide q2_mm = v88 + (v92 + only_wide(v92 <= -half_turn, m14));
-    const wide q3_pp = angle4 + v85, q3_pm = v86 - angle4, q3_mp = angle5 + v87;
-    const wide q3_mm = v88 - angle5;
-    const wide q4_pp = v85 + (v97 + only_wide(v97 <= -half_turn, m14));
-    const wide q4_pm = v86 + (v98 + only_wide(v98 <= -half_turn, m14));
-    const wide q4_mp = v87 + (v99 + only_wide(v99 <= -half_turn, m14));
-    const wide q4_mm = v88 + (v100 + only_wide(v100 <= -half_turn, m14));
-    const wide v103 = angle3 + v24;
-    const wide v104 = v25 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5));
-    const wide q5_pp = v85 + v103, q5_pm = v86 + v103, q5_mp = v87 + v104, q5_mm = v88 + v104;
-    const wide_mask doubt1 = (v6 <= m3) | ((v4 <= m1) | ((v9 <= m3) | (((m12 < v83) & (v83 <= m13))
-        | ((v37 <= m7) | (((m12 < v82) & (v82 <= m13)) | ((v36 <= m7) | (((m12 < v81) & (v81 <=
-        m13)) | ((v35 <= m7) | (((m12 < v80) & (v80 <= m13)) | ((v34 <= m7) | ((m11 < v67 * v67 +
-        (v66 * v66 + (v65 * v65 + (v64 * v64 + (v63 * v63 + (v62 * v62 + (v61 * v61 + (v59 * v59 +
-        v60 * v60)))))))) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) &
-        (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) ==
-        0))))))))))))));
+    const wide v77 = angle6 - offset2, v78 = angle7 - offset2, v79 = angle8 - offset2,
+        v80 = angle9 - offset2, v81 = angle2 - (angle4 + angle6) - offset4,
+        v82 = angle2 - (angle7 - angle4) - offset4, v83 = offset4 + (angle2 + (angle5 + angle8)),
+        v84 = offset4 + (angle2 + (angle9 - angle5)),
+        v85 = v81 - only_wide(half_turn < v81, m12) + only_wide(v81 <= -half_turn, m12),
+        v86 = v82 - only_wide(half_turn < v82, m12) + only_wide(v82 <= -half_turn, m12),
+        v87 = only_wide(-v83 <= -half_turn, m12) - (v83 + only_wide(half_turn < -v83, m12)),
+        v88 = only_wide(-v84 <= -half_turn, m12) - (v84 + only_wide(half_turn < -v84, m12));
+    const double v89 = NAN;
+    const wide v90 = only_wide((v73 <= m10) == 0, v89), v91 = only_wide((v74 <= m10) == 0, v89),
+        v92 = only_wide((v75 <= m10) == 0, v89), v93 = only_wide((v76 <= m10) == 0, v89),
+        v94 = angle1 + v22, v95 = v23 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1),
+        v96 = angle3 + v22, v97 = v23 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5));
+    const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m10 < v76) & (v76 <= m11)) |
+        (v35 <= m6) | ((m10 < v75) & (v75 <= m11)) | (v34 <= m6) | ((m10 < v74) & (v74 <= m11)) |
+        (v33 <= m6) | ((m10 < v73) & (v73 <= m11)) | (v32 <= m6) | (m9 < v60 * v60 + (v59 * v59 +
+        (v58 * v58 + (v57 * v57 + (v55 * v55 + v56 * v56))))) | ((shortest3_reach <= N3_p) & (N3_p
+        <= longest3_reach) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) |
+        ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
+        longest3_apart)) == 0));
 
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
+    q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, m12)); q[2] = angle4 + v90;
+    q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, m12)); q[4] = v90 + v96;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
+    q[5] = v91 + v94; q[6] = v91 + (v78 + only_wide(v78 <= -half_turn, m12)); q[7] = v91 - angle4;
+    q[8] = v91 + (v86 + only_wide(v86 <= -half_turn, m12)); q[9] = v91 + v96;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
+    q[10] = v92 + v95; q[11] = v92 + (v79 + only_wide(v79 <= -half_turn, m12));
+    q[12] = angle5 + v92; q[13] = v92 + (v87 + only_wide(v87 <= -half_turn, m12));
+    q[14] = v92 + v97;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
+    q[15] = v93 + v95; q[16] = v93 + (v80 + only_wide(v80 <= -half_turn, m12));
+    q[17] = v93 - angle5; q[18] = v93 + (v88 + only_wide(v88 <= -half_turn, m12));
+    q[19] = v93 + v97;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -631,98 +527,75 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const double w1 = sqrt(v4);
-    const double v5 = 1.0 / v4;
-    const double factor1 = w1 * v5;
-    const double c1 = v2 * factor1;
-    const double s1 = v3 * factor1;
-    const double v6 = copysign(half_turn, v3);
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1, v6 = copysign(half_turn, v3);
     const four v7 = m2 * (e1 - 1.0);
 
     /* theta234 */
-    const double v8 = T13 * c1 + T23 * s1;
-    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3));
-    const double v9 = T33 * T33 + Z2_234 * Z2_234;
-    const double w234 = sqrt(v9);
-    const double v10 = 1.0 / v9;
-    const double factor234 = w234 * v10;
-    const double v11 = T33 * factor234;
-    const double s234 = Z2_234 * factor234;
+    const double Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v8 = T33 * T33 + Z2_234 * Z2_234,
+        w234 = sqrt(v8), v9 = 1.0 / v8, factor234 = w234 * v9;
 
     /* theta5 */
-    const double S5 = w1 * (v5 * (v2 * T21 - v3 * T11));
-    const double C5 = w1 * (v5 * (v2 * T22 - v3 * T12));
-    const double v12 = S5 * S5 + C5 * C5, v13 = sqrt(v12) * (1.0 / v12), v14 = C5 * v13;
-    const double v15 = S5 * v13, v16 = copysign(half_turn, -S5);
+    const double S5 = w1 * (v5 * (v2 * T21 - v3 * T11)), C5 = w1 * (v5 * (v2 * T22 - v3 * T12)),
+        v10 = S5 * S5 + C5 * C5, v11 = sqrt(v10) * (1.0 / v10), v12 = C5 * v11, v13 = S5 * v11,
+        v14 = copysign(half_turn, -S5);
 
     /* theta3 */
-    const double v17 = T34 - d1, v18 = v17 - d5 * v11, v19 = w234 * (m4 * (T33 * v10));
-    const double Z1_3 = v17 - v19;
-    const double v20 = d5 * s234, v21 = T14 * c1 + T24 * s1;
-    const four v22 = e1 * v21 - a1, v23 = e1 * v20, v24 = v22 - v23;
-    const four Z2_3 = v22 - w234 * (m4 * (v10 * (e1 * v8)));
-    const double v25 = Z1_3 * Z1_3;
-    const four N3 = v25 + Z2_3 * Z2_3;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v26 = w3 - w3;
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0);
+    const double v15 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v15, v16 = d5 * Z2_234,
+        v17 = T14 * c1 + T24 * s1;
+    const four v18 = e1 * v17 - a1;
+    const double v19 = factor234 * v16;
+    const four v20 = e1 * v19, v21 = v18 - v20, Z2_3 = v18 - w234 * (v9 * (e1 * v16));
+    const double v22 = Z1_3 * Z1_3;
+    const four N3 = v22 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+        v23 = w3 - w3;
+    const four_mask doubt2 = (shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0);
 
     /* theta2 */
-    const four v27 = e2 * v24, v28 = m6 + m5 * N3, v29 = v18 * v28;
-    const four S2 = v29 - w3 * (m5 * v27);
-    const four v30 = e2 * v18, v31 = m5 * v30, v32 = v24 * v28;
-    const four C2 = v32 + w3 * v31;
-    const four v33 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v33);
-    const four v34 = 1.0 / v33;
-    const four factor2 = w2 * v34;
+    const four v24 = e2 * v21, v25 = m5 + m4 * N3, v26 = Z1_3 * v25, S2 = v26 - w3 * (m4 * v24),
+        v27 = e2 * Z1_3, v28 = m4 * v27, v29 = v21 * v25, C2 = v29 + w3 * v28,
+        v30 = S2 * S2 + C2 * C2, w2 = sqrt_four(v30), v31 = 1.0 / v30, factor2 = w2 * v31;
 
     /* is the pose one that the arm can take? */
-    const double v35 = c1 * v11;
-    const four v36 = m8 * v30, v37 = m8 * N3 - m9, v38 = v24 * v37, v39 = v18 * v37, v40 = a1 + v23;
-    const four v41 = v40 + w2 * (v34 * (a3 * (v38 - w3 * v36) + a2 * C2));
-    const double v42 = s1 * v11, v43 = m10 + v19, v44 = T33 - v11, v45 = T32 - s234 * v15;
-    const double v46 = T31 + s234 * v14, v47 = T23 - s1 * s234, v48 = T22 + (v15 * v42 - c1 * v14);
-    const double v49 = T21 - (v14 * v42 + c1 * v15), v50 = T13 - c1 * s234;
-    const double v51 = T11 - (v14 * v35 - s1 * v15), v52 = T12 + (s1 * v14 + v15 * v35);
-    const four v53 = T34 - (v43 + factor2 * (a2 * S2) + factor2 * (a3 * (v39 + w3 * (m8 * v27))));
-    const four v54 = T14 - e1 * (c1 * v41), v55 = T24 - e1 * (s1 * v41);
-    const four v56 = v55 * v55 + (v53 * v53 + v54 * v54);
-    const double v57 = NAN;
-    const four v58 = pick_four(v56 <= m12, all_four(0.0), all_four(v57));
+    const four v32 = m7 * v27, v33 = m7 * N3 - m8, v34 = v21 * v33, v35 = Z1_3 * v33,
+        v36 = a1 + v20, v37 = v36 + w2 * (v31 * (a3 * (v34 - w3 * v32) + a2 * C2));
+    const double v38 = d1 + v15, v39 = T33 - T33 * factor234,
+        v40 = T31 + factor234 * (Z2_234 * v12), v41 = T23 - factor234 * (s1 * Z2_234),
+        v42 = T21 - (c1 * v13 + factor234 * (v12 * (s1 * T33))),
+        v43 = T11 - (factor234 * (v12 * (c1 * T33)) - s1 * v13),
+        v44 = T13 - factor234 * (c1 * Z2_234);
+    const four v45 = T34 - (v38 + factor2 * (a2 * S2) + factor2 * (a3 * (v35 + w3 * (m7 * v24)))),
+        v46 = T14 - e1 * (c1 * v37), v47 = T24 - e1 * (s1 * v37),
+        v48 = v47 * v47 + (v45 * v45 + v46 * v46);
 
     /* joint values */
-    const four_mask doubt3 = (v33 <= m7) | ((m12 < v56) & (v56 <= m13));
-    const int doubt1 = (v9 <= m3) | ((v4 <= m1) | ((m11 < v52 * v52 + (v51 * v51 + (v50 * v50 + (v49
-        * v49 + (v48 * v48 + (v47 * v47 + (v46 * v46 + (v44 * v44 + v45 * v45)))))))) | (v12 <=
-        m3)));
+    const double v54 = NAN;
+    const four v55 = only_four((v48 <= m10) == 0, v54);
+    const four_mask doubt3 = (v30 <= m6) | ((m10 < v48) & (v48 <= m11));
+    const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m9 < v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 *
+        v41 + (v39 * v39 + v40 * v40))))) | (v10 <= m3);
 
-    const four angle5 = atan2_four(S2, C2);
-    const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
-        all_four(v3), 0, 5, 2, 3), all_four(Z2_234), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(v2), 0, 5, 2, 3),
-        all_four(-T33), 0, 1, 2, 7));
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 });
-    const four angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v59 = angle5 - offset2, v60 = e2 * angle4, v61 = e1 * angle2;
-    const four v62 = v61 - (angle5 + v60) - offset4;
-    const four v63 = v62 - only_four(half_turn < v62, m14) + only_four(v62 <= -half_turn, m14);
-    const four v64 = v26 + (angle1 + v6 * v7);
-    const four q1 = v58 + v64;
-    const four q2 = v58 + (v59 + only_four(v59 <= -half_turn, m14));
-    const four q3 = v58 + v60;
-    const four q4 = v58 + (v63 + only_four(v63 <= -half_turn, m14));
-    const four v65 = v26 + (angle3 + v7 * v16);
-    const four q5 = v58 + v65;
+    const four angle5 = atan2_four(S2, C2),
+        packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3, all_four(v3), 0, 5,
+            2, 3), all_four(Z2_234), 0, 1, 2, 7), __builtin_shufflevector(__builtin_shufflevector(N3
+            - k1, all_four(v2), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7)),
+        angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
+        angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3),
+        packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 }),
+        angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four v49 = angle5 - offset2, v50 = e2 * angle4, v51 = e1 * angle2,
+        v52 = v51 - (angle5 + v50) - offset4,
+        v53 = v52 - only_four(half_turn < v52, m12) + only_four(v52 <= -half_turn, m12),
+        v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
+        q2 = v55 + (v49 + only_four(v49 <= -half_turn, m12)), q3 = v50 + v55,
+        q4 = v55 + (v53 + only_four(v53 <= -half_turn, m12)), v57 = v23 + (angle3 + v7 * v14),
+        q5 = v55 + v57;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -791,6 +664,13 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[5], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -798,20 +678,17 @@ static void solve(
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
-    const double v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1;
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1;
     const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33;
-    const double v5 = seed[1] + offset2;
-    const double v6 = v5 + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33, v5 = seed[1] + offset2, v6 = v5 + seed[2] + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v9 = T34 - d1;
@@ -821,8 +698,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : v2 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : v3 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : v2 * factor1,
+            s1 = free1 ? sin(seed[0]) : v3 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
@@ -830,8 +707,8 @@ static void solve(
         const double w234 = sqrt(Z2_234 * Z2_234 + v4);
         const int free234 = w234 <= free_limit_squared;
         const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v6) : -(T33 * factor234);
-        const double s234 = free234 ? sin(v6) : Z2_234 * factor234;
+        const double c234 = free234 ? cos(v6) : -(T33 * factor234),
+            s234 = free234 ? sin(v6) : Z2_234 * factor234;
         const double theta234 = atan2(s234, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
@@ -840,8 +717,7 @@ static void solve(
         const double w5 = sqrt(S5 * S5 + C5 * C5);
         const int free5 = w5 <= free_limit_squared;
         const double v7 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(C5 * v7);
-        const double s5 = free5 ? sin(seed[4]) : -(S5 * v7);
+        const double c5 = free5 ? cos(seed[4]) : -(C5 * v7), s5 = free5 ? sin(seed[4]) : -(S5 * v7);
         const double q5 = atan2(s5, c5);
 
         /* theta3 */
@@ -854,22 +730,10 @@ static void solve(
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) {
-                status[2 * i1] = LOST + 1;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 2;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 3;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 4;
-                q[2 * i1][0] = D3;
-            }
+            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -877,19 +741,14 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v11 = Z1_3 * X1_2;
-        const double v12 = Z2_3 * X1_2;
+        const double v11 = Z1_3 * X1_2, v12 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v13 = c1 * c234;
-        const double v14 = a1 + v10;
-        const double v16 = s1 * c234;
-        const double v17 = d1 - v8;
-        if (!(fabs(T33 + c234) <= pose_slack && (fabs(T32 + s234 * s5) <= pose_slack && (fabs(T31 -
-            s234 * c5) <= pose_slack && (fabs(T23 - s1 * s234) <= pose_slack && (fabs(T22 + (c1 * c5
-            + s5 * v16)) <= pose_slack && (fabs(T21 - (c5 * v16 - c1 * s5)) <= pose_slack &&
-            (fabs(T13 - c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v13 + s1 * s5)) <= pose_slack
-            && fabs(T12 - (s1 * c5 - s5 * v13)) <= pose_slack)))))))))
+        const double v13 = a1 + v10, v15 = d1 - v8;
+        if (!(fabs(T33 + c234) <= pose_slack && fabs(T31 - s234 * c5) <= pose_slack && fabs(T23 - s1
+            * s234) <= pose_slack && fabs(T21 - (c5 * (s1 * c234) - c1 * s5)) <= pose_slack &&
+            fabs(T11 - (c5 * (c1 * c234) + s1 * s5)) <= pose_slack && fabs(T13 - c1 * s234) <=
+            pose_slack))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
@@ -906,16 +765,14 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v5) : C2 * factor2;
-            const double s2 = free2 ? sin(v5) : S2 * factor2;
+            const double c2 = free2 ? cos(v5) : C2 * factor2, s2 = free2 ? sin(v5) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
-            const double v15 = a3 * c23 + (a2 * c2 + v14);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && (fabs(T14 - c1 * v15)
-                <= pose_slack1 && fabs(T24 - s1 * v15) <= pose_slack1)))
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
+            const double v14 = a3 * c23 + (a2 * c2 + v13);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && fabs(T14 - c1 * v14) <=
+                pose_slack1 && fabs(T24 - s1 * v14) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -923,11 +780,7 @@ static void solve(
             const double q4 = wrap(theta234 - (q3 + theta2) - offset4);
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             status[row] = (free1 || free2_ || free234 || free234 || free5) ? KUKA_YOUBOT_FREE_JOINT
                 : KUKA_YOUBOT_OK;
         }
@@ -954,6 +807,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == KUKA_YOUBOT_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != KUKA_YOUBOT_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -967,7 +827,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -1016,16 +880,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[5], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[5], int row, double q[4][5], unsigned char status[4])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = KUKA_YOUBOT_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 5; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : KUKA_YOUBOT_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1062,16 +931,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5],
     if (!valid)
         return -KUKA_YOUBOT_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 4; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 5; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == KUKA_YOUBOT_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {

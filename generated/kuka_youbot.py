@@ -109,17 +109,15 @@ k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 4.7265624999999995e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
-m4 = 0.2175  # a coefficient of Z1_3
-m5 = 3.2258064516129035  # a coefficient of S2
-m6 = 0.018709677419354823  # a coefficient of S2
-m7 = 2.234039306640625e-13  # doubt_limit_squared2^2 [m^4]
-m8 = 3.7037037037037037  # a coefficient of c23
-m9 = 0.021481481481481466  # a coefficient of c23
-m10 = 0.147  # a coefficient of v17
-m11 = 1.0000000000000002e-10  # pose_slack^2
-m12 = 4.7265625e-11  # pose_slack1^2 [m^2]
-m13 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
-m14 = 6.283185307179586  # 2 * half_turn
+m4 = 3.2258064516129035  # a coefficient of S2
+m5 = 0.018709677419354823  # a coefficient of S2
+m6 = 2.234039306640625e-13  # doubt_limit_squared2^2 [m^4]
+m7 = 3.7037037037037037  # a coefficient of c23
+m8 = 0.021481481481481466  # a coefficient of c23
+m9 = 1.0000000000000002e-10  # pose_slack^2
+m10 = 4.7265625e-11  # pose_slack1^2 [m^2]
+m11 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
+m12 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
@@ -334,7 +332,7 @@ def _solve(pose, seed, q, status):
 
     The first value of a row that is _LOST says how far it is from a solution (negative).
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta1, type 2: U1[3, 4] and U1[3, 3]
     v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
@@ -413,16 +411,13 @@ def _solve(pose, seed, q, status):
         v12 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v13 = c1 * c234
-        v14 = a1 + v10
-        v16 = s1 * c234
-        v17 = d1 - v8
+        v13 = a1 + v10
+        v15 = d1 - v8
         if (
-            not (abs(T33 + c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
-            - s234 * c5) <= pose_slack and (abs(T23 - s1 * s234) <= pose_slack and (abs(T22 + (c1 *
-            c5 + s5 * v16)) <= pose_slack and (abs(T21 - (c5 * v16 - c1 * s5)) <= pose_slack and
-            (abs(T13 - c1 * s234) <= pose_slack and (abs(T11 - (c5 * v13 + s1 * s5)) <= pose_slack
-            and abs(T12 - (s1 * c5 - s5 * v13)) <= pose_slack))))))))
+            not (abs(T33 + c234) <= pose_slack and abs(T31 - s234 * c5) <= pose_slack and abs(T23 -
+            s1 * s234) <= pose_slack and abs(T21 - (c5 * (s1 * c234) - c1 * s5)) <= pose_slack and
+            abs(T11 - (c5 * (c1 * c234) + s1 * s5)) <= pose_slack and abs(T13 - c1 * s234) <=
+            pose_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -448,10 +443,10 @@ def _solve(pose, seed, q, status):
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v15 = a3 * c23 + (a2 * c2 + v14)
+            v14 = a3 * c23 + (a2 * c2 + v13)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and (abs(T14 - c1 * v15)
-                <= pose_slack1 and abs(T24 - s1 * v15) <= pose_slack1))
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and abs(T14 - c1 * v14)
+                <= pose_slack1 and abs(T24 - s1 * v14) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -526,6 +521,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -556,7 +557,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -622,7 +628,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(5):
         q[row, i] = trial[row, i] if served else math.nan
@@ -636,10 +643,11 @@ def _whole(pose, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(4):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
+    count = 0
+    for row in range(4):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
@@ -658,7 +666,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(32), 32)
 
     # theta1, type 2: U1[3, 4] and U1[3, 3]
@@ -678,131 +686,122 @@ def _regular(pose, q, status):
     w234 = math.sqrt(v6)
     v7 = 1.0 / v6
     factor234 = w234 * v7
-    v8 = T33 * factor234
-    s234 = Z2_234 * factor234
 
     # theta5, type 3: U1[3, 2] and U1[3, 1]
     S5 = w1 * (v5 * (v2 * T21 - v3 * T11))
     C5 = w1 * (v5 * (v2 * T22 - v3 * T12))
-    v9 = S5 * S5 + C5 * C5
-    v10 = math.sqrt(v9) * (1.0 / v9)
-    v11 = C5 * v10
-    v12 = S5 * v10
+    v8 = S5 * S5 + C5 * C5
+    v9 = math.sqrt(v8) * (1.0 / v8)
+    v10 = C5 * v9
+    v11 = S5 * v9
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v13 = T34 - d1
-    v14 = v13 - d5 * v8
-    v15 = w234 * (m4 * (T33 * v7))
-    Z1_3 = v13 - v15
-    v16 = d5 * s234
-    v17 = T14 * c1 + T24 * s1
-    v18 = v17 - a1
-    v19 = a1 + v17
-    v20 = v18 - v16
-    v21 = v16 - v19
-    v22 = w234 * (m4 * ((T13 * c1 + T23 * s1) * v7))
-    Z2_3_p = v18 - v22
-    Z2_3_m = v22 - v19
-    v23 = Z1_3 * Z1_3
-    N3_p = v23 + Z2_3_p * Z2_3_p
-    N3_m = v23 + Z2_3_m * Z2_3_m
+    v12 = factor234 * (d5 * T33)
+    Z1_3 = T34 - d1 - v12
+    v13 = d5 * Z2_234
+    v14 = T14 * c1 + T24 * s1
+    v15 = v14 - a1
+    v16 = a1 + v14
+    v17 = factor234 * v13
+    v18 = v15 - v17
+    v19 = v17 - v16
+    v20 = w234 * (v7 * v13)
+    Z2_3_p = v15 - v20
+    Z2_3_m = v20 - v16
+    v21 = Z1_3 * Z1_3
+    N3_p = v21 + Z2_3_p * Z2_3_p
+    N3_m = v21 + Z2_3_m * Z2_3_m
     w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
     w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-    v24 = w3_p - w3_p
-    v25 = w3_m - w3_m
+    v22 = w3_p - w3_p
+    v23 = w3_m - w3_m
 
     # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v26 = m6 + m5 * N3_p
-    v27 = m6 + m5 * N3_m
-    v28 = v14 * v26
-    v29 = v14 * v27
-    S2_pp = v28 - w3_p * (m5 * v20)
-    S2_pm = v28 - w3_p * (m5 * -v20)
-    S2_mp = v29 - w3_m * (m5 * v21)
-    S2_mm = v29 - w3_m * (m5 * -v21)
-    v30 = m5 * v14
-    v31 = m5 * -v14
-    v32 = v20 * v26
-    v33 = v21 * v27
-    C2_pp = v32 + w3_p * v30
-    C2_pm = v32 + w3_p * v31
-    C2_mp = v33 + w3_m * v30
-    C2_mm = v33 + w3_m * v31
-    v34 = S2_pp * S2_pp + C2_pp * C2_pp
-    v35 = S2_pm * S2_pm + C2_pm * C2_pm
-    v36 = S2_mp * S2_mp + C2_mp * C2_mp
-    v37 = S2_mm * S2_mm + C2_mm * C2_mm
-    w2_pp = math.sqrt(v34)
-    w2_pm = math.sqrt(v35)
-    w2_mp = math.sqrt(v36)
-    w2_mm = math.sqrt(v37)
+    v24 = m5 + m4 * N3_p
+    v25 = m5 + m4 * N3_m
+    v26 = Z1_3 * v24
+    v27 = Z1_3 * v25
+    S2_pp = v26 - w3_p * (m4 * v18)
+    S2_pm = v26 - w3_p * (m4 * -v18)
+    S2_mp = v27 - w3_m * (m4 * v19)
+    S2_mm = v27 - w3_m * (m4 * -v19)
+    v28 = m4 * Z1_3
+    v29 = m4 * -Z1_3
+    v30 = v18 * v24
+    v31 = v19 * v25
+    C2_pp = v30 + w3_p * v28
+    C2_pm = v30 + w3_p * v29
+    C2_mp = v31 + w3_m * v28
+    C2_mm = v31 + w3_m * v29
+    v32 = S2_pp * S2_pp + C2_pp * C2_pp
+    v33 = S2_pm * S2_pm + C2_pm * C2_pm
+    v34 = S2_mp * S2_mp + C2_mp * C2_mp
+    v35 = S2_mm * S2_mm + C2_mm * C2_mm
+    w2_pp = math.sqrt(v32)
+    w2_pm = math.sqrt(v33)
+    w2_mp = math.sqrt(v34)
+    w2_mm = math.sqrt(v35)
+    v36 = 1.0 / v32
+    v37 = 1.0 / v33
     v38 = 1.0 / v34
     v39 = 1.0 / v35
-    v40 = 1.0 / v36
-    v41 = 1.0 / v37
-    factor2_pp = w2_pp * v38
-    factor2_pm = w2_pm * v39
-    factor2_mp = w2_mp * v40
-    factor2_mm = w2_mm * v41
+    factor2_pp = w2_pp * v36
+    factor2_pm = w2_pm * v37
+    factor2_mp = w2_mp * v38
+    factor2_mm = w2_mm * v39
 
     # is the pose one that the arm can take?
-    v42 = c1 * v8
-    v43 = m8 * v14
-    v44 = m8 * -v14
-    v45 = m8 * N3_p - m9
-    v46 = m8 * N3_m - m9
-    v47 = v20 * v45
-    v48 = v21 * v46
-    v49 = v14 * v45
-    v50 = v14 * v46
-    v51 = a1 + v16
-    v52 = a1 - v16
-    v53 = v51 + w2_pp * (v38 * (a3 * (v47 - w3_p * v43) + a2 * C2_pp))
-    v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm))
-    v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp))
-    v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm))
-    v57 = s1 * v8
-    v58 = m10 + v15
-    v59 = T33 - v8
-    v60 = T32 - s234 * v12
-    v61 = T31 + s234 * v11
-    v62 = T23 - s1 * s234
-    v63 = T22 + (v12 * v57 - c1 * v11)
-    v64 = T21 - (v11 * v57 + c1 * v12)
-    v65 = T13 - c1 * s234
-    v66 = T11 - (v11 * v42 - s1 * v12)
-    v67 = T12 + (s1 * v11 + v12 * v42)
-    v68 = T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 * v20))))
-    v69 = T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 * -v20))))
-    v70 = T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 * v21))))
-    v71 = T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 * -v21))))
-    v72 = T14 - c1 * v53
-    v73 = T14 - c1 * v54
-    v74 = T14 + c1 * v55
-    v75 = T14 + c1 * v56
-    v76 = T24 - s1 * v53
-    v77 = T24 - s1 * v54
-    v78 = T24 + s1 * v55
-    v79 = T24 + s1 * v56
-    v80 = v76 * v76 + (v68 * v68 + v72 * v72)
-    v81 = v77 * v77 + (v69 * v69 + v73 * v73)
-    v82 = v78 * v78 + (v70 * v70 + v74 * v74)
-    v83 = v79 * v79 + (v71 * v71 + v75 * v75)
-    v84 = math.sqrt(-1.0)
-    v85 = 0.0 if v80 <= m12 else v84
-    v86 = 0.0 if v81 <= m12 else v84
-    v87 = 0.0 if v82 <= m12 else v84
-    v88 = 0.0 if v83 <= m12 else v84
+    v40 = m7 * Z1_3
+    v41 = m7 * -Z1_3
+    v42 = m7 * N3_p - m8
+    v43 = m7 * N3_m - m8
+    v44 = v18 * v42
+    v45 = v19 * v43
+    v46 = Z1_3 * v42
+    v47 = Z1_3 * v43
+    v48 = a1 + v17
+    v49 = a1 - v17
+    v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp))
+    v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm))
+    v52 = v49 + w2_mp * (v38 * (a3 * (v45 - w3_m * v40) + a2 * C2_mp))
+    v53 = v49 + w2_mm * (v39 * (a3 * (v45 - w3_m * v41) + a2 * C2_mm))
+    v54 = d1 + v12
+    v55 = T33 - T33 * factor234
+    v56 = T31 + factor234 * (Z2_234 * v10)
+    v57 = T23 - factor234 * (s1 * Z2_234)
+    v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33)))
+    v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11)
+    v60 = T13 - factor234 * (c1 * Z2_234)
+    v61 = T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m7 * v18))))
+    v62 = T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m7 * -v18))))
+    v63 = T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m7 * v19))))
+    v64 = T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m7 * -v19))))
+    v65 = T14 - c1 * v50
+    v66 = T14 - c1 * v51
+    v67 = T14 + c1 * v52
+    v68 = T14 + c1 * v53
+    v69 = T24 - s1 * v50
+    v70 = T24 - s1 * v51
+    v71 = T24 + s1 * v52
+    v72 = T24 + s1 * v53
+    v73 = v69 * v69 + (v61 * v61 + v65 * v65)
+    v74 = v70 * v70 + (v62 * v62 + v66 * v66)
+    v75 = v71 * v71 + (v63 * v63 + v67 * v67)
+    v76 = v72 * v72 + (v64 * v64 + v68 * v68)
 
     # joint values
+    v89 = math.sqrt(-1.0)
+    v90 = 0.0 if v73 <= m10 else v89
+    v91 = 0.0 if v74 <= m10 else v89
+    v92 = 0.0 if v75 <= m10 else v89
+    v93 = 0.0 if v76 <= m10 else v89
     doubt1 = (
-        v6 <= m3 or (v4 <= m1 or (v9 <= m3 or ((m12 < v83 and v83 <= m13) or (v37 <= m7 or ((m12 <
-        v82 and v82 <= m13) or (v36 <= m7 or ((m12 < v81 and v81 <= m13) or (v35 <= m7 or ((m12 <
-        v80 and v80 <= m13) or (v34 <= m7 or (m11 < v67 * v67 + (v66 * v66 + (v65 * v65 + (v64 * v64
-        + (v63 * v63 + (v62 * v62 + (v61 * v61 + (v59 * v59 + v60 * v60))))))) or ((shortest3_reach
-        <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-        longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart))))))))))))))
+        v6 <= m3 or v4 <= m1 or v8 <= m3 or (m10 < v76 and v76 <= m11) or v35 <= m6 or (m10 < v75
+        and v75 <= m11) or v34 <= m6 or (m10 < v74 and v74 <= m11) or v33 <= m6 or (m10 < v73 and
+        v73 <= m11) or v32 <= m6 or m9 < v60 * v60 + (v59 * v59 + (v58 * v58 + (v57 * v57 + (v55 *
+        v55 + v56 * v56)))) or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+        (shortest3_apart < N3_p and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <=
+        longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart))
     )
 
     # angles, side by side
@@ -839,42 +838,42 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v89 = angle6 - offset2
-    v90 = angle7 - offset2
-    v91 = angle8 - offset2
-    v92 = angle9 - offset2
-    v93 = angle2 - (angle4 + angle6) - offset4
-    v94 = angle2 - (angle7 - angle4) - offset4
-    v95 = offset4 + (angle2 + (angle5 + angle8))
-    v96 = offset4 + (angle2 + (angle9 - angle5))
-    v97 = v93 - (m14 if half_turn < v93 else 0.0) + (m14 if v93 <= -half_turn else 0.0)
-    v98 = v94 - (m14 if half_turn < v94 else 0.0) + (m14 if v94 <= -half_turn else 0.0)
-    v99 = (m14 if -v95 <= -half_turn else 0.0) - (v95 + (m14 if half_turn < -v95 else 0.0))
-    v100 = (m14 if -v96 <= -half_turn else 0.0) - (v96 + (m14 if half_turn < -v96 else 0.0))
-    v101 = angle1 + v24
-    v102 = v25 + (angle1 - math.copysign(half_turn, v3) * h1)
-    q1_pp = v85 + v101
-    q1_pm = v86 + v101
-    q1_mp = v87 + v102
-    q1_mm = v88 + v102
-    q2_pp = v85 + (v89 + (m14 if v89 <= -half_turn else 0.0))
-    q2_pm = v86 + (v90 + (m14 if v90 <= -half_turn else 0.0))
-    q2_mp = v87 + (v91 + (m14 if v91 <= -half_turn else 0.0))
-    q2_mm = v88 + (v92 + (m14 if v92 <= -half_turn else 0.0))
-    q3_pp = angle4 + v85
-    q3_pm = v86 - angle4
-    q3_mp = angle5 + v87
-    q3_mm = v88 - angle5
-    q4_pp = v85 + (v97 + (m14 if v97 <= -half_turn else 0.0))
-    q4_pm = v86 + (v98 + (m14 if v98 <= -half_turn else 0.0))
-    q4_mp = v87 + (v99 + (m14 if v99 <= -half_turn else 0.0))
-    q4_mm = v88 + (v100 + (m14 if v100 <= -half_turn else 0.0))
-    v103 = angle3 + v24
-    v104 = v25 + (angle3 - h1 * math.copysign(half_turn, -S5))
-    q5_pp = v85 + v103
-    q5_pm = v86 + v103
-    q5_mp = v87 + v104
-    q5_mm = v88 + v104
+    v77 = angle6 - offset2
+    v78 = angle7 - offset2
+    v79 = angle8 - offset2
+    v80 = angle9 - offset2
+    v81 = angle2 - (angle4 + angle6) - offset4
+    v82 = angle2 - (angle7 - angle4) - offset4
+    v83 = offset4 + (angle2 + (angle5 + angle8))
+    v84 = offset4 + (angle2 + (angle9 - angle5))
+    v85 = v81 - (m12 if half_turn < v81 else 0.0) + (m12 if v81 <= -half_turn else 0.0)
+    v86 = v82 - (m12 if half_turn < v82 else 0.0) + (m12 if v82 <= -half_turn else 0.0)
+    v87 = (m12 if -v83 <= -half_turn else 0.0) - (v83 + (m12 if half_turn < -v83 else 0.0))
+    v88 = (m12 if -v84 <= -half_turn else 0.0) - (v84 + (m12 if half_turn < -v84 else 0.0))
+    v94 = angle1 + v22
+    v95 = v23 + (angle1 - math.copysign(half_turn, v3) * h1)
+    q1_pp = v90 + v94
+    q1_pm = v91 + v94
+    q1_mp = v92 + v95
+    q1_mm = v93 + v95
+    q2_pp = v90 + (v77 + (m12 if v77 <= -half_turn else 0.0))
+    q2_pm = v91 + (v78 + (m12 if v78 <= -half_turn else 0.0))
+    q2_mp = v92 + (v79 + (m12 if v79 <= -half_turn else 0.0))
+    q2_mm = v93 + (v80 + (m12 if v80 <= -half_turn else 0.0))
+    q3_pp = angle4 + v90
+    q3_pm = v91 - angle4
+    q3_mp = angle5 + v92
+    q3_mm = v93 - angle5
+    q4_pp = v90 + (v85 + (m12 if v85 <= -half_turn else 0.0))
+    q4_pm = v91 + (v86 + (m12 if v86 <= -half_turn else 0.0))
+    q4_mp = v92 + (v87 + (m12 if v87 <= -half_turn else 0.0))
+    q4_mm = v93 + (v88 + (m12 if v88 <= -half_turn else 0.0))
+    v96 = angle3 + v22
+    v97 = v23 + (angle3 - h1 * math.copysign(half_turn, -S5))
+    q5_pp = v90 + v96
+    q5_pm = v91 + v96
+    q5_mp = v92 + v97
+    q5_mm = v93 + v97
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1116,7 +1115,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
@@ -1133,143 +1131,134 @@ def _in_tiles(T, q, status):
             w234 = math.sqrt(v6)
             v7 = 1.0 / v6
             factor234 = w234 * v7
-            v8 = T33 * factor234
-            s234 = Z2_234 * factor234
             S5 = w1 * (v5 * (v2 * T21 - v3 * T11))
             C5 = w1 * (v5 * (v2 * T22 - v3 * T12))
-            v9 = S5 * S5 + C5 * C5
-            v10 = math.sqrt(v9) * (1.0 / v9)
-            v11 = C5 * v10
-            v12 = S5 * v10
-            v13 = T34 - d1
-            v14 = v13 - d5 * v8
-            v15 = w234 * (m4 * (T33 * v7))
-            Z1_3 = v13 - v15
-            v16 = d5 * s234
-            v17 = T14 * c1 + T24 * s1
-            v18 = v17 - a1
-            v19 = a1 + v17
-            v20 = v18 - v16
-            v21 = v16 - v19
-            v22 = w234 * (m4 * ((T13 * c1 + T23 * s1) * v7))
-            Z2_3_p = v18 - v22
-            Z2_3_m = v22 - v19
-            v23 = Z1_3 * Z1_3
-            N3_p = v23 + Z2_3_p * Z2_3_p
-            N3_m = v23 + Z2_3_m * Z2_3_m
+            v8 = S5 * S5 + C5 * C5
+            v9 = math.sqrt(v8) * (1.0 / v8)
+            v10 = C5 * v9
+            v11 = S5 * v9
+            v12 = factor234 * (d5 * T33)
+            Z1_3 = T34 - d1 - v12
+            v13 = d5 * Z2_234
+            v14 = T14 * c1 + T24 * s1
+            v15 = v14 - a1
+            v16 = a1 + v14
+            v17 = factor234 * v13
+            v18 = v15 - v17
+            v19 = v17 - v16
+            v20 = w234 * (v7 * v13)
+            Z2_3_p = v15 - v20
+            Z2_3_m = v20 - v16
+            v21 = Z1_3 * Z1_3
+            N3_p = v21 + Z2_3_p * Z2_3_p
+            N3_m = v21 + Z2_3_m * Z2_3_m
             w3_p = math.sqrt((longest3 - N3_p) * (N3_p - shortest3))
             w3_m = math.sqrt((longest3 - N3_m) * (N3_m - shortest3))
-            v24 = w3_p - w3_p
-            v25 = w3_m - w3_m
-            v26 = m6 + m5 * N3_p
-            v27 = m6 + m5 * N3_m
-            v28 = v14 * v26
-            v29 = v14 * v27
-            S2_pp = v28 - w3_p * (m5 * v20)
-            S2_pm = v28 - w3_p * (m5 * -v20)
-            S2_mp = v29 - w3_m * (m5 * v21)
-            S2_mm = v29 - w3_m * (m5 * -v21)
-            v30 = m5 * v14
-            v31 = m5 * -v14
-            v32 = v20 * v26
-            v33 = v21 * v27
-            C2_pp = v32 + w3_p * v30
-            C2_pm = v32 + w3_p * v31
-            C2_mp = v33 + w3_m * v30
-            C2_mm = v33 + w3_m * v31
-            v34 = S2_pp * S2_pp + C2_pp * C2_pp
-            v35 = S2_pm * S2_pm + C2_pm * C2_pm
-            v36 = S2_mp * S2_mp + C2_mp * C2_mp
-            v37 = S2_mm * S2_mm + C2_mm * C2_mm
-            w2_pp = math.sqrt(v34)
-            w2_pm = math.sqrt(v35)
-            w2_mp = math.sqrt(v36)
-            w2_mm = math.sqrt(v37)
+            v22 = w3_p - w3_p
+            v23 = w3_m - w3_m
+            v24 = m5 + m4 * N3_p
+            v25 = m5 + m4 * N3_m
+            v26 = Z1_3 * v24
+            v27 = Z1_3 * v25
+            S2_pp = v26 - w3_p * (m4 * v18)
+            S2_pm = v26 - w3_p * (m4 * -v18)
+            S2_mp = v27 - w3_m * (m4 * v19)
+            S2_mm = v27 - w3_m * (m4 * -v19)
+            v28 = m4 * Z1_3
+            v29 = m4 * -Z1_3
+            v30 = v18 * v24
+            v31 = v19 * v25
+            C2_pp = v30 + w3_p * v28
+            C2_pm = v30 + w3_p * v29
+            C2_mp = v31 + w3_m * v28
+            C2_mm = v31 + w3_m * v29
+            v32 = S2_pp * S2_pp + C2_pp * C2_pp
+            v33 = S2_pm * S2_pm + C2_pm * C2_pm
+            v34 = S2_mp * S2_mp + C2_mp * C2_mp
+            v35 = S2_mm * S2_mm + C2_mm * C2_mm
+            w2_pp = math.sqrt(v32)
+            w2_pm = math.sqrt(v33)
+            w2_mp = math.sqrt(v34)
+            w2_mm = math.sqrt(v35)
+            v36 = 1.0 / v32
+            v37 = 1.0 / v33
             v38 = 1.0 / v34
             v39 = 1.0 / v35
-            v40 = 1.0 / v36
-            v41 = 1.0 / v37
-            factor2_pp = w2_pp * v38
-            factor2_pm = w2_pm * v39
-            factor2_mp = w2_mp * v40
-            factor2_mm = w2_mm * v41
-            v42 = c1 * v8
-            v43 = m8 * v14
-            v44 = m8 * -v14
-            v45 = m8 * N3_p - m9
-            v46 = m8 * N3_m - m9
-            v47 = v20 * v45
-            v48 = v21 * v46
-            v49 = v14 * v45
-            v50 = v14 * v46
-            v51 = a1 + v16
-            v52 = a1 - v16
-            v53 = v51 + w2_pp * (v38 * (a3 * (v47 - w3_p * v43) + a2 * C2_pp))
-            v54 = v51 + w2_pm * (v39 * (a3 * (v47 - w3_p * v44) + a2 * C2_pm))
-            v55 = v52 + w2_mp * (v40 * (a3 * (v48 - w3_m * v43) + a2 * C2_mp))
-            v56 = v52 + w2_mm * (v41 * (a3 * (v48 - w3_m * v44) + a2 * C2_mm))
-            v57 = s1 * v8
-            v58 = m10 + v15
-            v59 = T33 - v8
-            v60 = T32 - s234 * v12
-            v61 = T31 + s234 * v11
-            v62 = T23 - s1 * s234
-            v63 = T22 + (v12 * v57 - c1 * v11)
-            v64 = T21 - (v11 * v57 + c1 * v12)
-            v65 = T13 - c1 * s234
-            v66 = T11 - (v11 * v42 - s1 * v12)
-            v67 = T12 + (s1 * v11 + v12 * v42)
-            v68 = (
-                T34 - (v58 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v49 + w3_p * (m8 *
-                v20))))
+            factor2_pp = w2_pp * v36
+            factor2_pm = w2_pm * v37
+            factor2_mp = w2_mp * v38
+            factor2_mm = w2_mm * v39
+            v40 = m7 * Z1_3
+            v41 = m7 * -Z1_3
+            v42 = m7 * N3_p - m8
+            v43 = m7 * N3_m - m8
+            v44 = v18 * v42
+            v45 = v19 * v43
+            v46 = Z1_3 * v42
+            v47 = Z1_3 * v43
+            v48 = a1 + v17
+            v49 = a1 - v17
+            v50 = v48 + w2_pp * (v36 * (a3 * (v44 - w3_p * v40) + a2 * C2_pp))
+            v51 = v48 + w2_pm * (v37 * (a3 * (v44 - w3_p * v41) + a2 * C2_pm))
+            v52 = v49 + w2_mp * (v38 * (a3 * (v45 - w3_m * v40) + a2 * C2_mp))
+            v53 = v49 + w2_mm * (v39 * (a3 * (v45 - w3_m * v41) + a2 * C2_mm))
+            v54 = d1 + v12
+            v55 = T33 - T33 * factor234
+            v56 = T31 + factor234 * (Z2_234 * v10)
+            v57 = T23 - factor234 * (s1 * Z2_234)
+            v58 = T21 - (c1 * v11 + factor234 * (v10 * (s1 * T33)))
+            v59 = T11 - (factor234 * (v10 * (c1 * T33)) - s1 * v11)
+            v60 = T13 - factor234 * (c1 * Z2_234)
+            v61 = (
+                T34 - (v54 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v46 + w3_p * (m7 *
+                v18))))
             )
-            v69 = (
-                T34 - (v58 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v49 + w3_p * (m8 *
-                -v20))))
+            v62 = (
+                T34 - (v54 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v46 + w3_p * (m7 *
+                -v18))))
             )
-            v70 = (
-                T34 - (v58 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v50 + w3_m * (m8 *
-                v21))))
+            v63 = (
+                T34 - (v54 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v47 + w3_m * (m7 *
+                v19))))
             )
-            v71 = (
-                T34 - (v58 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v50 + w3_m * (m8 *
-                -v21))))
+            v64 = (
+                T34 - (v54 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v47 + w3_m * (m7 *
+                -v19))))
             )
-            v72 = T14 - c1 * v53
-            v73 = T14 - c1 * v54
-            v74 = T14 + c1 * v55
-            v75 = T14 + c1 * v56
-            v76 = T24 - s1 * v53
-            v77 = T24 - s1 * v54
-            v78 = T24 + s1 * v55
-            v79 = T24 + s1 * v56
-            v80 = v76 * v76 + (v68 * v68 + v72 * v72)
-            v81 = v77 * v77 + (v69 * v69 + v73 * v73)
-            v82 = v78 * v78 + (v70 * v70 + v74 * v74)
-            v83 = v79 * v79 + (v71 * v71 + v75 * v75)
-            v84 = math.sqrt(-1.0)
-            v85 = 0.0 if v80 <= m12 else v84
-            v86 = 0.0 if v81 <= m12 else v84
-            v87 = 0.0 if v82 <= m12 else v84
-            v88 = 0.0 if v83 <= m12 else v84
+            v65 = T14 - c1 * v50
+            v66 = T14 - c1 * v51
+            v67 = T14 + c1 * v52
+            v68 = T14 + c1 * v53
+            v69 = T24 - s1 * v50
+            v70 = T24 - s1 * v51
+            v71 = T24 + s1 * v52
+            v72 = T24 + s1 * v53
+            v73 = v69 * v69 + (v61 * v61 + v65 * v65)
+            v74 = v70 * v70 + (v62 * v62 + v66 * v66)
+            v75 = v71 * v71 + (v63 * v63 + v67 * v67)
+            v76 = v72 * v72 + (v64 * v64 + v68 * v68)
+            v89 = math.sqrt(-1.0)
+            v90 = 0.0 if v73 <= m10 else v89
+            v91 = 0.0 if v74 <= m10 else v89
+            v92 = 0.0 if v75 <= m10 else v89
+            v93 = 0.0 if v76 <= m10 else v89
             doubt1 = (
-                v6 <= m3 or (v4 <= m1 or (v9 <= m3 or ((m12 < v83 and v83 <= m13) or (v37 <= m7 or
-                ((m12 < v82 and v82 <= m13) or (v36 <= m7 or ((m12 < v81 and v81 <= m13) or (v35 <=
-                m7 or ((m12 < v80 and v80 <= m13) or (v34 <= m7 or (m11 < v67 * v67 + (v66 * v66 +
-                (v65 * v65 + (v64 * v64 + (v63 * v63 + (v62 * v62 + (v61 * v61 + (v59 * v59 + v60 *
-                v60))))))) or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and
-                N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
-                longest3_apart))))))))))))))
+                v6 <= m3 or v4 <= m1 or v8 <= m3 or (m10 < v76 and v76 <= m11) or v35 <= m6 or (m10
+                < v75 and v75 <= m11) or v34 <= m6 or (m10 < v74 and v74 <= m11) or v33 <= m6 or
+                (m10 < v73 and v73 <= m11) or v32 <= m6 or m9 < v60 * v60 + (v59 * v59 + (v58 * v58
+                + (v57 * v57 + (v55 * v55 + v56 * v56)))) or (shortest3_reach <= N3_p and N3_p <=
+                longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
+                (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m
+                and N3_m < longest3_apart))
             )
             work[272 + k] = v3
             work[288 + k] = S5
-            work[304 + k] = v24
-            work[320 + k] = v25
-            work[336 + k] = v85
-            work[352 + k] = v86
-            work[368 + k] = v87
-            work[384 + k] = v88
+            work[304 + k] = v22
+            work[320 + k] = v23
+            work[336 + k] = v90
+            work[352 + k] = v91
+            work[368 + k] = v92
+            work[384 + k] = v93
             work[400 + k] = doubt1
             work[416 + k] = v3
             work[432 + k] = Z2_234
@@ -1294,12 +1283,12 @@ def _in_tiles(T, q, status):
         for k in range(0, 16):
             v3 = work[272 + k]
             S5 = work[288 + k]
-            v24 = work[304 + k]
-            v25 = work[320 + k]
-            v85 = work[336 + k]
-            v86 = work[352 + k]
-            v87 = work[368 + k]
-            v88 = work[384 + k]
+            v22 = work[304 + k]
+            v23 = work[320 + k]
+            v90 = work[336 + k]
+            v91 = work[352 + k]
+            v92 = work[368 + k]
+            v93 = work[384 + k]
             doubt1 = work[400 + k] != 0.0
             angle1 = work[416 + k]
             angle2 = work[432 + k]
@@ -1310,42 +1299,42 @@ def _in_tiles(T, q, status):
             angle7 = work[512 + k]
             angle8 = work[528 + k]
             angle9 = work[544 + k]
-            v89 = angle6 - offset2
-            v90 = angle7 - offset2
-            v91 = angle8 - offset2
-            v92 = angle9 - offset2
-            v93 = angle2 - (angle4 + angle6) - offset4
-            v94 = angle2 - (angle7 - angle4) - offset4
-            v95 = offset4 + (angle2 + (angle5 + angle8))
-            v96 = offset4 + (angle2 + (angle9 - angle5))
-            v97 = v93 - (m14 if half_turn < v93 else 0.0) + (m14 if v93 <= -half_turn else 0.0)
-            v98 = v94 - (m14 if half_turn < v94 else 0.0) + (m14 if v94 <= -half_turn else 0.0)
-            v99 = (m14 if -v95 <= -half_turn else 0.0) - (v95 + (m14 if half_turn < -v95 else 0.0))
-            v100 = (m14 if -v96 <= -half_turn else 0.0) - (v96 + (m14 if half_turn < -v96 else 0.0))
-            v101 = angle1 + v24
-            v102 = v25 + (angle1 - math.copysign(half_turn, v3) * h1)
-            q1_pp = v85 + v101
-            q1_pm = v86 + v101
-            q1_mp = v87 + v102
-            q1_mm = v88 + v102
-            q2_pp = v85 + (v89 + (m14 if v89 <= -half_turn else 0.0))
-            q2_pm = v86 + (v90 + (m14 if v90 <= -half_turn else 0.0))
-            q2_mp = v87 + (v91 + (m14 if v91 <= -half_turn else 0.0))
-            q2_mm = v88 + (v92 + (m14 if v92 <= -half_turn else 0.0))
-            q3_pp = angle4 + v85
-            q3_pm = v86 - angle4
-            q3_mp = angle5 + v87
-            q3_mm = v88 - angle5
-            q4_pp = v85 + (v97 + (m14 if v97 <= -half_turn else 0.0))
-            q4_pm = v86 + (v98 + (m14 if v98 <= -half_turn else 0.0))
-            q4_mp = v87 + (v99 + (m14 if v99 <= -half_turn else 0.0))
-            q4_mm = v88 + (v100 + (m14 if v100 <= -half_turn else 0.0))
-            v103 = angle3 + v24
-            v104 = v25 + (angle3 - h1 * math.copysign(half_turn, -S5))
-            q5_pp = v85 + v103
-            q5_pm = v86 + v103
-            q5_mp = v87 + v104
-            q5_mm = v88 + v104
+            v77 = angle6 - offset2
+            v78 = angle7 - offset2
+            v79 = angle8 - offset2
+            v80 = angle9 - offset2
+            v81 = angle2 - (angle4 + angle6) - offset4
+            v82 = angle2 - (angle7 - angle4) - offset4
+            v83 = offset4 + (angle2 + (angle5 + angle8))
+            v84 = offset4 + (angle2 + (angle9 - angle5))
+            v85 = v81 - (m12 if half_turn < v81 else 0.0) + (m12 if v81 <= -half_turn else 0.0)
+            v86 = v82 - (m12 if half_turn < v82 else 0.0) + (m12 if v82 <= -half_turn else 0.0)
+            v87 = (m12 if -v83 <= -half_turn else 0.0) - (v83 + (m12 if half_turn < -v83 else 0.0))
+            v88 = (m12 if -v84 <= -half_turn else 0.0) - (v84 + (m12 if half_turn < -v84 else 0.0))
+            v94 = angle1 + v22
+            v95 = v23 + (angle1 - math.copysign(half_turn, v3) * h1)
+            q1_pp = v90 + v94
+            q1_pm = v91 + v94
+            q1_mp = v92 + v95
+            q1_mm = v93 + v95
+            q2_pp = v90 + (v77 + (m12 if v77 <= -half_turn else 0.0))
+            q2_pm = v91 + (v78 + (m12 if v78 <= -half_turn else 0.0))
+            q2_mp = v92 + (v79 + (m12 if v79 <= -half_turn else 0.0))
+            q2_mm = v93 + (v80 + (m12 if v80 <= -half_turn else 0.0))
+            q3_pp = angle4 + v90
+            q3_pm = v91 - angle4
+            q3_mp = angle5 + v92
+            q3_mm = v93 - angle5
+            q4_pp = v90 + (v85 + (m12 if v85 <= -half_turn else 0.0))
+            q4_pm = v91 + (v86 + (m12 if v86 <= -half_turn else 0.0))
+            q4_mp = v92 + (v87 + (m12 if v87 <= -half_turn else 0.0))
+            q4_mm = v93 + (v88 + (m12 if v88 <= -half_turn else 0.0))
+            v96 = angle3 + v22
+            v97 = v23 + (angle3 - h1 * math.copysign(half_turn, -S5))
+            q5_pp = v90 + v96
+            q5_pm = v91 + v96
+            q5_mp = v92 + v97
+            q5_mm = v93 + v97
             _704 = q1_pp
             work[704 + k] = _704
             _720 = q2_pp

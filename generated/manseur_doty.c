@@ -19,6 +19,8 @@ static const double measure[6] = {
     0.3333333333333333, 0.3333333333333333, 0.3333333333333333, 0.3333333333333333,
     0.3333333333333333, 0.3333333333333333,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     manseur_doty_fk(d->q, P);
     manseur_doty_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 3.0;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 3.0;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 3.0;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 3.0;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3149,67 +3148,41 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void manseur_doty_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double y2_z = c2 * ca2;
-    const double y2_x = s1 * sa2 - v1 * ca2;
-    const double v3 = v2 * ca2 + c1 * sa2;
-    const double v4 = c2 * sa2;
-    const double z2_x = v1 * sa2 + s1 * ca2;
-    const double z2_y = v2 * sa2 - c1 * ca2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double x3_z = s2 * c3 + y2_z * s3;
-    const double z3_y = v3 * c3 + x2_y * s3;
-    const double z3_x = x2_x * s3 - y2_x * c3;
-    const double z3_z = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z2_x * s4;
-    const double x4_y = x3_y * c4 + z2_y * s4;
-    const double x4_z = x3_z * c4 - v4 * s4;
-    const double v5 = z2_x * c4 - x3_x * s4;
-    const double v6 = z2_y * c4 - x3_y * s4;
-    const double v7 = v4 * c4 + x3_z * s4;
-    const double T14_ = c1 * a1 + x2_x * a2 + z2_x * d3 + x4_x * a4;
-    const double T24_ = s1 * a1 + x2_y * a2 + z2_y * d3 + x4_y * a4;
-    const double T34_ = s2 * a2 - v4 * d3 + x4_z * a4;
-    const double y4_x = ca2 * v5 + sa2 * z3_x;
-    const double y4_y = ca2 * v6 + sa2 * z3_y;
-    const double y4_z = sa2 * z3_z - ca2 * v7;
-    const double z4_x = ca2 * z3_x - sa2 * v5;
-    const double z4_y = ca2 * z3_y - sa2 * v6;
-    const double z4_z = sa2 * v7 + ca2 * z3_z;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double z5_x = x4_x * s5 - y4_x * c5;
-    const double z5_y = x4_y * s5 - y4_y * c5;
-    const double z5_z = x4_z * s5 - y4_z * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double v8 = z4_x * c6 - x5_x * s6;
-    const double v9 = z4_y * c6 - x5_y * s6;
-    const double v10 = z4_z * c6 - x5_z * s6;
-    const double T12_ = ca2 * v8 + sa2 * z5_x;
-    const double T22_ = ca2 * v9 + sa2 * z5_y;
-    const double T32_ = ca2 * v10 + sa2 * z5_z;
-    const double T13_ = ca2 * z5_x - sa2 * v8;
-    const double T23_ = ca2 * z5_y - sa2 * v9;
-    const double T33_ = ca2 * z5_z - sa2 * v10;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double y2_z = c2 * ca2, y2_x = s1 * sa2 - v1 * ca2;
+    const double v3 = v2 * ca2 + c1 * sa2, v4 = c2 * sa2;
+    const double z2_x = v1 * sa2 + s1 * ca2, z2_y = v2 * sa2 - c1 * ca2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 - v3 * s3,
+        x3_z = s2 * c3 + y2_z * s3;
+    const double z3_y = v3 * c3 + x2_y * s3, z3_x = x2_x * s3 - y2_x * c3,
+        z3_z = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
+        x4_z = x3_z * c4 - v4 * s4;
+    const double v5 = z2_x * c4 - x3_x * s4, v6 = z2_y * c4 - x3_y * s4, v7 = v4 * c4 + x3_z * s4;
+    const double T14_ = c1 * a1 + x2_x * a2 + z2_x * d3 + x4_x * a4,
+        T24_ = s1 * a1 + x2_y * a2 + z2_y * d3 + x4_y * a4, T34_ = s2 * a2 - v4 * d3 + x4_z * a4;
+    const double y4_x = ca2 * v5 + sa2 * z3_x, y4_y = ca2 * v6 + sa2 * z3_y,
+        y4_z = sa2 * z3_z - ca2 * v7;
+    const double z4_x = ca2 * z3_x - sa2 * v5, z4_y = ca2 * z3_y - sa2 * v6,
+        z4_z = sa2 * v7 + ca2 * z3_z;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double z5_x = x4_x * s5 - y4_x * c5, z5_y = x4_y * s5 - y4_y * c5,
+        z5_z = x4_z * s5 - y4_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6;
+    const double v8 = z4_x * c6 - x5_x * s6, v9 = z4_y * c6 - x5_y * s6,
+        v10 = z4_z * c6 - x5_z * s6;
+    const double T12_ = ca2 * v8 + sa2 * z5_x, T22_ = ca2 * v9 + sa2 * z5_y,
+        T32_ = ca2 * v10 + sa2 * z5_z, T13_ = ca2 * z5_x - sa2 * v8, T23_ = ca2 * z5_y - sa2 * v9,
+        T33_ = ca2 * z5_z - sa2 * v10;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3219,67 +3192,37 @@ void manseur_doty_fk(const double q[6], double T[16])
 
 void manseur_doty_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = s2 * a2;
-    const double y2_z = c2 * ca2;
-    const double y2_x = s1 * sa2 - v1 * ca2;
-    const double v3 = v2 * ca2 + c1 * sa2;
-    const double v4 = c2 * sa2;
-    const double J43 = v1 * sa2 + s1 * ca2;
-    const double J53 = v2 * sa2 - c1 * ca2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
-    const double x3_z = s2 * c3 + y2_z * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = s2 * a2;
+    const double y2_z = c2 * ca2, y2_x = s1 * sa2 - v1 * ca2;
+    const double v3 = v2 * ca2 + c1 * sa2, v4 = c2 * sa2;
+    const double J43 = v1 * sa2 + s1 * ca2, J53 = v2 * sa2 - c1 * ca2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 - v3 * s3,
+        x3_z = s2 * c3 + y2_z * s3;
     const double J54 = v3 * c3 + x2_y * s3;
-    const double p3_x = p2_x + J43 * d3;
-    const double p3_y = p2_y + J53 * d3;
-    const double p3_z = p2_z - v4 * d3;
-    const double J44 = x2_x * s3 - y2_x * c3;
-    const double J64 = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 + J53 * s4;
-    const double x4_z = x3_z * c4 - v4 * s4;
-    const double v5 = J43 * c4 - x3_x * s4;
-    const double v6 = J53 * c4 - x3_y * s4;
-    const double v7 = v4 * c4 + x3_z * s4;
+    const double p3_x = p2_x + J43 * d3, p3_y = p2_y + J53 * d3, p3_z = p2_z - v4 * d3;
+    const double J44 = x2_x * s3 - y2_x * c3, J64 = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
+        x4_z = x3_z * c4 - v4 * s4;
+    const double v5 = J43 * c4 - x3_x * s4, v6 = J53 * c4 - x3_y * s4, v7 = v4 * c4 + x3_z * s4;
     const double J21 = p3_x + x4_x * a4;
-    const double p4_y = p3_y + x4_y * a4;
-    const double p4_z = p3_z + x4_z * a4;
-    const double J45 = ca2 * J44 - sa2 * v5;
-    const double J55 = ca2 * J54 - sa2 * v6;
-    const double J65 = sa2 * v7 + ca2 * J64;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = x4_x * s5 - (ca2 * v5 + sa2 * J44) * c5;
-    const double J56 = x4_y * s5 - (ca2 * v6 + sa2 * J54) * c5;
-    const double J66 = x4_z * s5 - (sa2 * J64 - ca2 * v7) * c5;
-    const double J32 = s1 * (p4_y - p1_y) + c1 * (J21 - p1_x);
-    const double v8 = J21 - p2_x;
-    const double v9 = p4_y - p2_y;
-    const double v10 = p4_z - p2_z;
-    const double J13 = J53 * v10 + v4 * v9;
-    const double J33 = J43 * v9 - J53 * v8;
-    const double v11 = J21 - p3_x;
-    const double v12 = p4_y - p3_y;
-    const double v13 = p4_z - p3_z;
-    const double J14 = J54 * v13 - J64 * v12;
-    const double J24 = J64 * v11 - J44 * v13;
-    const double J34 = J44 * v12 - J54 * v11;
+    const double p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4;
+    const double J45 = ca2 * J44 - sa2 * v5, J55 = ca2 * J54 - sa2 * v6, J65 = sa2 * v7 + ca2 * J64;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = x4_x * s5 - (ca2 * v5 + sa2 * J44) * c5,
+        J56 = x4_y * s5 - (ca2 * v6 + sa2 * J54) * c5,
+        J66 = x4_z * s5 - (sa2 * J64 - ca2 * v7) * c5, J32 = s1 * (p4_y - p1_y) + c1 * (J21 - p1_x);
+    const double v8 = J21 - p2_x, v9 = p4_y - p2_y, v10 = p4_z - p2_z;
+    const double J13 = J53 * v10 + v4 * v9, J33 = J43 * v9 - J53 * v8;
+    const double v11 = J21 - p3_x, v12 = p4_y - p3_y, v13 = p4_z - p3_z;
+    const double J14 = J54 * v13 - J64 * v12, J24 = J64 * v11 - J44 * v13,
+        J34 = J44 * v12 - J54 * v11;
     J[0] = -p4_y; J[1] = -(c1 * p4_z); J[2] = J13; J[3] = J14; J[4] = 0.0; J[5] = 0.0;
     J[6] = J21; J[7] = -(s1 * p4_z); J[8] = -(v4 * v8 + J43 * v10); J[9] = J24; J[10] = 0.0;
     J[11] = 0.0;
@@ -3293,13 +3236,16 @@ void manseur_doty_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3359,11 +3305,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? MANSEUR_DOTY_FREE_JOINT : MANSEUR_DOTY_OK;
     }

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -318,30 +277,19 @@ static const double weight[6] = { 0.02040816326530612, 0.02040816326530612, 1.0,
 
 void olson_pprrrr_fk(const double q[6], double T[16])
 {
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = s3 * c4;
-    const double v1 = c3 * c4;
-    const double v2 = s3 * s4;
+    const double v1 = c3 * c4, v2 = s3 * s4;
     const double y4_y = c3 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v2 * s5;
-    const double x5_y = y4_y * s5 - v1 * c5;
-    const double x5_z = s4 * c5 + c4 * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v2 * s5, x5_y = y4_y * s5 - v1 * c5, x5_z = s4 * c5 + c4 * s5;
     const double T13_ = v2 * c5 + x4_x * s5;
-    const double y5_y = y4_y * c5 + v1 * s5;
-    const double y5_z = c4 * c5 - s4 * s5;
-    const double T14_ = q[1] + x4_x * a4 + T13_ * d6;
-    const double T24_ = q[0] - v1 * a4 - y5_y * d6;
-    const double T34_ = d3 + s4 * a4 - y5_z * d6;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - c3 * s6;
-    const double T21_ = x5_y * c6 - s3 * s6;
-    const double T31_ = x5_z * c6;
+    const double y5_y = y4_y * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5;
+    const double T14_ = q[1] + x4_x * a4 + T13_ * d6, T24_ = q[0] - v1 * a4 - y5_y * d6,
+        T34_ = d3 + s4 * a4 - y5_z * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - c3 * s6, T21_ = x5_y * c6 - s3 * s6, T31_ = x5_z * c6;
     T[0] = T11_; T[1] = -(c3 * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(s3 * c6 + x5_y * s6); T[6] = -y5_y; T[7] = T24_;
     T[8] = T31_; T[9] = -(x5_z * s6); T[10] = -y5_z; T[11] = T34_;
@@ -351,31 +299,20 @@ void olson_pprrrr_fk(const double q[6], double T[16])
 
 void olson_pprrrr_jacobian(const double q[6], double J[36])
 {
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = s3 * c4;
     const double v1 = c3 * c4;
-    const double p5_x = q[1] + x4_x * a4;
-    const double p5_y = q[0] - v1 * a4;
-    const double p5_z = d3 + s4 * a4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double p5_x = q[1] + x4_x * a4, p5_y = q[0] - v1 * a4, p5_z = d3 + s4 * a4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double J46 = s3 * s4 * c5 + x4_x * s5;
-    const double y5_y = c3 * s4 * c5 + v1 * s5;
-    const double y5_z = c4 * c5 - s4 * s5;
-    const double p6_x = p5_x + J46 * d6;
-    const double p6_y = p5_y - y5_y * d6;
-    const double p6_z = p5_z - y5_z * d6;
+    const double y5_y = c3 * s4 * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5;
+    const double p6_x = p5_x + J46 * d6, p6_y = p5_y - y5_y * d6, p6_z = p5_z - y5_z * d6;
     const double J23 = p6_x - q[1];
-    const double v2 = p6_y - q[0];
-    const double v3 = p6_z - d3;
-    const double J24 = c3 * v3;
-    const double J34 = s3 * J23 - c3 * v2;
+    const double v2 = p6_y - q[0], v3 = p6_z - d3;
+    const double J24 = c3 * v3, J34 = s3 * J23 - c3 * v2;
     const double v4 = p6_z - p5_z;
-    const double J25 = c3 * v4;
-    const double J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y);
+    const double J25 = c3 * v4, J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y);
     J[0] = 0.0; J[1] = 1.0; J[2] = -v2; J[3] = -(s3 * v3); J[4] = -(s3 * v4); J[5] = 0.0;
     J[6] = 1.0; J[7] = 0.0; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = 0.0;
     J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = J34; J[16] = J35; J[17] = 0.0;
@@ -388,13 +325,16 @@ void olson_pprrrr_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -441,69 +381,58 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta3 */
-    const wide v1 = T23 * T23 + T13 * T13;
-    const wide w3 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide factor3 = w3 * v2;
-    const wide angle1 = atan2_wide(-T13, T23);
+    const wide v1 = T23 * T23 + T13 * T13, w3 = sqrt_wide(v1), v2 = 1.0 / v1, factor3 = w3 * v2,
+        angle1 = atan2_wide(-T13, T23);
 
     /* theta45 */
     const wide angle2 = atan2_wide(-w3, -T33);
 
     /* theta6 */
-    const wide v3 = v2 * (T23 * T12 - T13 * T22), v4 = v2 * (T23 * T11 - T13 * T21);
-    const wide angle3 = atan2_wide(-v4, -v3);
+    const wide v3 = v2 * (T23 * T12 - T13 * T22), v4 = v2 * (T23 * T11 - T13 * T21),
+        angle3 = atan2_wide(-v4, -v3);
 
     /* theta5 */
-    const wide X5 = a4 * T33;
-    const wide Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
-        T32))));
-    const wide N5 = X5 * X5 + Y5 * Y5;
-    const wide v5 = d6 * T33 + (d3 - T34);
-    const wide D5 = N5 - v5 * v5;
-    const wide w5 = sqrt_wide(D5);
-    const wide v6 = w5 - w5;
-    const wide inverse5 = 1.0 / N5;
-    const wide v7 = X5 * v5, v8 = Y5 * v5, v9 = X5 * w5, v10 = Y5 * w5, v11 = v10 - v7;
-    const wide v12 = v8 + v9;
-    const wide angle4 = atan2_wide(v11, -v12);
-    const wide v13 = v8 - v9;
-    const wide angle5 = atan2_wide(-(v7 + v10), -v13), angle6 = atan2_wide(-(v7 + v10), v13);
-    const wide angle7 = atan2_wide(v11, v12);
+    const wide X5 = a4 * T33,
+        Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32)))),
+        N5 = X5 * X5 + Y5 * Y5, v5 = d6 * T33 + (d3 - T34), D5 = N5 - v5 * v5, w5 = sqrt_wide(D5),
+        v6 = w5 - w5, inverse5 = 1.0 / N5, v7 = X5 * v5, v8 = Y5 * v5, v9 = X5 * w5, v10 = Y5 * w5,
+        v11 = v10 - v7, v12 = v8 + v9, angle4 = atan2_wide(v11, -v12), v13 = v8 - v9,
+        angle5 = atan2_wide(-(v7 + v10), -v13), angle6 = atan2_wide(-(v7 + v10), v13),
+        angle7 = atan2_wide(v11, v12);
 
     /* r2 */
-    const wide v14 = a4 * (T13 * factor3);
-    const wide v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31));
-    const wide v16 = w3 * v7 + T33 * v8, v17 = T14 - d6 * T13 + inverse5 * (v14 * v16);
-    const wide q2_pp = v17 + w5 * (inverse5 * (v14 * v15));
-    const wide q2_pm = v17 + w5 * (inverse5 * (v14 * -v15));
+    const wide v14 = a4 * (T13 * factor3),
+        v15 = T33 * X5 - w3 * (a4 * (w3 * v4 * T32 - w3 * v3 * T31)), v16 = w3 * v7 + T33 * v8,
+        v17 = T14 - d6 * T13 + inverse5 * (v14 * v16), q2_pp = v17 + w5 * (inverse5 * (v14 * v15)),
+        q2_pm = v17 + w5 * (inverse5 * (v14 * -v15));
 
     /* r1 */
-    const wide v18 = a4 * (T23 * factor3), v19 = T24 - d6 * T23 + inverse5 * (v16 * v18);
-    const wide q1_pp = v19 + w5 * (inverse5 * (v15 * v18));
-    const wide q1_pm = v19 + w5 * (inverse5 * (-v15 * v18));
+    const wide v18 = a4 * (T23 * factor3), v19 = T24 - d6 * T23 + inverse5 * (v16 * v18),
+        q1_pp = v19 + w5 * (inverse5 * (v15 * v18)), q1_pm = v19 + w5 * (inverse5 * (-v15 * v18));
 
     /* joint values */
-    const wide v20 = angle2 - angle4, v21 = angle2 - angle5, v22 = angle2 + angle6;
-    const wide v23 = angle2 + angle7;
-    const wide q4_pp = v20 - only_wide(half_turn < v20, m4) + only_wide(v20 <= -half_turn, m4);
-    const wide q4_pm = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4);
-    const wide q4_mp = only_wide(-v22 <= -half_turn, m4) - (v22 + only_wide(half_turn < -v22, m4));
-    const wide q4_mm = only_wide(-v23 <= -half_turn, m4) - (v23 + only_wide(half_turn < -v23, m4));
-    const wide q3_pp = angle1 + v6;
-    const wide q3_mp = v6 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1);
-    const wide q6_pp = angle3 + v6;
-    const wide q6_mp = v6 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
-    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | ((abs_wide(D5) <= reach_slack1 *
-        (reach_slack1 + 2.0 * abs_wide(v5))) | (v1 <= m1));
+    const wide v20 = angle2 - angle4, v21 = angle2 - angle5, v22 = angle2 + angle6,
+        v23 = angle2 + angle7, q3_pp = angle1 + v6,
+        q3_mp = v6 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1), q6_pp = angle3 + v6,
+        q6_mp = v6 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
+    const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= reach_slack1 *
+        (reach_slack1 + 2.0 * abs_wide(v5))) | (v1 <= m1);
 
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = angle4; q[5] = q6_pp;
+    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp;
+    q[3] = v20 - only_wide(half_turn < v20, m4) + only_wide(v20 <= -half_turn, m4); q[4] = angle4;
+    q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp; q[9] = q4_pm; q[10] = angle5; q[11] = q6_pp;
+    q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp;
+    q[9] = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4); q[10] = angle5;
+    q[11] = q6_pp;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_pm; q[13] = q2_pm; q[14] = q3_mp; q[15] = q4_mp; q[16] = angle6; q[17] = q6_mp;
+    q[12] = q1_pm; q[13] = q2_pm; q[14] = q3_mp;
+    q[15] = only_wide(-v22 <= -half_turn, m4) - (v22 + only_wide(half_turn < -v22, m4));
+    q[16] = angle6; q[17] = q6_mp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_pp; q[19] = q2_pp; q[20] = q3_mp; q[21] = q4_mm; q[22] = angle7; q[23] = q6_mp;
+    q[18] = q1_pp; q[19] = q2_pp; q[20] = q3_mp;
+    q[21] = only_wide(-v23 <= -half_turn, m4) - (v23 + only_wide(half_turn < -v23, m4));
+    q[22] = angle7; q[23] = q6_mp;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -523,60 +452,46 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta3 */
-    const double v1 = T23 * T23 + T13 * T13;
-    const double w3 = sqrt(v1);
-    const double v2 = 1.0 / v1;
-    const double factor3 = w3 * v2;
-    const double v3 = copysign(half_turn, -T13);
+    const double v1 = T23 * T23 + T13 * T13, w3 = sqrt(v1), v2 = 1.0 / v1, factor3 = w3 * v2,
+        v3 = copysign(half_turn, -T13);
     const four v4 = m2 * (e1 - 1.0);
 
     /* theta6 */
-    const double v5 = v2 * (T23 * T12 - T13 * T22), v6 = v2 * (T23 * T11 - T13 * T21);
-    const double v7 = copysign(half_turn, -v6);
+    const double v5 = v2 * (T23 * T12 - T13 * T22), v6 = v2 * (T23 * T11 - T13 * T21),
+        v7 = copysign(half_turn, -v6);
 
     /* theta5 */
-    const double X5 = a4 * T33;
-    const double v8 = a4 * (w3 * v6 * T32 - w3 * v5 * T31);
-    const double Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 *
-        T32))));
-    const double N5 = X5 * X5 + Y5 * Y5;
-    const double v9 = d6 * T33 + (d3 - T34);
-    const double D5 = N5 - v9 * v9;
-    const double w5 = sqrt(D5);
-    const double v10 = w5 - w5;
-    const double inverse5 = 1.0 / N5;
-    const double v11 = X5 * v9, v12 = Y5 * v9, v13 = X5 * w5;
+    const double X5 = a4 * T33, v8 = a4 * (w3 * v6 * T32 - w3 * v5 * T31),
+        Y5 = w3 * (m3 * (v2 * (T23 * (T11 * T32 - T12 * T31) + T13 * (T22 * T31 - T21 * T32)))),
+        N5 = X5 * X5 + Y5 * Y5, v9 = d6 * T33 + (d3 - T34), D5 = N5 - v9 * v9, w5 = sqrt(D5),
+        v10 = w5 - w5, inverse5 = 1.0 / N5, v11 = X5 * v9, v12 = Y5 * v9, v13 = X5 * w5;
     const four v14 = e1 * v12, v15 = e2 * v13;
     const double v16 = Y5 * w5;
     const four v17 = e1 * e2;
 
     /* r2 */
-    const double wx = T14 - d6 * T13;
-    const double v18 = a4 * (T13 * factor3);
+    const double wx = T14 - d6 * T13, v18 = a4 * (T13 * factor3);
     const four v19 = X5 * (T33 * v17) - v8 * (w3 * v17);
     const double v20 = w3 * v11;
-    const four v21 = v20 + v14 * (e1 * T33), v22 = wx + inverse5 * (v18 * v21);
-    const four q2 = v22 + w5 * (inverse5 * (v18 * v19));
+    const four v21 = v20 + v14 * (e1 * T33), v22 = wx + inverse5 * (v18 * v21),
+        q2 = v22 + w5 * (inverse5 * (v18 * v19));
 
     /* r1 */
-    const double wy = T24 - d6 * T23;
-    const double v23 = a4 * (T23 * factor3);
-    const four v24 = wy + inverse5 * (v21 * v23);
-    const four q1 = v24 + w5 * (inverse5 * (v19 * v23));
+    const double wy = T24 - d6 * T23, v23 = a4 * (T23 * factor3);
+    const four v24 = wy + inverse5 * (v21 * v23), q1 = v24 + w5 * (inverse5 * (v19 * v23));
 
     /* joint values */
-    const int doubt1 = (N5 <= doubt_limit_squared2) | ((fabs(D5) <= reach_slack1 * (reach_slack1 +
-        2.0 * fabs(v9))) | (v1 <= m1));
+    const int doubt1 = (N5 <= doubt_limit_squared2) | (fabs(D5) <= reach_slack1 * (reach_slack1 +
+        2.0 * fabs(v9))) | (v1 <= m1);
 
-    const four angle4 = atan2_four(v16 * v17 - v11, -(v14 + v15));
-    const four packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 });
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
-    const four v25 = e1 * angle2, v26 = v25 - angle4;
-    const four q4 = v26 - only_four(half_turn < v26, m4) + only_four(v26 <= -half_turn, m4);
-    const four q3 = v10 + (angle1 + v3 * v4);
-    const four q6 = v10 + (angle3 + v4 * v7);
+    const four angle4 = atan2_four(v16 * v17 - v11, -(v14 + v15)),
+        packed2 = atan2_four((four){ -T13, -w3, -v6, -T13 }, (four){ T23, -T33, -v5, T23 }),
+        angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four v25 = e1 * angle2, v26 = v25 - angle4,
+        q4 = v26 - only_four(half_turn < v26, m4) + only_four(v26 <= -half_turn, m4),
+        q3 = v10 + (angle1 + v3 * v4), q6 = v10 + (angle3 + v4 * v7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -645,6 +560,13 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[6], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -662,14 +584,9 @@ static void solve(
 
     /* theta5, type 2: U0 (A5 A6)^-1 [3, 4] */
     const double X5 = T33 * a4;
-    const double v3 = X5 * X5;
-    const double v4 = T33 * d6 + (d3 - T34);
-    const double v5 = v4 * v4;
-    const double v6 = fabs(v4);
-    const double v7 = 2.0 * v6;
-    const double v8 = merge_slack1 * (v7 + merge_slack1);
-    const double v9 = blur_slack1 * (v7 + blur_slack1);
-    const double v10 = X5 * v4;
+    const double v3 = X5 * X5, v4 = T33 * d6 + (d3 - T34), v5 = v4 * v4, v6 = fabs(v4),
+        v7 = 2.0 * v6, v8 = merge_slack1 * (v7 + merge_slack1),
+        v9 = blur_slack1 * (v7 + blur_slack1), v10 = X5 * v4;
 
     /* r2, type 1: U0 A6^-1 [1, 4] */
     const double wx = T14 - T13 * d6;
@@ -682,14 +599,12 @@ static void solve(
         /* theta3 */
         if (e1 < 0.0 && free3) continue; /* both signs give the same */
         const double factor3 = e1 / divisor3;
-        const double v1 = T23 * factor3;
-        const double v2 = T13 * factor3;
+        const double v1 = T23 * factor3, v2 = T13 * factor3;
         const double off3 = near3 ? w3 * fabs(v1 * sin(seed[2]) + v2 * cos(seed[2])) : 1.0;
         const double ahead3 = near3 ? v1 * cos(seed[2]) - v2 * sin(seed[2]) : -1.0;
-        const int same3 = near3 && (off3 <= free_limit && 0.0 < ahead3);
+        const int same3 = near3 && off3 <= free_limit && 0.0 < ahead3;
         const int held3 = free3 || same3;
-        const double c3 = held3 ? cos(seed[2]) : v1;
-        const double s3 = held3 ? sin(seed[2]) : -v2;
+        const double c3 = held3 ? cos(seed[2]) : v1, s3 = held3 ? sin(seed[2]) : -v2;
         const double q3 = atan2(s3, c3);
         const double root3 = w3 * e1;
 
@@ -708,15 +623,9 @@ static void solve(
         const double D5 = N5 - v5;
         const int apart5 = v8 < D5;
         if (!(-(reach_slack1 * (v7 + reach_slack1)) <= D5)) {
-            if (near3) {
-                status[2 * i1] = NEARLY + 3;
-                q[2 * i1][0] = D5;
-                q[2 * i1][1] = q3;
-            }
-            if (free3) {
-                status[2 * i1] = LOST + 3;
-                q[2 * i1][0] = D5;
-            }
+            if (near3) lose(NEARLY + 3, D5, q[2 * i1], &status[2 * i1]);
+            if (near3) q[2 * i1][1] = q3;
+            if (free3) lose(LOST + 3, D5, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w5 = sqrt(apart5 ? D5 : 0.0);
@@ -732,11 +641,11 @@ static void solve(
         for (int i2 = 0; i2 < 2; i2++) { /* noflip5, flip5 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta5 */
-            if (e2 < 0.0 && (free5 || (!apart5 || (near3 && !(v9 < D5)))))
+            if (e2 < 0.0 && (free5 || !apart5 || (near3 && !(v9 < D5))))
                 continue; /* both signs give the same */
             const double root5 = w5 * e2;
-            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (v11 + X5 * root5));
-            const double s5 = free5 ? sin(seed[4]) : inverse5 * (Y5 * root5 - v10);
+            const double c5 = free5 ? cos(seed[4]) : -(inverse5 * (v11 + X5 * root5)),
+                s5 = free5 ? sin(seed[4]) : inverse5 * (Y5 * root5 - v10);
             const double q5 = atan2(s5, c5);
 
             /* r2 */
@@ -749,11 +658,7 @@ static void solve(
             /* joint values */
             const double q4 = wrap(theta45 - q5);
             const int row = 2 * i1 + i2;
-            q[row][0] = r1;
-            q[row][1] = r2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = r1; q[row][1] = r2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free3 || free5) ? OLSON_PPRRRR_FREE_JOINT : OLSON_PPRRRR_OK;
         }
@@ -780,6 +685,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == OLSON_PPRRRR_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != OLSON_PPRRRR_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -793,7 +705,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -842,16 +758,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[6], int row, double q[4][6], unsigned char status[4])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = OLSON_PPRRRR_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 6; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : OLSON_PPRRRR_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -890,16 +811,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][6],
     if (!valid)
         return -OLSON_PPRRRR_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 4; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 6; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == OLSON_PPRRRR_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {

@@ -317,7 +317,7 @@ def _solve(pose, seed, q, status):
         v2 = T13 * factor3
         off3 = w3 * abs(v1 * math.sin(seed[2]) + v2 * math.cos(seed[2])) if near3 else 1.0
         ahead3 = v1 * math.cos(seed[2]) - v2 * math.sin(seed[2]) if near3 else -1.0
-        same3 = near3 and (off3 <= free_limit and 0.0 < ahead3)
+        same3 = near3 and off3 <= free_limit and 0.0 < ahead3
         held3 = free3 or same3
         c3 = math.cos(seed[2]) if held3 else v1
         s3 = math.sin(seed[2]) if held3 else -v2
@@ -360,7 +360,7 @@ def _solve(pose, seed, q, status):
         for i2 in range(2):  # noflip5, flip5
             e2 = 1.0 - 2.0 * i2
             # theta5
-            if e2 < 0.0 and (free5 or (not apart5 or (near3 and not (v9 < D5)))):
+            if e2 < 0.0 and (free5 or not apart5 or (near3 and not (v9 < D5))):
                 continue  # both signs give the same
             root5 = w5 * e2
             c5 = math.cos(seed[4]) if free5 else -(inverse5 * (v11 + X5 * root5))
@@ -446,6 +446,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -476,7 +482,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -542,7 +553,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):
         q[row, i] = trial[row, i] if served else math.nan
@@ -556,10 +568,11 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(4):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
+    count = 0
+    for row in range(4):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
@@ -624,8 +637,8 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N5 <= doubt_limit_squared2 or (abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 * abs(v5)) or
-        v1 <= m1)
+        N5 <= doubt_limit_squared2 or abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 * abs(v5)) or v1
+        <= m1
     )
 
     # angles, side by side
@@ -950,8 +963,8 @@ def _in_tiles(T, q, status):
             q1_pp = v19 + w5 * (inverse5 * (v15 * v18))
             q1_pm = v19 + w5 * (inverse5 * (-v15 * v18))
             doubt1 = (
-                N5 <= doubt_limit_squared2 or (abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 *
-                abs(v5)) or v1 <= m1)
+                N5 <= doubt_limit_squared2 or abs(D5) <= reach_slack1 * (reach_slack1 + 2.0 *
+                abs(v5)) or v1 <= m1
             )
             work[272 + k] = v4
             work[288 + k] = v6

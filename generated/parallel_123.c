@@ -123,32 +123,14 @@ static void circle_roots(double a0, double a1, double b1, double a2, double b2, 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+    double reached[16], sum = 0.0;
     parallel_123_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 0.625 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 0.625 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 0.625 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 9; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.625 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -158,6 +140,8 @@ static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double measure[6] = { 0.625, 0.625, 0.625, 0.625, 0.625, 0.625 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -186,15 +170,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     parallel_123_fk(d->q, P);
     parallel_123_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.5999999999999999;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.5999999999999999;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.5999999999999999;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.5999999999999999;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -209,6 +190,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -243,14 +238,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
  * it misses the pose then. */
 static double tightened(struct descent *d, double exact, double q[6], int *moved)
@@ -269,8 +256,7 @@ static double tightened(struct descent *d, double exact, double q[6], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 6; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -308,9 +294,8 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 1.5999999999999999);
-    distance = fmax(distance, fabs(T[7]) / 1.5999999999999999);
-    distance = fmax(distance, fabs(T[11]) / 1.5999999999999999);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.5999999999999999);
     const double exact = 1e-12 * distance;
     int moved[8] = { 0 };
     for (int row = 0; row < 8; row++)
@@ -395,55 +380,33 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void parallel_123_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3;
-    const double x3_y = x2_y * c3 + x2_x * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4;
-    const double x4_y = x3_y * c4;
-    const double v1 = x3_x * s4;
-    const double v2 = x3_y * s4;
-    const double y4_z = c4 * f2;
-    const double y4_x = x3_y * f3 - v1 * f2;
-    const double y4_y = -x3_x * f3 - v2 * f2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4, x4_y = x3_y * c4;
+    const double v1 = x3_x * s4, v2 = x3_y * s4;
+    const double y4_z = c4 * f2, y4_x = x3_y * f3 - v1 * f2, y4_y = -x3_x * f3 - v2 * f2;
     const double v3 = c4 * f3;
-    const double z4_x = v1 * f3 + x3_y * f2;
-    const double z4_y = v2 * f3 + -x3_x * f2;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = s4 * c5 + y4_z * s5;
-    const double v4 = y4_x * c5 - x4_x * s5;
-    const double v5 = y4_y * c5 - x4_y * s5;
-    const double v6 = y4_z * c5 - s4 * s5;
-    const double y5_x = v4 * ca5 + z4_x * sa5;
-    const double y5_y = v5 * ca5 + z4_y * sa5;
-    const double y5_z = v6 * ca5 - v3 * sa5;
-    const double T13_ = z4_x * ca5 - v4 * sa5;
-    const double T23_ = z4_y * ca5 - v5 * sa5;
+    const double z4_x = v1 * f3 + x3_y * f2, z4_y = v2 * f3 + -x3_x * f2;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = s4 * c5 + y4_z * s5;
+    const double v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5;
+    const double y5_x = v4 * ca5 + z4_x * sa5, y5_y = v5 * ca5 + z4_y * sa5,
+        y5_z = v6 * ca5 - v3 * sa5;
+    const double T13_ = z4_x * ca5 - v4 * sa5, T23_ = z4_y * ca5 - v5 * sa5;
     const double v7 = v6 * sa5 + v3 * ca5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T12_ = y5_x * c6 - x5_x * s6;
-    const double T22_ = y5_y * c6 - x5_y * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x *
-        d5 + T11_ * a6 + T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y
-        * d5 + T21_ * a6 + T23_ * d6;
-    const double T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
+        T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 +
+            T11_ * a6 + T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 +
+            T21_ * a6 + T23_ * d6, T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -v7; T[11] = T34_;
@@ -453,73 +416,42 @@ void parallel_123_fk(const double q[6], double T[16])
 
 void parallel_123_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 - x2_y * s3;
     const double J44 = x2_y * c3 + x2_x * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + J44 * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4;
-    const double x4_y = J44 * c4;
-    const double v1 = x3_x * s4;
-    const double v2 = J44 * s4;
-    const double p4_z = g1 + s4 * a4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
-    const double p4_y = p3_y + x4_y * a4 + -x3_x * d4;
-    const double y4_z = c4 * g2;
-    const double y4_x = J44 * g3 - v1 * g2;
-    const double y4_y = -x3_x * g3 - v2 * g2;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + J44 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4, x4_y = J44 * c4;
+    const double v1 = x3_x * s4, v2 = J44 * s4;
+    const double p4_z = g1 + s4 * a4, p4_x = p3_x + x4_x * a4 + J44 * d4,
+        p4_y = p3_y + x4_y * a4 + -x3_x * d4;
+    const double y4_z = c4 * g2, y4_x = J44 * g3 - v1 * g2, y4_y = -x3_x * g3 - v2 * g2;
     const double v3 = c4 * g3;
-    const double J45 = v1 * g3 + J44 * g2;
-    const double J55 = v2 * g3 + -x3_x * g2;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = s4 * c5 + y4_z * s5;
-    const double v4 = y4_x * c5 - x4_x * s5;
-    const double v5 = y4_y * c5 - x4_y * s5;
-    const double v6 = y4_z * c5 - s4 * s5;
-    const double p5_x = p4_x + x5_x * a5 + J45 * d5;
-    const double p5_y = p4_y + x5_y * a5 + J55 * d5;
-    const double p5_z = p4_z + x5_z * a5 - v3 * d5;
-    const double J46 = J45 * ca5 - v4 * sa5;
-    const double J56 = J55 * ca5 - v5 * sa5;
+    const double J45 = v1 * g3 + J44 * g2, J55 = v2 * g3 + -x3_x * g2;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = s4 * c5 + y4_z * s5;
+    const double v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5;
+    const double p5_x = p4_x + x5_x * a5 + J45 * d5, p5_y = p4_y + x5_y * a5 + J55 * d5,
+        p5_z = p4_z + x5_z * a5 - v3 * d5;
+    const double J46 = J45 * ca5 - v4 * sa5, J56 = J55 * ca5 - v5 * sa5;
     const double v7 = v6 * sa5 + v3 * ca5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6;
-    const double p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6;
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - p6_y;
-    const double J23 = J21 - p2_x;
-    const double J13 = p2_y - p6_y;
+    const double p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6,
+        p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6;
+    const double J22 = J21 - p1_x, J12 = p1_y - p6_y, J23 = J21 - p2_x, J13 = p2_y - p6_y;
     const double v8 = p6_z - g1;
-    const double J14 = -x3_x * v8;
-    const double J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x);
-    const double v9 = J21 - p4_x;
-    const double v10 = p6_y - p4_y;
-    const double v11 = p6_z - p4_z;
-    const double J15 = J55 * v11 + v3 * v10;
-    const double J35 = J45 * v10 - J55 * v9;
-    const double v12 = J21 - p5_x;
-    const double v13 = p6_y - p5_y;
-    const double v14 = p6_z - p5_z;
-    const double J16 = J56 * v14 + v7 * v13;
-    const double J36 = J46 * v13 - J56 * v12;
+    const double J14 = -x3_x * v8, J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x);
+    const double v9 = J21 - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z;
+    const double J15 = J55 * v11 + v3 * v10, J35 = J45 * v10 - J55 * v9;
+    const double v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    const double J16 = J56 * v14 + v7 * v13, J36 = J46 * v13 - J56 * v12;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(J44 * v8); J[10] = -(v3 * v9 + J45 * v11);
     J[11] = -(v7 * v12 + J46 * v14);
@@ -533,13 +465,16 @@ void parallel_123_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -581,6 +516,13 @@ static int read_pose(const double given[16], double T[16])
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[6], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -594,54 +536,31 @@ static void solve(
     const double R1_6 = T31 * a6 + (T33 * k3 + (k4 - T34));
     const double R1c6 = T31 * a5 + sa5 * (T32 * d5);
     const double R1s6 = T31 * k5 - T32 * a5;
-    const double v1 = T33 * ca5;
-    const double v2 = T32 * sa5;
-    const double v3 = T31 * sa5;
-    const double v4 = a4 * v1;
-    const double v5 = a4 * v2;
-    const double v6 = a4 * v3;
-    const double v7 = k2 * R1_6;
-    const double v8 = k2 * R1c6;
-    const double v9 = k2 * R1s6;
-    const double v10 = v5 * v5;
-    const double v11 = v6 * v6;
-    const double v12 = 2.0 * v4;
-    const double v13 = v8 * v8;
-    const double v14 = v9 * v9;
-    const double v15 = 2.0 * v7;
-    const double v16 = v5 * v12 + v8 * v15;
-    const double v17 = v6 * v12 + v9 * v15;
-    const double v18 = k1 * (v10 - v11) + k1 * (v13 - v14);
-    const double v19 = v5 * v6 + v8 * v9;
-    const double v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7;
+    const double v1 = T33 * ca5, v2 = T32 * sa5, v3 = T31 * sa5, v4 = a4 * v1, v5 = a4 * v2,
+        v6 = a4 * v3, v7 = k2 * R1_6, v8 = k2 * R1c6, v9 = k2 * R1s6, v10 = v5 * v5, v11 = v6 * v6,
+        v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7, v16 = v5 * v12 + v8 * v15,
+        v17 = v6 * v12 + v9 * v15, v18 = k1 * (v10 - v11) + k1 * (v13 - v14),
+        v19 = v5 * v6 + v8 * v9,
+        v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7;
     double x6_roots[4];
     circle_roots(v20, v16, v17, v18, v19, x6_roots);
-    const double v23 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]);
-    const double v24 = 2.0 * (cos(seed[5]) * sin(seed[5]));
-    const double v25 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19);
-    const double v26 = 2.0 * v19;
-    const double v27 = 2.0 * v18;
-    const double v29 = v25 * near_limit;
-    const double v30 = v23 * v26 + (v17 * cos(seed[5]) - v16 * sin(seed[5])) - v24 * v27;
+    const double v23 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]),
+        v24 = 2.0 * (cos(seed[5]) * sin(seed[5])),
+        v25 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19), v26 = 2.0 * v19,
+        v27 = 2.0 * v18, v29 = v25 * near_limit,
+        v30 = v23 * v26 + (v17 * cos(seed[5]) - v16 * sin(seed[5])) - v24 * v27;
     const int v31 = fabs(v20 + (v19 * v24 + (v18 * v23 + (v16 * cos(seed[5]) + v17 *
         sin(seed[5]))))) <= v25 * double_root;
 
     /* theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3] */
-    const double v32 = sa5 * T22;
-    const double v33 = sa5 * T21;
-    const double v34 = ca5 * T23;
-    const double v35 = sa5 * T12;
-    const double v36 = sa5 * T11;
-    const double v37 = ca5 * T13;
-    const double v38 = seed[0] + seed[1] + seed[2];
+    const double v32 = sa5 * T22, v33 = sa5 * T21, v34 = ca5 * T23, v35 = sa5 * T12,
+        v36 = sa5 * T11, v37 = ca5 * T13, v38 = seed[0] + seed[1] + seed[2];
 
     /* theta5, type 3: U3[3, 3] and U4[1, 3] */
-    const double v39 = 2.0 * T23;
-    const double v40 = 2.0 * T13;
+    const double v39 = 2.0 * T23, v40 = 2.0 * T13;
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
-    const double v52 = 2.0 * T14;
-    const double v53 = 2.0 * T24;
+    const double v52 = 2.0 * T14, v53 = 2.0 * T24;
 
     /* theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4] */
     const double wy = T24 - a6 * T21 - d6 * T23;
@@ -653,21 +572,18 @@ static void solve(
         const double x6 = x6_roots[i1];
         /* theta6 */
         if (!(x6 <= 4.0)) continue; /* out of reach */
-        const double v21 = cos(x6);
-        const double v22 = sin(x6);
-        const double v28 = (v21 * v21 - v22 * v22) * v26 + (v17 * v21 - v16 * v22) - 2.0 * (v21 *
-            v22) * v27;
+        const double v21 = cos(x6), v22 = sin(x6),
+            v28 = (v21 * v21 - v22 * v22) * v26 + (v17 * v21 - v16 * v22) - 2.0 * (v21 * v22) * v27;
         const int near6 = fabs(v28) <= v29;
-        const int same6 = -(double_root * (v25 * v25)) <= v28 * v30 && (0.0 < v21 * cos(seed[5]) +
-            v22 * sin(seed[5]) && (fabs(v21 * sin(seed[5]) - v22 * cos(seed[5])) <= near_limit &&
-            (near6 && v31)));
+        const int same6 = -(double_root * (v25 * v25)) <= v28 * v30 && 0.0 < v21 * cos(seed[5]) +
+            v22 * sin(seed[5]) && fabs(v21 * sin(seed[5]) - v22 * cos(seed[5])) <= near_limit &&
+            near6 && v31;
         const double q6 = same6 ? seed[5] : x6;
-        const double c6 = cos(q6);
-        const double s6 = sin(q6);
+        const double c6 = cos(q6), s6 = sin(q6);
 
         /* theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3] */
-        const double s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) / -k6;
-        const double c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) / -k6;
+        const double s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) / -k6,
+            c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) / -k6;
         const double q4 = atan2(s4, c4);
 
         /* theta123 */
@@ -679,8 +595,8 @@ static void solve(
         const double w123 = sqrt(S123 * S123 + C123 * C123);
         const int free123 = w123 <= free_limit_squared;
         const double factor123 = 1.0 / (free123 ? 1.0 : w123);
-        const double c123 = free123 ? cos(v38) : C123 * factor123;
-        const double s123 = free123 ? sin(v38) : S123 * factor123;
+        const double c123 = free123 ? cos(v38) : C123 * factor123,
+            s123 = free123 ? sin(v38) : S123 * factor123;
         const double theta123 = atan2(s123, c123);
 
         /* theta5 */
@@ -689,16 +605,9 @@ static void solve(
         const double q5 = atan2(s5, -v41);
 
         /* theta2 */
-        const double v42 = a5 + a6 * c6;
-        const double v43 = s6 * k10 - k11;
-        const double v44 = c4 * (2.0 * v42) + s4 * -v43;
-        const double v45 = sqrt3 * v43;
-        const double v46 = c4 * (2.0 * v43) + s4 * v42;
-        const double v47 = sqrt3 * v42;
-        const double v48 = c4 * k12;
-        const double v49 = s6 * k13;
-        const double v50 = k12 + (v48 + s4 * (sqrt3 * (v49 + k14)));
-        const double v51 = v49 + k15;
+        const double v42 = a5 + a6 * c6, v43 = s6 * k10 - k11, v44 = c4 * (2.0 * v42) + s4 * -v43,
+            v45 = sqrt3 * v43, v46 = c4 * (2.0 * v43) + s4 * v42, v47 = sqrt3 * v42, v48 = c4 * k12,
+            v49 = s6 * k13, v50 = k12 + (v48 + s4 * (sqrt3 * (v49 + k14))), v51 = v49 + k15;
         const double Z1_2 = k1 * (v41 * (c123 * v44 + s123 * v45) + s5 * (c123 * v46 - s123 * v47) +
             (v52 - (c123 * v50 + s123 * v51)));
         const double Z2_2 = k1 * (s5 * (c123 * v47 + s123 * v46) - v41 * (c123 * v45 - s123 * v44) +
@@ -708,23 +617,11 @@ static void solve(
         const double D2 = (longest2 - N2) * (N2 - shortest2);
         const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
         if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
-            if (near6) {
-                status[2 * i1] = NEARLY + 6;
-                q[2 * i1][0] = D2;
-                q[2 * i1][1] = q6;
-            }
-            if (free123) {
-                status[2 * i1] = LOST + 1;
-                q[2 * i1][0] = D2;
-            }
-            if (free123) {
-                status[2 * i1] = LOST + 2;
-                q[2 * i1][0] = D2;
-            }
-            if (free123) {
-                status[2 * i1] = LOST + 3;
-                q[2 * i1][0] = D2;
-            }
+            if (near6) lose(NEARLY + 6, D2, q[2 * i1], &status[2 * i1]);
+            if (near6) q[2 * i1][1] = q6;
+            if (free123) lose(LOST + 1, D2, q[2 * i1], &status[2 * i1]);
+            if (free123) lose(LOST + 2, D2, q[2 * i1], &status[2 * i1]);
+            if (free123) lose(LOST + 3, D2, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w2 = sqrt(apart2 ? D2 : 0.0);
@@ -737,8 +634,7 @@ static void solve(
             s123)) + (c123 * k18 - s123 * v54 + v55));
         const double Z2_1 = k1 * (v41 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 *
             s123)) + (v56 - (c123 * v54 + s123 * k18)));
-        const double v57 = X1_1 * Z1_1;
-        const double v58 = X1_1 * Z2_1;
+        const double v57 = X1_1 * Z1_1, v58 = X1_1 * Z2_1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -755,19 +651,15 @@ static void solve(
             const double w1 = sqrt(S1 * S1 + C1 * C1);
             const int free1 = w1 <= free_limit_squared2;
             const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-            const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-            const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
+            const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+                s1 = free1 ? sin(seed[0]) : S1 * factor1;
             const double q1 = atan2(s1, c1);
 
             /* joint values */
             const double q3 = wrap(theta123 - (q2 + q1));
             const int free1_ = free123 || free1;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free1_ || free123 || free123) ? PARALLEL_123_FREE_JOINT :
                 PARALLEL_123_OK;
@@ -795,6 +687,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != PARALLEL_123_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -808,7 +707,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -857,16 +760,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = PARALLEL_123_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 6; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : PARALLEL_123_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -899,17 +807,9 @@ int parallel_123_ik(
     if (!valid)
         return -PARALLEL_123_INVALID_POSE;
     solve(pose, seed, q, status);
-    for (int row = 0; row < 8; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 6; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
-    }
+    for (int row = 0; row < 8; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     tighten(pose, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PARALLEL_123_UNREACHABLE)

@@ -509,7 +509,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 c83d6d945cd6f0cf"
+_KEY = "parallel_123 ccad08b7d91ea82c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -625,23 +625,17 @@ def _missed_by(pose, q):
     miss = 0.0
     off = T11_ - pose[0]
     miss += (1.0 * off) ** 2
-    off = T12_ - pose[1]
-    miss += (1.0 * off) ** 2
     off = T13_ - pose[2]
     miss += (1.0 * off) ** 2
     off = T14_ - pose[3]
     miss += (0.625 * off) ** 2
     off = T21_ - pose[4]
     miss += (1.0 * off) ** 2
-    off = T22_ - pose[5]
-    miss += (1.0 * off) ** 2
     off = T23_ - pose[6]
     miss += (1.0 * off) ** 2
     off = T24_ - pose[7]
     miss += (0.625 * off) ** 2
     off = T31_ - pose[8]
-    miss += (1.0 * off) ** 2
-    off = T32_ - pose[9]
     miss += (1.0 * off) ** 2
     off = -v7 - pose[10]
     miss += (1.0 * off) ** 2
@@ -702,6 +696,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(6):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -726,21 +735,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(6):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner
@@ -810,21 +804,18 @@ def _tighten(pose, q, status):
     distance = max(distance, abs(pose[7]) / 1.5999999999999999)
     distance = max(distance, abs(pose[11]) / 1.5999999999999999)
     exact = 1e-12 * distance
-    worst = 0.0
+    worst, miss = 0.0, carray(_room(8), 8)
     for row in range(8):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, miss = np.empty((3, 4)), np.empty((8, 6)), np.empty(8)
-    held = np.empty(8, np.bool_)
+    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(8, np.bool_)
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     for row in range(8):
         held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
     _tighten_rows(T, exact, miss, rows, held)
     for row in range(8):
         if not held[row]:
@@ -911,9 +902,9 @@ def _solve(pose, seed, q, status):
         v28 = (v21 * v21 - v22 * v22) * v26 + (v17 * v21 - v16 * v22) - 2.0 * (v21 * v22) * v27
         near6 = abs(v28) <= v29
         same6 = (
-            -(double_root * (v25 * v25)) <= v28 * v30 and (0.0 < v21 * math.cos(seed[5]) + v22 *
-            math.sin(seed[5]) and (abs(v21 * math.sin(seed[5]) - v22 * math.cos(seed[5])) <=
-            near_limit and (near6 and v31)))
+            -(double_root * (v25 * v25)) <= v28 * v30 and 0.0 < v21 * math.cos(seed[5]) + v22 *
+            math.sin(seed[5]) and abs(v21 * math.sin(seed[5]) - v22 * math.cos(seed[5])) <=
+            near_limit and near6 and v31
         )
         q6 = seed[5] if same6 else x6
         c6 = math.cos(q6)
@@ -1090,6 +1081,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -1120,7 +1117,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -1186,7 +1188,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):
         q[row, i] = trial[row, i] if served else math.nan
@@ -1200,11 +1203,11 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(8):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
     _tighten(pose, q, status)
+    count = 0
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue

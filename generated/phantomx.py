@@ -303,7 +303,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 097760a490b30763"
+_KEY = "phantomx da3c33aed845aee4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -392,23 +392,17 @@ def _missed_by(pose, q):
     miss = 0.0
     off = T11_ - pose[0]
     miss += (1.0 * off) ** 2
-    off = s1 - pose[1]
-    miss += (1.0 * off) ** 2
     off = -x4_x - pose[2]
     miss += (1.0 * off) ** 2
     off = -(x2_x * a2 + x3_x * a3 + x4_x * a4) - pose[3]
     miss += (0.0028169014084507044 * off) ** 2
     off = T21_ - pose[4]
     miss += (1.0 * off) ** 2
-    off = -c1 - pose[5]
-    miss += (1.0 * off) ** 2
     off = -x4_y - pose[6]
     miss += (1.0 * off) ** 2
     off = -(x2_y * a2 + x3_y * a3 + x4_y * a4) - pose[7]
     miss += (0.0028169014084507044 * off) ** 2
     off = T31_ - pose[8]
-    miss += (1.0 * off) ** 2
-    off = 0.0 - pose[9]
     miss += (1.0 * off) ** 2
     off = -x4_z - pose[10]
     miss += (1.0 * off) ** 2
@@ -471,6 +465,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(4):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -495,21 +504,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(4):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner
@@ -589,21 +583,18 @@ def _tighten(pose, q, status):
     distance = max(distance, abs(pose[7]) / 355.0)
     distance = max(distance, abs(pose[11]) / 355.0)
     exact = 1e-12 * distance
-    worst = 0.0
+    worst, miss = 0.0, carray(_room(2), 2)
     for row in range(2):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, miss = np.empty((3, 4)), np.empty((2, 4)), np.empty(2)
-    held = np.empty(2, np.bool_)
+    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(2, np.bool_)
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     for row in range(2):
         held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
     _tighten_rows(T, exact, miss, rows, held)
     for row in range(2):
         if not held[row]:
@@ -618,7 +609,7 @@ def _solve(pose, seed, q, status):
 
     The first value of a row that is _LOST says how far it is from a solution (negative).
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    _, T12, T13, T14, _, T22, T23, T24, T31, T32, T33, T34 = pose
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
     w1 = math.sqrt(T12 * T12 + T22 * T22)
@@ -672,11 +663,9 @@ def _solve(pose, seed, q, status):
     # is the pose one that the arm can take?
     v11 = d1 + v4
     if (
-        not (abs(T32) <= doubtful_slack and (abs(T31 + c2m3m4) <= doubtful_slack and (abs(s2m3m4 -
-        T33) <= doubtful_slack and (abs(T22 + c1) <= doubtful_slack and (abs(T21 + s1 * s2m3m4) <=
-        doubtful_slack and (abs(T23 + s1 * c2m3m4) <= doubtful_slack and (abs(T12 - s1) <=
-        doubtful_slack and (abs(T13 + c1 * c2m3m4) <= doubtful_slack and abs(T11 + c1 * s2m3m4) <=
-        doubtful_slack))))))))
+        not (abs(T32) <= doubtful_slack and abs(s2m3m4 - T33) <= doubtful_slack and abs(T22 + c1) <=
+        doubtful_slack and abs(T23 + s1 * c2m3m4) <= doubtful_slack and abs(T13 + c1 * c2m3m4) <=
+        doubtful_slack and abs(T12 - s1) <= doubtful_slack)
     ):
         return  # the arm can't take this pose
 
@@ -704,8 +693,8 @@ def _solve(pose, seed, q, status):
         s2m3 = c3 * s2 - s3 * c2
         v10 = a3 * c2m3 + (v5 + a2 * c2)
         if (
-            not (abs(T34 - (a3 * s2m3 + (a2 * s2 + v11))) <= doubtful_slack1 and (abs(T14 + c1 *
-            v10) <= doubtful_slack1 and abs(T24 + s1 * v10) <= doubtful_slack1))
+            not (abs(T34 - (a3 * s2m3 + (a2 * s2 + v11))) <= doubtful_slack1 and abs(T14 + c1 * v10)
+            <= doubtful_slack1 and abs(T24 + s1 * v10) <= doubtful_slack1)
         ):
             continue  # the arm can't take this pose
 
@@ -779,6 +768,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -809,7 +804,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -875,7 +875,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(4):
         q[row, i] = trial[row, i] if served else math.nan
@@ -889,11 +890,11 @@ def _whole(pose, seed, q, status):
         for i in range(4):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(2):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
     _tighten(pose, q, status)
+    count = 0
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
@@ -913,7 +914,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    _, T12, T13, T14, _, T22, T23, T24, T31, T32, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta1, type 3: U0[1, 3] and U0[2, 3]
@@ -946,32 +947,29 @@ def _regular(pose, q, status):
     # is the pose one that the arm can take?
     v11 = -Z2_3 - v6
     v12 = d1 + v5
-    v13 = T31 - T31 * factor2m3m4
-    v14 = T33 * factor2m3m4 - T33
-    v15 = T22 - v3
-    v16 = T21 + factor2m3m4 * (s1 * T33)
-    v17 = T23 - factor2m3m4 * (s1 * T31)
-    v18 = T12 - s1
-    v19 = T13 + factor2m3m4 * (v3 * T31)
-    v20 = T11 - factor2m3m4 * (v3 * T33)
-    v21 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-    v22 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-    v23 = T14 - v3 * v11
-    v24 = v23 * v23
-    v25 = T24 + s1 * v11
-    v26 = v25 * v25
-    v27 = v26 + (v24 + v21 * v21)
-    v28 = v26 + (v24 + v22 * v22)
-    v29 = math.sqrt(-1.0)
-    v30 = 0.0 if v27 <= m4 else v29
-    v31 = 0.0 if v28 <= m4 else v29
+    v13 = T33 * factor2m3m4 - T33
+    v14 = T22 - v3
+    v15 = T23 - factor2m3m4 * (s1 * T31)
+    v16 = T13 + factor2m3m4 * (v3 * T31)
+    v17 = T12 - s1
+    v18 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+    v19 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+    v20 = T14 - v3 * v11
+    v21 = v20 * v20
+    v22 = T24 + s1 * v11
+    v23 = v22 * v22
+    v24 = v23 + (v21 + v18 * v18)
+    v25 = v23 + (v21 + v19 * v19)
 
     # joint values
+    v30 = math.sqrt(-1.0)
+    v31 = 0.0 if v24 <= m4 else v30
+    v32 = 0.0 if v25 <= m4 else v30
     doubt1 = (
-        v4 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
-        (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or (m3 < v20
-        * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 *
-        T32 + v13 * v13))))))) or ((m4 < v27 and v27 <= m5) or (m4 < v28 and v28 <= m5))))))
+        v4 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3 < v17 *
+        v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32 + v13 * v13)))) or (m4 < v24 and v24
+        <= m5) or (m4 < v25 and v25 <= m5)
     )
 
     # angles, side by side
@@ -996,19 +994,19 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # joint values
-    v32 = angle3 - offset2
-    v33 = angle4 - offset2
-    v34 = angle3 - angle2 - angle1
-    v35 = angle2 + angle4 - angle1
-    v36 = angle5 + (w3 - w3)
-    q1_p = v30 + v36
-    q1_m = v31 + v36
-    q2_p = v30 + (v32 + (m6 if v32 <= -half_turn else 0.0))
-    q2_m = v31 + (v33 + (m6 if v33 <= -half_turn else 0.0))
-    q3_p = angle2 + v30
-    q3_m = v31 - angle2
-    q4_p = v30 + (v34 - (m6 if half_turn < v34 else 0.0) + (m6 if v34 <= -half_turn else 0.0))
-    q4_m = v31 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
+    v26 = angle3 - offset2
+    v27 = angle4 - offset2
+    v28 = angle3 - angle2 - angle1
+    v29 = angle2 + angle4 - angle1
+    v33 = angle5 + (w3 - w3)
+    q1_p = v31 + v33
+    q1_m = v32 + v33
+    q2_p = v31 + (v26 + (m6 if v26 <= -half_turn else 0.0))
+    q2_m = v32 + (v27 + (m6 if v27 <= -half_turn else 0.0))
+    q3_p = angle2 + v31
+    q3_m = v32 - angle2
+    q4_p = v31 + (v28 - (m6 if half_turn < v28 else 0.0) + (m6 if v28 <= -half_turn else 0.0))
+    q4_m = v32 + (v29 - (m6 if half_turn < v29 else 0.0) + (m6 if v29 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1225,11 +1223,9 @@ def _in_tiles(T, q, status):
             exact = miss <= 1e-24
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
-            T11 = work[0 + k]
             T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
-            T21 = work[64 + k]
             T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
@@ -1258,35 +1254,31 @@ def _in_tiles(T, q, status):
             factor2 = 1.0 / N3
             v11 = -Z2_3 - v6
             v12 = d1 + v5
-            v13 = T31 - T31 * factor2m3m4
-            v14 = T33 * factor2m3m4 - T33
-            v15 = T22 - v3
-            v16 = T21 + factor2m3m4 * (s1 * T33)
-            v17 = T23 - factor2m3m4 * (s1 * T31)
-            v18 = T12 - s1
-            v19 = T13 + factor2m3m4 * (v3 * T31)
-            v20 = T11 - factor2m3m4 * (v3 * T33)
-            v21 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
-            v22 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
-            v23 = T14 - v3 * v11
-            v24 = v23 * v23
-            v25 = T24 + s1 * v11
-            v26 = v25 * v25
-            v27 = v26 + (v24 + v21 * v21)
-            v28 = v26 + (v24 + v22 * v22)
-            v29 = math.sqrt(-1.0)
-            v30 = 0.0 if v27 <= m4 else v29
-            v31 = 0.0 if v28 <= m4 else v29
+            v13 = T33 * factor2m3m4 - T33
+            v14 = T22 - v3
+            v15 = T23 - factor2m3m4 * (s1 * T31)
+            v16 = T13 + factor2m3m4 * (v3 * T31)
+            v17 = T12 - s1
+            v18 = T34 - (v12 + factor2 * (a2 * S2_p) + factor2 * (a3 * (v7 + v9)))
+            v19 = T34 - (v12 + factor2 * (a2 * S2_m) + factor2 * (a3 * (v8 + v9)))
+            v20 = T14 - v3 * v11
+            v21 = v20 * v20
+            v22 = T24 + s1 * v11
+            v23 = v22 * v22
+            v24 = v23 + (v21 + v18 * v18)
+            v25 = v23 + (v21 + v19 * v19)
+            v30 = math.sqrt(-1.0)
+            v31 = 0.0 if v24 <= m4 else v30
+            v32 = 0.0 if v25 <= m4 else v30
             doubt1 = (
-                v4 <= m1 or (v1 <= m1 or ((shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <= doubt_limit_squared2 or
-                (m3 < v20 * v20 + (v19 * v19 + (v18 * v18 + (v17 * v17 + (v16 * v16 + (v15 * v15 +
-                (v14 * v14 + (T32 * T32 + v13 * v13))))))) or ((m4 < v27 and v27 <= m5) or (m4 < v28
-                and v28 <= m5))))))
+                v4 <= m1 or v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+                (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <= doubt_limit_squared2 or m3
+                < v17 * v17 + (v16 * v16 + (v15 * v15 + (v14 * v14 + (T32 * T32 + v13 * v13)))) or
+                (m4 < v24 and v24 <= m5) or (m4 < v25 and v25 <= m5)
             )
             work[272 + k] = w3
-            work[288 + k] = v30
-            work[304 + k] = v31
+            work[288 + k] = v31
+            work[304 + k] = v32
             work[320 + k] = doubt1
             work[336 + k] = T33
             work[352 + k] = w3
@@ -1302,30 +1294,30 @@ def _in_tiles(T, q, status):
             work[k] = _atan2(work[k], work[k + 80])
         for k in range(0, 16):
             w3 = work[272 + k]
-            v30 = work[288 + k]
-            v31 = work[304 + k]
+            v31 = work[288 + k]
+            v32 = work[304 + k]
             doubt1 = work[320 + k] != 0.0
             angle1 = work[336 + k]
             angle2 = work[352 + k]
             angle3 = work[368 + k]
             angle4 = work[384 + k]
             angle5 = work[400 + k]
-            v32 = angle3 - offset2
-            v33 = angle4 - offset2
-            v34 = angle3 - angle2 - angle1
-            v35 = angle2 + angle4 - angle1
-            v36 = angle5 + (w3 - w3)
-            q1_p = v30 + v36
-            q1_m = v31 + v36
-            q2_p = v30 + (v32 + (m6 if v32 <= -half_turn else 0.0))
-            q2_m = v31 + (v33 + (m6 if v33 <= -half_turn else 0.0))
-            q3_p = angle2 + v30
-            q3_m = v31 - angle2
+            v26 = angle3 - offset2
+            v27 = angle4 - offset2
+            v28 = angle3 - angle2 - angle1
+            v29 = angle2 + angle4 - angle1
+            v33 = angle5 + (w3 - w3)
+            q1_p = v31 + v33
+            q1_m = v32 + v33
+            q2_p = v31 + (v26 + (m6 if v26 <= -half_turn else 0.0))
+            q2_m = v32 + (v27 + (m6 if v27 <= -half_turn else 0.0))
+            q3_p = angle2 + v31
+            q3_m = v32 - angle2
             q4_p = (
-                v30 + (v34 - (m6 if half_turn < v34 else 0.0) + (m6 if v34 <= -half_turn else 0.0))
+                v31 + (v28 - (m6 if half_turn < v28 else 0.0) + (m6 if v28 <= -half_turn else 0.0))
             )
             q4_m = (
-                v31 + (v35 - (m6 if half_turn < v35 else 0.0) + (m6 if v35 <= -half_turn else 0.0))
+                v32 + (v29 - (m6 if half_turn < v29 else 0.0) + (m6 if v29 <= -half_turn else 0.0))
             )
             _496 = q1_p
             work[496 + k] = _496

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -160,20 +125,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -182,14 +134,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -245,6 +189,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -287,12 +233,9 @@ static const double weight[2] = { 11.11111111111111, 1.0 };
 
 void planar_pr_fk(const double q[2], double T[16])
 {
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double T11_ = f3 * c2;
-    const double T21_ = f3 * s2;
-    const double T14_ = f2 * q[0] + T11_ * a;
-    const double T24_ = f1 * q[0] + T21_ * a;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double T11_ = f3 * c2, T21_ = f3 * s2, T14_ = f2 * q[0] + T11_ * a,
+        T24_ = f1 * q[0] + T21_ * a;
     T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
     T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
@@ -302,12 +245,9 @@ void planar_pr_fk(const double q[2], double T[16])
 
 void planar_pr_jacobian(const double q[2], double J[12])
 {
-    const double p1_x = g2 * q[0];
-    const double p1_y = g1 * q[0];
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double J22 = p1_x + g3 * c2 * a - p1_x;
-    const double J12 = p1_y - (p1_y + g3 * s2 * a);
+    const double p1_x = g2 * q[0], p1_y = g1 * q[0];
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double J22 = p1_x + g3 * c2 * a - p1_x, J12 = p1_y - (p1_y + g3 * s2 * a);
     J[0] = g2; J[1] = J12;
     J[2] = g1; J[3] = J22;
     J[4] = 0.0; J[5] = 0.0;
@@ -334,19 +274,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide T24 = T[7];
 
     /* theta2, r1 */
-    const wide V1_2 = k1 * T24;
-    const wide V2_2 = k1 * T14;
-    const wide v1 = k2 * V1_2 + k3 * V2_2, v2 = k2 * V2_2 - k3 * V1_2;
-    const wide D1 = k4 - v2 * v2;
-    const wide w2 = sqrt_wide(D1);
+    const wide V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
+        v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt_wide(D1);
     const wide_mask doubt1 = abs_wide(D1) <= k5;
-    const wide q1_p = k7 * (v1 + w2), q1_m = k7 * (v1 - w2);
     const wide v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1, v5 = m1 * w2, v6 = m2 * w2;
-    const wide angle1 = atan2_wide(v3 - v5, v4 - v6), angle2 = atan2_wide(v3 + v5, v4 + v6);
 
-    q[0] = q1_p; q[1] = angle1;
+    q[0] = k7 * (v1 + w2); q[1] = atan2_wide(v3 - v5, v4 - v6);
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[2] = q1_m; q[3] = angle2;
+    q[2] = k7 * (v1 - w2); q[3] = atan2_wide(v3 + v5, v4 + v6);
     kind[1] = kind_of(q[2] != q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -363,17 +298,14 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const double T24 = T[7];
 
     /* theta2, r1 */
-    const double V1_2 = k1 * T24;
-    const double V2_2 = k1 * T14;
-    const double v1 = k2 * V1_2 + k3 * V2_2, v2 = k2 * V2_2 - k3 * V1_2;
-    const double D1 = k4 - v2 * v2;
-    const double w2 = sqrt(D1);
+    const double V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
+        v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt(D1);
     const int doubt1 = fabs(D1) <= k5;
     const four q1 = k7 * (v1 + e1 * w2);
     const double v3 = V1_2 - m1 * v1, v4 = V2_2 - m2 * v1;
 
-    const four packed1 = atan2_four(v3 - w2 * (m1 * e1), v4 - w2 * (m2 * e1));
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
+    const four packed1 = atan2_four(v3 - w2 * (m1 * e1), v4 - w2 * (m2 * e1)),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -448,8 +380,7 @@ static void solve(
     /* theta2, r1, type 5: U0[2, 4] and U0[1, 4] */
     const double V1_2 = T24 * k1;
     const double V2_2 = T14 * k1;
-    const double v1 = V1_2 * k2 + V2_2 * k3;
-    const double v2 = k2 * V2_2 - V1_2 * k3;
+    const double v1 = V1_2 * k2 + V2_2 * k3, v2 = k2 * V2_2 - V1_2 * k3;
     const double D1 = k4 - v2 * v2;
     const int apart2 = k6 < D1;
     if (!(-k5 <= D1)) return; /* out of reach */
@@ -460,12 +391,10 @@ static void solve(
         /* theta2, r1 */
         if (e1 < 0.0 && !apart2) continue; /* both signs give the same */
         const double r1 = (v1 + w2 * e1) * k7;
-        const double s2 = V1_2 - k2 * r1;
-        const double c2 = V2_2 - k3 * r1;
+        const double s2 = V1_2 - k2 * r1, c2 = V2_2 - k3 * r1;
         const double q2 = atan2(s2, c2);
         const int row = i1;
-        q[row][0] = r1;
-        q[row][1] = q2;
+        q[row][0] = r1; q[row][1] = q2;
         status[row] = PLANAR_PR_OK;
     }
 }

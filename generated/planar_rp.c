@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -166,20 +131,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -188,14 +140,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -251,6 +195,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -283,8 +229,7 @@ static const double weight[2] = { 1.0, 1.0 };
 void planar_rp_fk(const double q[2], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double T14_ = s1 * q[1];
     T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = T14_;
     T[4] = s1; T[5] = 0.0; T[6] = -c1; T[7] = -(c1 * q[1]);
@@ -296,10 +241,8 @@ void planar_rp_fk(const double q[2], double T[16])
 void planar_rp_jacobian(const double q[2], double J[12])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
-    const double J21 = s1 * q[1];
-    const double J11 = c1 * q[1];
+    const double c1 = cos(v1), s1 = sin(v1);
+    const double J21 = s1 * q[1], J11 = c1 * q[1];
     J[0] = J11; J[1] = s1;
     J[2] = J21; J[3] = -c1;
     J[4] = 0.0; J[5] = 0.0;
@@ -326,22 +269,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide T24 = T[7];
 
     /* theta1, r2 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide q2_p = sqrt_wide(v1);
+    const wide v1 = T14 * T14 + T24 * T24, q2_p = sqrt_wide(v1);
     const wide_mask doubt1 = v1 <= m1;
 
     /* joint values */
-    const wide angle1 = atan2_wide(T14, -T24);
-    const wide v2 = angle1 - offset1;
-    const wide v3 = angle1 - copysign_wide(all_wide(half_turn), T14) * h1 - offset1;
-    const wide q1_p = v2 + only_wide(v2 <= -half_turn, m3);
-    const wide q1_m = v3 + only_wide(v3 <= -half_turn, m3);
-    const wide_mask outside_p = (q2_p < low2) | (high2 < q2_p);
-    const wide_mask outside_m = (-q2_p < low2) | (high2 < -q2_p);
+    const wide angle1 = atan2_wide(T14, -T24), v2 = angle1 - offset1,
+        v3 = angle1 - copysign_wide(all_wide(half_turn), T14) * h1 - offset1;
+    const wide_mask outside_p = beyond(q2_p, low2, high2), outside_m = beyond(-q2_p, low2, high2);
 
-    q[0] = q1_p; q[1] = q2_p;
+    q[0] = v2 + only_wide(v2 <= -half_turn, m3); q[1] = q2_p;
     kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[2] = q1_m; q[3] = -q2_p;
+    q[2] = v3 + only_wide(v3 <= -half_turn, m3); q[3] = -q2_p;
     kind[1] = kind_of(q[2] != q[2], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -359,19 +297,18 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const double T24 = T[7];
 
     /* theta1, r2 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w2 = sqrt(v1);
+    const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1);
     const int doubt1 = v1 <= m1;
 
     /* joint values */
     const double v2 = copysign(half_turn, T14);
     const four q2 = e1 * w2;
-    const four_mask outside = (q2 < low2) | (high2 < q2);
+    const four_mask outside = beyond(q2, low2, high2);
 
-    const four packed1 = atan2_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24, -T24 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1;
-    const four q1 = v3 + only_four(v3 <= -half_turn, m3);
+    const four packed1 = atan2_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24, -T24 }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1,
+        q1 = v3 + only_four(v3 <= -half_turn, m3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -455,15 +392,13 @@ static void solve(
         /* theta1, r2 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(v1) : -(T24 * factor1);
-        const double s1 = free1 ? sin(v1) : T14 * factor1;
+        const double c1 = free1 ? cos(v1) : -(T24 * factor1), s1 = free1 ? sin(v1) : T14 * factor1;
         const double r2 = w2 * e1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = r2;
+        q[row][0] = q1; q[row][1] = r2;
         status[row] = (free1) ? PLANAR_RP_FREE_JOINT : PLANAR_RP_OK;
     }
 }

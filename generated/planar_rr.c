@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -160,20 +125,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -182,14 +134,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -245,6 +189,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -285,14 +231,10 @@ static const double highest[2] = { INFINITY, INFINITY };
 
 void planar_rr_fk(const double q[2], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double T11_ = c1 * c2 - s1 * s2;
-    const double T21_ = s1 * c2 + c1 * s2;
-    const double T14_ = c1 * a1 + T11_ * a2;
-    const double T24_ = s1 * a1 + T21_ * a2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double T11_ = c1 * c2 - s1 * s2, T21_ = s1 * c2 + c1 * s2, T14_ = c1 * a1 + T11_ * a2,
+        T24_ = s1 * a1 + T21_ * a2;
     T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
     T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
@@ -302,16 +244,12 @@ void planar_rr_fk(const double q[2], double T[16])
 
 void planar_rr_jacobian(const double q[2], double J[12])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double J21 = p1_x + (c1 * c2 - s1 * s2) * a2;
     const double p2_y = p1_y + (s1 * c2 + c1 * s2) * a2;
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - p2_y;
+    const double J22 = J21 - p1_x, J12 = p1_y - p2_y;
     J[0] = -p2_y; J[1] = J12;
     J[2] = J21; J[3] = J22;
     J[4] = 0.0; J[5] = 0.0;
@@ -338,22 +276,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide T24 = T[7];
 
     /* theta2 */
-    const wide N2 = T14 * T14 + T24 * T24;
-    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide angle1 = atan2_wide(w2, N2 - k1);
+    const wide N2 = T14 * T14 + T24 * T24, w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)),
+        angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m1 * T14);
-    const wide v5 = w2 * (m1 * T24);
-    const wide angle2 = atan2_wide(v2 - v4, v3 + v5), angle3 = atan2_wide(v2 + v4, v3 - v5);
+    const wide v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m1 * T14),
+        v5 = w2 * (m1 * T24);
 
     /* joint values */
-    const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
+    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
+        < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
-    q[0] = angle2; q[1] = angle1;
+    q[0] = atan2_wide(v2 - v4, v3 + v5); q[1] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[2] = angle3; q[3] = -angle1;
+    q[2] = atan2_wide(v2 + v4, v3 - v5); q[3] = -angle1;
     kind[1] = kind_of(q[2] != q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -370,21 +306,19 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     const double T24 = T[7];
 
     /* theta2 */
-    const double N2 = T14 * T14 + T24 * T24;
-    const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+    const double N2 = T14 * T14 + T24 * T24, w2 = sqrt((longest2 - N2) * (N2 - shortest2));
 
     /* theta1 */
     const double v1 = m2 + m1 * N2, v2 = T24 * v1, v3 = T14 * v1;
 
     /* joint values */
-    const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
+    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
+        & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(v2 - w2 * (m1 * (e1 * T14)),
         all_four(w2), 0, 1, 6, 3), __builtin_shufflevector(v3 + w2 * (m1 * (e1 * T24)), all_four(N2
-        - k1), 0, 1, 6, 3));
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+        - k1), 0, 1, 6, 3)), angle2 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
     const four q2 = e1 * angle1;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
@@ -467,8 +401,7 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_1 = a1 + a2 * c2;
-    const double v1 = T24 * X1_1;
-    const double v2 = T14 * X1_1;
+    const double v1 = T24 * X1_1, v2 = T14 * X1_1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -484,12 +417,11 @@ static void solve(
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+            s1 = free1 ? sin(seed[0]) : S1 * factor1;
         const double q1 = atan2(s1, c1);
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
+        q[row][0] = q1; q[row][1] = q2;
         status[row] = (free1) ? PLANAR_RR_FREE_JOINT : PLANAR_RR_OK;
     }
 }

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,20 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -275,6 +227,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -327,18 +281,12 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void planar_rrr_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - x2_y * s3;
-    const double T21_ = x2_y * c3 + x2_x * s3;
-    const double T14_ = c1 * a1 + x2_x * a2 + T11_ * a3;
-    const double T24_ = s1 * a1 + x2_y * a2 + T21_ * a3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double T11_ = x2_x * c3 - x2_y * s3, T21_ = x2_y * c3 + x2_x * s3,
+        T14_ = c1 * a1 + x2_x * a2 + T11_ * a3, T24_ = s1 * a1 + x2_y * a2 + T21_ * a3;
     T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
     T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
@@ -348,24 +296,15 @@ void planar_rrr_fk(const double q[3], double T[16])
 
 void planar_rrr_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double J21 = p2_x + (x2_x * c3 - x2_y * s3) * a3;
     const double p3_y = p2_y + (x2_y * c3 + x2_x * s3) * a3;
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - p3_y;
-    const double J23 = J21 - p2_x;
-    const double J13 = p2_y - p3_y;
+    const double J22 = J21 - p1_x, J12 = p1_y - p3_y, J23 = J21 - p2_x, J13 = p2_y - p3_y;
     J[0] = -p3_y; J[1] = J12; J[2] = J13;
     J[3] = J21; J[4] = J22; J[5] = J23;
     J[6] = 0.0; J[7] = 0.0; J[8] = 0.0;
@@ -378,13 +317,16 @@ void planar_rrr_jacobian(const double q[3], double J[18])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -426,64 +368,48 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T11 = T[0], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta123 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1);
-    const wide angle1 = atan2_wide(T21, T11);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
+        angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
-    const wide v3 = v2 * (a3 * T11);
-    const wide Z1_2 = T14 - v3;
-    const wide v4 = v2 * (a3 * T21);
-    const wide Z2_2 = T24 - v4;
-    const wide N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
-    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide angle2 = atan2_wide(w2, N2 - k1);
+    const wide v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)),
+        angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v5 = m3 + m2 * N2, v6 = Z2_2 * v5;
-    const wide S1_p = v6 - w2 * (m2 * Z1_2), S1_m = v6 - w2 * (m2 * -Z1_2);
-    const wide v7 = Z1_2 * v5;
-    const wide C1_p = v7 + w2 * (m2 * Z2_2), C1_m = v7 + w2 * (m2 * -Z2_2);
-    const wide factor1 = 1.0 / N2;
-    const wide angle3 = atan2_wide(S1_p, C1_p), angle4 = atan2_wide(S1_m, C1_m);
+    const wide v5 = m3 + m2 * N2, v6 = Z2_2 * v5, S1_p = v6 - w2 * (m2 * Z1_2),
+        S1_m = v6 - w2 * (m2 * -Z1_2), v7 = Z1_2 * v5, C1_p = v7 + w2 * (m2 * Z2_2),
+        C1_m = v7 + w2 * (m2 * -Z2_2), factor1 = 1.0 / N2, angle3 = atan2_wide(S1_p, C1_p),
+        angle4 = atan2_wide(S1_m, C1_m);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T33 - 1.0;
-    const wide v12 = T11 * v2, v13 = T22 - v12, v14 = T21 * v2, v15 = T21 - v14, v16 = T11 - v12;
-    const wide v17 = v14 + T12;
-    const wide v18 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p *
-        factor1)));
-    const wide v19 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m *
-        factor1)));
-    const wide v20 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p *
-        factor1)));
-    const wide v21 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m *
-        factor1))), v22 = v18 * v18 + v20 * v20, v23 = v19 * v19 + v21 * v21;
-    const double v24 = NAN;
-    const wide v25 = pick_wide(v22 <= m6, all_wide(0.0), all_wide(v24));
-    const wide v26 = pick_wide(v23 <= m6, all_wide(0.0), all_wide(v24));
+    const wide v8 = m4 - m5 * factor1, v9 = Z1_2 * v8, v10 = Z2_2 * v8, v11 = T33 - 1.0,
+        v12 = T21 - T21 * v2, v13 = T11 - T11 * v2,
+        v14 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1))),
+        v15 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1))),
+        v16 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1))),
+        v17 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1))),
+        v18 = v14 * v14 + v16 * v16, v19 = v15 * v15 + v17 * v17;
 
     /* joint values */
-    const wide v27 = angle1 - (angle2 + angle3), v28 = angle1 - (angle4 - angle2);
-    const wide q1_p = angle3 + v25, q1_m = angle4 + v26;
-    const wide q2_p = angle2 + v25, q2_m = v26 - angle2;
-    const wide q3_p = v25 + (v27 - only_wide(half_turn < v27, m9) + only_wide(v27 <= -half_turn,
-        m9));
-    const wide q3_m = v26 + (v28 - only_wide(half_turn < v28, m9) + only_wide(v28 <= -half_turn,
-        m9));
-    const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((N2 <=
-        doubt_limit_squared2) | ((m6 < T34 * T34) | ((m7 < v17 * v17 + (v16 * v16 + (T13 * T13 +
-        (v15 * v15 + (v13 * v13 + (T23 * T23 + (T31 * T31 + (v11 * v11 + T32 * T32)))))))) | (((m6 <
-        v22) & (v22 <= m8)) | ((m6 < v23) & (v23 <= m8)))))));
+    const wide v20 = angle1 - (angle2 + angle3), v21 = angle1 - (angle4 - angle2);
+    const double v22 = NAN;
+    const wide v23 = only_wide((v18 <= m6) == 0, v22), v24 = only_wide((v19 <= m6) == 0, v22);
+    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
+        < N2) & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (N2 <= doubt_limit_squared2) | (m6 <
+        T34 * T34) | (m7 < T13 * T13 + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 *
+        T31))))) | ((m6 < v18) & (v18 <= m8)) | ((m6 < v19) & (v19 <= m8));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p;
+    q[0] = angle3 + v23; q[1] = angle2 + v23;
+    q[2] = v23 + (v20 - only_wide(half_turn < v20, m9) + only_wide(v20 <= -half_turn, m9));
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m; q[4] = q2_m; q[5] = q3_m;
+    q[3] = angle4 + v24; q[4] = v24 - angle2;
+    q[5] = v24 + (v21 - only_wide(half_turn < v21, m9) + only_wide(v21 <= -half_turn, m9));
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -496,58 +422,48 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta123 */
     const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
 
     /* theta2 */
-    const double v3 = v2 * (a3 * T11);
-    const double Z1_2 = T14 - v3;
-    const double v4 = v2 * (a3 * T21);
-    const double Z2_2 = T24 - v4;
-    const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
-    const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+    const double v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, w2 = sqrt((longest2 - N2) * (N2 - shortest2));
 
     /* theta1 */
     const four v5 = e1 * Z1_2;
     const double v6 = m3 + m2 * N2, v7 = Z2_2 * v6;
-    const four S1 = v7 - w2 * (m2 * v5);
-    const four v8 = e1 * Z2_2;
+    const four S1 = v7 - w2 * (m2 * v5), v8 = e1 * Z2_2;
     const double v9 = Z1_2 * v6;
     const four C1 = v9 + w2 * (m2 * v8);
     const double factor1 = 1.0 / N2;
 
     /* is the pose one that the arm can take? */
-    const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T33 - 1.0;
-    const double v14 = T11 * v2, v15 = T22 - v14, v16 = T21 * v2, v17 = T21 - v16, v18 = T11 - v14;
-    const double v19 = v16 + T12;
-    const four v20 = T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1))) + (v3 + a1 * (C1 * factor1)));
-    const four v21 = T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) + (v4 + a1 * (S1 * factor1)));
-    const four v22 = v20 * v20 + v21 * v21;
-    const double v23 = NAN;
-    const four v24 = pick_four(v22 <= m6, all_four(0.0), all_four(v23));
-    const four_mask doubt2 = (m6 < v22) & (v22 <= m8);
+    const double v10 = m4 - m5 * factor1, v11 = Z1_2 * v10, v12 = Z2_2 * v10, v13 = T33 - 1.0,
+        v14 = T21 - T21 * v2, v15 = T11 - T11 * v2;
+    const four v16 = T14 - (a2 * (v11 - w2 * (m4 * (v8 * factor1))) + (v3 + a1 * (C1 * factor1))),
+        v17 = T24 - (a2 * (v12 + w2 * (m4 * (v5 * factor1))) + (v4 + a1 * (S1 * factor1))),
+        v18 = v16 * v16 + v17 * v17;
+    const four_mask doubt2 = (m6 < v18) & (v18 <= m8);
 
     /* joint values */
-    const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((N2 <= doubt_limit_squared2) | ((m7 <
-        v19 * v19 + (v18 * v18 + (T13 * T13 + (v17 * v17 + (v15 * v15 + (T23 * T23 + (T31 * T31 +
-        (v13 * v13 + T32 * T32)))))))) | (m6 < T34 * T34))));
+    const double v21 = NAN;
+    const four v22 = only_four((v18 <= m6) == 0, v21);
+    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
+        & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (N2 <= doubt_limit_squared2) | (m7 < T13 *
+        T13 + (v15 * v15 + (v14 * v14 + (T23 * T23 + (v13 * v13 + T31 * T31))))) | (m6 < T34 * T34);
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(S1,
         all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(C1, all_four(T11), 0, 1, 6, 3), all_four(N2
-        - k1), 0, 1, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four v25 = e1 * angle2, v26 = angle1 - (angle3 + v25);
-    const four q1 = angle3 + v24;
-    const four q2 = v24 + v25;
-    const four q3 = v24 + (v26 - only_four(half_turn < v26, m9) + only_four(v26 <= -half_turn, m9));
+        - k1), 0, 1, 2, 7)), angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four v19 = e1 * angle2, v20 = angle1 - (angle3 + v19), q1 = angle3 + v22, q2 = v19 + v22,
+        q3 = v22 + (v20 - only_four(half_turn < v20, m9) + only_four(v20 <= -half_turn, m9));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -616,22 +532,27 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[3], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
     const double T[16], const double seed[3], double q[2][3], unsigned char status[2])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta123, type 3: U0[1, 2] and U0[2, 2] */
     const double w123 = sqrt(T21 * T21 + T11 * T11);
     const int free123 = w123 <= free_limit_squared;
-    const double v1 = 1.0 / (free123 ? 1.0 : w123);
-    const double v2 = seed[0] + seed[1] + seed[2];
-    const double c123 = free123 ? cos(v2) : T11 * v1;
-    const double s123 = free123 ? sin(v2) : T21 * v1;
+    const double v1 = 1.0 / (free123 ? 1.0 : w123), v2 = seed[0] + seed[1] + seed[2];
+    const double c123 = free123 ? cos(v2) : T11 * v1, s123 = free123 ? sin(v2) : T21 * v1;
     const double theta123 = atan2(s123, c123);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -644,18 +565,9 @@ static void solve(
     const double D2 = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
     if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
-        if (free123) {
-            status[0] = LOST + 1;
-            q[0][0] = D2;
-        }
-        if (free123) {
-            status[0] = LOST + 2;
-            q[0][0] = D2;
-        }
-        if (free123) {
-            status[0] = LOST + 3;
-            q[0][0] = D2;
-        }
+        if (free123) lose(LOST + 1, D2, q[0], &status[0]);
+        if (free123) lose(LOST + 2, D2, q[0], &status[0]);
+        if (free123) lose(LOST + 3, D2, q[0], &status[0]);
         return; /* out of reach */
     }
     const double w2 = sqrt(apart2 ? D2 : 0.0);
@@ -663,14 +575,12 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_1 = a1 + a2 * c2;
-    const double v5 = Z2_2 * X1_1;
-    const double v6 = Z1_2 * X1_1;
+    const double v5 = Z2_2 * X1_1, v6 = Z1_2 * X1_1;
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(T34) <= pose_slack1 && (fabs(T33 - 1.0) <= pose_slack && (fabs(T32) <= pose_slack &&
-        (fabs(T31) <= pose_slack && (fabs(T23) <= pose_slack && (fabs(T22 - c123) <= pose_slack &&
-        (fabs(T21 - s123) <= pose_slack && (fabs(T13) <= pose_slack && (fabs(T11 - c123) <=
-        pose_slack && fabs(T12 + s123) <= pose_slack))))))))))
+    if (!(fabs(T34) <= pose_slack1 && fabs(T33 - 1.0) <= pose_slack && fabs(T31) <= pose_slack &&
+        fabs(T23) <= pose_slack && fabs(T21 - s123) <= pose_slack && fabs(T11 - c123) <= pose_slack
+        && fabs(T13) <= pose_slack))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -687,13 +597,12 @@ static void solve(
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+            s1 = free1 ? sin(seed[0]) : S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* is the pose one that the arm can take? */
-        const double c12 = c2 * c1 - s2 * s1;
-        const double s12 = c2 * s1 + s2 * c1;
+        const double c12 = c2 * c1 - s2 * s1, s12 = c2 * s1 + s2 * c1;
         if (!(fabs(T14 - (a2 * c12 + (v3 + a1 * c1))) <= pose_slack1 && fabs(T24 - (a2 * s12 + (v4 +
             a1 * s1))) <= pose_slack1))
             continue; /* the arm can't take this pose */
@@ -702,9 +611,7 @@ static void solve(
         const double q3 = wrap(theta123 - (q2 + q1));
         const int free1_ = free123 || free1;
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
         status[row] = (free1_ || free123 || free123) ? PLANAR_RRR_FREE_JOINT : PLANAR_RRR_OK;
     }
 }
@@ -729,6 +636,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == PLANAR_RRR_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != PLANAR_RRR_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -742,7 +656,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -791,16 +709,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[3], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[3], int row, double q[2][3], unsigned char status[2])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = PLANAR_RRR_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 3; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : PLANAR_RRR_UNREACHABLE;
+    for (int i = 0; i < 3; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -837,16 +760,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3],
     if (!valid)
         return -PLANAR_RRR_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 2; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 2; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 3; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == PLANAR_RRR_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {

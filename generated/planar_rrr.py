@@ -252,7 +252,7 @@ def _solve(pose, seed, q, status):
 
     The first value of a row that is _LOST says how far it is from a solution (negative).
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # theta123, type 3: U0[1, 2] and U0[2, 2]
     w123 = math.sqrt(T21 * T21 + T11 * T11)
@@ -293,10 +293,9 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(T34) <= pose_slack1 and (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack
-        and (abs(T31) <= pose_slack and (abs(T23) <= pose_slack and (abs(T22 - c123) <= pose_slack
-        and (abs(T21 - s123) <= pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c123) <=
-        pose_slack and abs(T12 + s123) <= pose_slack)))))))))
+        not (abs(T34) <= pose_slack1 and abs(T33 - 1.0) <= pose_slack and abs(T31) <= pose_slack and
+        abs(T23) <= pose_slack and abs(T21 - s123) <= pose_slack and abs(T11 - c123) <= pose_slack
+        and abs(T13) <= pose_slack)
     ):
         return  # the arm can't take this pose
 
@@ -396,6 +395,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -426,7 +431,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -492,7 +502,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(3):
         q[row, i] = trial[row, i] if served else math.nan
@@ -506,10 +517,11 @@ def _whole(pose, seed, q, status):
         for i in range(3):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(2):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
+    count = 0
+    for row in range(2):
         if status[row] == UNREACHABLE:
             continue
         for i in range(3):
@@ -528,7 +540,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta123, type 3: U0[1, 2] and U0[2, 2]
@@ -558,28 +570,24 @@ def _regular(pose, q, status):
     v9 = Z1_2 * v8
     v10 = Z2_2 * v8
     v11 = T33 - 1.0
-    v12 = T11 * v2
-    v13 = T22 - v12
-    v14 = T21 * v2
-    v15 = T21 - v14
-    v16 = T11 - v12
-    v17 = v14 + T12
-    v18 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
-    v19 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
-    v20 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
-    v21 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
-    v22 = v18 * v18 + v20 * v20
-    v23 = v19 * v19 + v21 * v21
-    v24 = math.sqrt(-1.0)
-    v25 = 0.0 if v22 <= m6 else v24
-    v26 = 0.0 if v23 <= m6 else v24
+    v12 = T21 - T21 * v2
+    v13 = T11 - T11 * v2
+    v14 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+    v15 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+    v16 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+    v17 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+    v18 = v14 * v14 + v16 * v16
+    v19 = v15 * v15 + v17 * v17
 
     # joint values
+    v22 = math.sqrt(-1.0)
+    v23 = 0.0 if v18 <= m6 else v22
+    v24 = 0.0 if v19 <= m6 else v22
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m6 < T34 * T34 or (m7 < v17
-        * v17 + (v16 * v16 + (T13 * T13 + (v15 * v15 + (v13 * v13 + (T23 * T23 + (T31 * T31 + (v11 *
-        v11 + T32 * T32))))))) or ((m6 < v22 and v22 <= m8) or (m6 < v23 and v23 <= m8))))))
+        longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m6 < T34 * T34 or m7 < T13 *
+        T13 + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 * T31)))) or (m6 < v18 and v18
+        <= m8) or (m6 < v19 and v19 <= m8)
     )
 
     # angles, side by side
@@ -601,14 +609,14 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v27 = angle1 - (angle2 + angle3)
-    v28 = angle1 - (angle4 - angle2)
-    q1_p = angle3 + v25
-    q1_m = angle4 + v26
-    q2_p = angle2 + v25
-    q2_m = v26 - angle2
-    q3_p = v25 + (v27 - (m9 if half_turn < v27 else 0.0) + (m9 if v27 <= -half_turn else 0.0))
-    q3_m = v26 + (v28 - (m9 if half_turn < v28 else 0.0) + (m9 if v28 <= -half_turn else 0.0))
+    v20 = angle1 - (angle2 + angle3)
+    v21 = angle1 - (angle4 - angle2)
+    q1_p = angle3 + v23
+    q1_m = angle4 + v24
+    q2_p = angle2 + v23
+    q2_m = v24 - angle2
+    q3_p = v23 + (v20 - (m9 if half_turn < v20 else 0.0) + (m9 if v20 <= -half_turn else 0.0))
+    q3_m = v24 + (v21 - (m9 if half_turn < v21 else 0.0) + (m9 if v21 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -824,15 +832,12 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T21 * T21 + T11 * T11
@@ -855,30 +860,25 @@ def _in_tiles(T, q, status):
             v9 = Z1_2 * v8
             v10 = Z2_2 * v8
             v11 = T33 - 1.0
-            v12 = T11 * v2
-            v13 = T22 - v12
-            v14 = T21 * v2
-            v15 = T21 - v14
-            v16 = T11 - v12
-            v17 = v14 + T12
-            v18 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
-            v19 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
-            v20 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
-            v21 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
-            v22 = v18 * v18 + v20 * v20
-            v23 = v19 * v19 + v21 * v21
-            v24 = math.sqrt(-1.0)
-            v25 = 0.0 if v22 <= m6 else v24
-            v26 = 0.0 if v23 <= m6 else v24
+            v12 = T21 - T21 * v2
+            v13 = T11 - T11 * v2
+            v14 = T14 - (a2 * (v9 - w2 * (m4 * (Z2_2 * factor1))) + (v3 + a1 * (C1_p * factor1)))
+            v15 = T14 - (a2 * (v9 - w2 * (m4 * (-Z2_2 * factor1))) + (v3 + a1 * (C1_m * factor1)))
+            v16 = T24 - (a2 * (v10 + w2 * (m4 * (Z1_2 * factor1))) + (v4 + a1 * (S1_p * factor1)))
+            v17 = T24 - (a2 * (v10 + w2 * (m4 * (-Z1_2 * factor1))) + (v4 + a1 * (S1_m * factor1)))
+            v18 = v14 * v14 + v16 * v16
+            v19 = v15 * v15 + v17 * v17
+            v22 = math.sqrt(-1.0)
+            v23 = 0.0 if v18 <= m6 else v22
+            v24 = 0.0 if v19 <= m6 else v22
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (v1 <= m1 or (N2 <= doubt_limit_squared2 or (m6 < T34 * T34 or
-                (m7 < v17 * v17 + (v16 * v16 + (T13 * T13 + (v15 * v15 + (v13 * v13 + (T23 * T23 +
-                (T31 * T31 + (v11 * v11 + T32 * T32))))))) or ((m6 < v22 and v22 <= m8) or (m6 < v23
-                and v23 <= m8))))))
+                < longest2_apart)) or v1 <= m1 or N2 <= doubt_limit_squared2 or m6 < T34 * T34 or m7
+                < T13 * T13 + (v13 * v13 + (v12 * v12 + (T23 * T23 + (v11 * v11 + T31 * T31)))) or
+                (m6 < v18 and v18 <= m8) or (m6 < v19 and v19 <= m8)
             )
-            work[272 + k] = v25
-            work[288 + k] = v26
+            work[272 + k] = v23
+            work[288 + k] = v24
             work[304 + k] = doubt1
             work[320 + k] = T21
             work[336 + k] = w2
@@ -891,24 +891,24 @@ def _in_tiles(T, q, status):
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v25 = work[272 + k]
-            v26 = work[288 + k]
+            v23 = work[272 + k]
+            v24 = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            v27 = angle1 - (angle2 + angle3)
-            v28 = angle1 - (angle4 - angle2)
-            q1_p = angle3 + v25
-            q1_m = angle4 + v26
-            q2_p = angle2 + v25
-            q2_m = v26 - angle2
+            v20 = angle1 - (angle2 + angle3)
+            v21 = angle1 - (angle4 - angle2)
+            q1_p = angle3 + v23
+            q1_m = angle4 + v24
+            q2_p = angle2 + v23
+            q2_m = v24 - angle2
             q3_p = (
-                v25 + (v27 - (m9 if half_turn < v27 else 0.0) + (m9 if v27 <= -half_turn else 0.0))
+                v23 + (v20 - (m9 if half_turn < v20 else 0.0) + (m9 if v20 <= -half_turn else 0.0))
             )
             q3_m = (
-                v26 + (v28 - (m9 if half_turn < v28 else 0.0) + (m9 if v28 <= -half_turn else 0.0))
+                v24 + (v21 - (m9 if half_turn < v21 else 0.0) + (m9 if v21 <= -half_turn else 0.0))
             )
             _448 = q1_p
             work[448 + k] = _448

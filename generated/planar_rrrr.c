@@ -16,6 +16,8 @@ static const int solved[4] = { 0, 1, 2, 3 };
 static const int turning[4] = { 1, 1, 1, 1 };
 static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
 static const double measure[4] = { 1.0, 1.0, 1.0, 1.0 };
+/* Rows of the translation that count. */
+static const int coordinate[2] = { 0, 1 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -33,15 +35,29 @@ static void look(struct descent *d, const double u[4])
         d->q[solved[j]] = unit[j] * u[j];
     planar_rrrr_fk(d->q, P);
     planar_rrrr_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.0;
-    for (int j = 0; j < 4; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.0;
-    for (int j = 0; j < 4; j++)
-        d->A[1][j] = measure[j] * J[4 + solved[j]];
+    for (int i = 0; i < 2; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.0;
+        for (int j = 0; j < 4; j++)
+            d->A[i][j] = measure[j] * J[4 * row + solved[j]];
+    }
     for (int i = 0; i < 2; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[4], double to[4])
+{
+    for (int j = 0; j < 4; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -76,14 +92,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[4])
 {
@@ -92,12 +100,6 @@ static void shorten(double step[4])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 4; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[4], double to[4])
-{
-    for (int j = 0; j < 4; j++)
-        to[j] = from[j];
 }
 
 /* A step with a pull; joints that it would take beyond a limit are put there, and locked. */
@@ -253,22 +255,15 @@ static const double highest[4] = {
 
 void planar_rrrr_fk(const double q[4], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3;
-    const double x3_y = x2_y * c3 + x2_x * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - x3_y * s4;
-    const double T21_ = x3_y * c4 + x3_x * s4;
-    const double T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_;
-    const double T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double T11_ = x3_x * c4 - x3_y * s4, T21_ = x3_y * c4 + x3_x * s4,
+        T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_,
+        T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_;
     T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
     T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
@@ -278,32 +273,19 @@ void planar_rrrr_fk(const double q[4], double T[16])
 
 void planar_rrrr_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a;
-    const double p1_y = s1 * a;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + a * x2_x;
-    const double p2_y = p1_y + a * x2_y;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3;
-    const double x3_y = x2_y * c3 + x2_x * s3;
-    const double p3_x = p2_x + a * x3_x;
-    const double p3_y = p2_y + a * x3_y;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a, p1_y = s1 * a;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + a * x2_x, p2_y = p1_y + a * x2_y;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
+    const double p3_x = p2_x + a * x3_x, p3_y = p2_y + a * x3_y;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4);
     const double p4_y = p3_y + a * (x3_y * c4 + x3_x * s4);
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - p4_y;
-    const double J23 = J21 - p2_x;
-    const double J13 = p2_y - p4_y;
-    const double J24 = J21 - p3_x;
-    const double J14 = p3_y - p4_y;
+    const double J22 = J21 - p1_x, J12 = p1_y - p4_y, J23 = J21 - p2_x, J13 = p2_y - p4_y,
+        J24 = J21 - p3_x, J14 = p3_y - p4_y;
     J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
     J[8] = 0.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
@@ -342,10 +324,7 @@ static void solve(
         /* all joints: damped least squares */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
         status[row] = (chosen) ? PLANAR_RRRR_FREE_JOINT : PLANAR_RRRR_OK;
     }
 }

@@ -83,56 +83,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -172,7 +137,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -194,14 +159,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -270,6 +227,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -328,46 +287,29 @@ static const double weight[6] = { 1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0 };
 
 void prismatic_2_wrist_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double x2_x = c1 * cat2;
-    const double x2_y = s1 * cat2;
-    const double z2_x = c1 * sat2;
-    const double z2_y = s1 * sat2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3;
-    const double x3_y = x2_y * c3 + c1 * s3;
-    const double v1 = sat2 * c3;
-    const double v2 = s1 * c3 + x2_x * s3;
-    const double z3_y = c1 * c3 - x2_y * s3;
-    const double z3_z = sat2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - z2_x * s4;
-    const double x4_y = x3_y * c4 - z2_y * s4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double x2_x = c1 * cat2, x2_y = s1 * cat2;
+    const double z2_x = c1 * sat2, z2_y = s1 * sat2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3;
+    const double v1 = sat2 * c3, v2 = s1 * c3 + x2_x * s3;
+    const double z3_y = c1 * c3 - x2_y * s3, z3_z = sat2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - z2_x * s4, x4_y = x3_y * c4 - z2_y * s4;
     const double v3 = v1 * c4 + cat2 * s4;
-    const double z4_x = z2_x * c4 + x3_x * s4;
-    const double z4_y = z2_y * c4 + x3_y * s4;
+    const double z4_x = z2_x * c4 + x3_x * s4, z4_y = z2_y * c4 + x3_y * s4;
     const double y5_z = v1 * s4 - cat2 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v2 * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = z3_z * s5 - v3 * c5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v2 * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = z3_z * s5 - v3 * c5;
     const double v4 = v2 * c5 + x4_x * s5;
-    const double T23_ = z3_y * c5 - x4_y * s5;
-    const double T33_ = z3_z * c5 + v3 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - z4_x * s6;
-    const double T21_ = x5_y * c6 - z4_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6;
-    const double T24_ = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + T23_ *
-        d6;
-    const double T34_ = f1 - v1 * a3 + f2 + z3_z * d4 + T33_ * d6;
+    const double T23_ = z3_y * c5 - x4_y * s5, T33_ = z3_z * c5 + v3 * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 - z4_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6,
+        T24_ = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + T23_ * d6,
+        T34_ = f1 - v1 * a3 + f2 + z3_z * d4 + T33_ * d6;
     T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -v4; T[3] = T14_;
     T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -377,60 +319,32 @@ void prismatic_2_wrist_fk(const double q[6], double T[16])
 
 void prismatic_2_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double x2_x = c1 * cat2;
-    const double x2_y = s1 * cat2;
-    const double J43 = c1 * sat2;
-    const double J53 = s1 * sat2;
-    const double p2_x = c1 * a1 - s1 * q[1] + x2_x * a2;
-    const double p2_y = s1 * a1 + c1 * q[1] + x2_y * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3;
-    const double x3_y = x2_y * c3 + c1 * s3;
-    const double v1 = sat2 * c3;
-    const double v2 = s1 * c3 + x2_x * s3;
-    const double J54 = c1 * c3 - x2_y * s3;
-    const double J64 = sat2 * s3;
-    const double p3_x = p2_x + x3_x * a3 + J43 * d3;
-    const double p3_y = p2_y + x3_y * a3 + J53 * d3;
-    const double p3_z = g1 - v1 * a3 + g2;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = J43 * c4 + x3_x * s4;
-    const double J55 = J53 * c4 + x3_y * s4;
-    const double p4_x = p3_x - v2 * d4;
-    const double p4_y = p3_y + J54 * d4;
-    const double p4_z = p3_z + J64 * d4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double x2_x = c1 * cat2, x2_y = s1 * cat2;
+    const double J43 = c1 * sat2, J53 = s1 * sat2;
+    const double p2_x = c1 * a1 - s1 * q[1] + x2_x * a2, p2_y = s1 * a1 + c1 * q[1] + x2_y * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3;
+    const double v1 = sat2 * c3, v2 = s1 * c3 + x2_x * s3;
+    const double J54 = c1 * c3 - x2_y * s3, J64 = sat2 * s3;
+    const double p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 + J53 * d3,
+        p3_z = g1 - v1 * a3 + g2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = J43 * c4 + x3_x * s4, J55 = J53 * c4 + x3_y * s4;
+    const double p4_x = p3_x - v2 * d4, p4_y = p3_y + J54 * d4, p4_z = p3_z + J64 * d4;
     const double J65 = cat2 * c4 - v1 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double v3 = v2 * c5 + (x3_x * c4 - J43 * s4) * s5;
-    const double J56 = J54 * c5 - (x3_y * c4 - J53 * s4) * s5;
-    const double J66 = J64 * c5 + (v1 * c4 + cat2 * s4) * s5;
-    const double J21 = p4_x - v3 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z + J66 * d6;
-    const double v4 = J21 - p2_x;
-    const double v5 = p6_y - p2_y;
-    const double v6 = p6_z - g1;
-    const double J13 = J53 * v6 - cat2 * v5;
-    const double J23 = cat2 * v4 - J43 * v6;
-    const double J33 = J43 * v5 - J53 * v4;
-    const double v7 = J21 - p3_x;
-    const double v8 = p6_y - p3_y;
-    const double v9 = p6_z - p3_z;
-    const double J14 = J54 * v9 - J64 * v8;
-    const double J24 = J64 * v7 + v2 * v9;
-    const double v10 = J21 - p4_x;
-    const double v11 = p6_y - p4_y;
-    const double v12 = p6_z - p4_z;
-    const double J15 = J55 * v12 - J65 * v11;
-    const double J25 = J65 * v10 - J45 * v12;
-    const double J35 = J45 * v11 - J55 * v10;
-    const double J16 = J56 * v12 - J66 * v11;
-    const double J26 = J66 * v10 + v3 * v12;
+    const double J56 = J54 * c5 - (x3_y * c4 - J53 * s4) * s5,
+        J66 = J64 * c5 + (v1 * c4 + cat2 * s4) * s5, J21 = p4_x - v3 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6;
+    const double v4 = J21 - p2_x, v5 = p6_y - p2_y, v6 = p6_z - g1;
+    const double J13 = J53 * v6 - cat2 * v5, J23 = cat2 * v4 - J43 * v6, J33 = J43 * v5 - J53 * v4;
+    const double v7 = J21 - p3_x, v8 = p6_y - p3_y, v9 = p6_z - p3_z;
+    const double J14 = J54 * v9 - J64 * v8, J24 = J64 * v7 + v2 * v9;
+    const double v10 = J21 - p4_x, v11 = p6_y - p4_y, v12 = p6_z - p4_z;
+    const double J15 = J55 * v12 - J65 * v11, J25 = J65 * v10 - J45 * v12,
+        J35 = J45 * v11 - J55 * v10, J16 = J56 * v12 - J66 * v11, J26 = J66 * v10 + v3 * v12;
     J[0] = -p6_y; J[1] = -s1; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = c1; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = 0.0; J[14] = J33; J[15] = -(v2 * v8 + J54 * v7); J[16] = J35;
@@ -444,13 +358,16 @@ void prismatic_2_wrist_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -497,119 +414,93 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide wy = T24 - d6 * T23;
-    const wide v1 = sat2 * wy;
-    const wide wx = T14 - d6 * T13;
-    const wide v2 = sat2 * wx;
-    const wide N1 = v1 * v1 + v2 * v2;
-    const wide wz = T34 - d6 * T33;
-    const wide Z1 = cat2 * wz - k1;
-    const wide D1 = N1 - Z1 * Z1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v3 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v4 = v1 * Z1, v5 = v2 * Z1, v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1);
-    const wide c1_p = v7 - v6;
-    const wide v8 = v6 + v7, v9 = inverse1 * v4, v10 = w1 * (v2 * inverse1), v11 = v9 + v10;
-    const wide v12 = v9 - v10;
+    const wide wy = T24 - d6 * T23, v1 = sat2 * wy, wx = T14 - d6 * T13, v2 = sat2 * wx,
+        N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1 = N1 - Z1 * Z1,
+        w1 = sqrt_wide(D1), v3 = w1 - w1, inverse1 = 1.0 / N1, v4 = v1 * Z1, v5 = v2 * Z1,
+        v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1), c1_p = v7 - v6, v8 = v6 + v7,
+        v9 = inverse1 * v4, v10 = w1 * (v2 * inverse1), v11 = v9 + v10, v12 = v9 - v10;
 
     /* theta3 */
-    const wide Z3 = wz - k5;
-    const wide D3 = k4 - Z3 * Z3;
-    const wide w3 = sqrt_wide(D3);
-    const wide v13 = w3 - w3, v14 = m3 * wz - m2, v15 = m1 * w3, v16 = v14 + v15, v17 = v14 - v15;
-    const wide v18 = m1 * wz - m4, v19 = m3 * w3;
-    const wide s3_p = v18 - v19, s3_m = v18 + v19;
+    const wide Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt_wide(D3), v13 = w3 - w3,
+        v14 = m3 * wz - m2, v15 = m1 * w3, v16 = v14 + v15, v17 = v14 - v15, v18 = m1 * wz - m4,
+        v19 = m3 * w3, s3_p = v18 - v19, s3_m = v18 + v19;
 
     /* r2 */
-    const wide v20 = a3 * s3_p - d4 * v16, v21 = a3 * s3_m - d4 * v17, v22 = c1_p * -wy - wx * v11;
-    const wide v23 = v8 * -wy + wx * v12;
+    const wide v20 = a3 * s3_p - d4 * v16, v21 = a3 * s3_m - d4 * v17, v22 = c1_p * -wy - wx * v11,
+        v23 = v8 * -wy + wx * v12;
 
     /* theta4 */
-    const wide v24 = cat2 * T13, v25 = cat2 * T23, v26 = v1 * v24 - v2 * v25;
-    const wide v27 = sat2 * T33 + inverse1 * (v4 * v25 + v5 * v24);
-    const wide v28 = w1 * (inverse1 * v26) - v27, v29 = w1 * (inverse1 * -v26) - v27;
-    const wide v30 = T13 * v11 + T23 * c1_p, v31 = T13 * v12 - T23 * v8;
-    const wide X4_pp = v16 * v28 - s3_p * v30, X4_pm = v17 * v28 - s3_m * v30;
-    const wide X4_mp = v16 * v29 - s3_p * v31, X4_mm = v17 * v29 - s3_m * v31;
-    const wide v32 = sat2 * T13, v33 = sat2 * T23, v34 = v1 * v32 - v2 * v33;
-    const wide v35 = cat2 * T33 - inverse1 * (v4 * v33 + v5 * v32);
-    const wide v36 = v35 + w1 * (inverse1 * v34), v37 = v35 + w1 * (inverse1 * -v34);
-    const wide v38 = v36 * v36, v39 = v37 * v37, v40 = v38 + X4_pp * X4_pp;
-    const wide v41 = v38 + X4_pm * X4_pm, v42 = v39 + X4_mp * X4_mp, v43 = v39 + X4_mm * X4_mm;
-    const wide angle1 = atan2_wide(-v36, -X4_pp), angle2 = atan2_wide(-v36, -X4_pm);
-    const wide angle3 = atan2_wide(-v37, -X4_mp), angle4 = atan2_wide(-v37, -X4_mm);
-    const wide v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
-    const wide v45 = copysign_wide(all_wide(half_turn), -v37) * h1;
-    const wide q4_ppm = angle1 - v44, q4_pmm = angle2 - v44, q4_mpm = angle3 - v45;
-    const wide q4_mmm = angle4 - v45;
+    const wide v24 = cat2 * T13, v25 = cat2 * T23, v26 = v1 * v24 - v2 * v25,
+        v27 = sat2 * T33 + inverse1 * (v4 * v25 + v5 * v24), v28 = w1 * (inverse1 * v26) - v27,
+        v29 = w1 * (inverse1 * -v26) - v27, v30 = T13 * v11 + T23 * c1_p,
+        v31 = T13 * v12 - T23 * v8, X4_pp = v16 * v28 - s3_p * v30, X4_pm = v17 * v28 - s3_m * v30,
+        X4_mp = v16 * v29 - s3_p * v31, X4_mm = v17 * v29 - s3_m * v31, v32 = sat2 * T13,
+        v33 = sat2 * T23, v34 = v1 * v32 - v2 * v33,
+        v35 = cat2 * T33 - inverse1 * (v4 * v33 + v5 * v32), v36 = v35 + w1 * (inverse1 * v34),
+        v37 = v35 + w1 * (inverse1 * -v34), v38 = v36 * v36, v39 = v37 * v37,
+        v40 = v38 + X4_pp * X4_pp, v41 = v38 + X4_pm * X4_pm, v42 = v39 + X4_mp * X4_mp,
+        v43 = v39 + X4_mm * X4_mm, angle1 = atan2_wide(-v36, -X4_pp),
+        angle2 = atan2_wide(-v36, -X4_pm), angle3 = atan2_wide(-v37, -X4_mp),
+        angle4 = atan2_wide(-v37, -X4_mm), v44 = copysign_wide(all_wide(half_turn), -v36) * h1,
+        v45 = copysign_wide(all_wide(half_turn), -v37) * h1;
 
     /* theta5 */
-    const wide angle5 = atan2_wide(-sqrt_wide(v40), -(v16 * v30 + s3_p * v28));
-    const wide angle6 = atan2_wide(-sqrt_wide(v41), -(v17 * v30 + s3_m * v28));
-    const wide angle7 = atan2_wide(-sqrt_wide(v42), -(v16 * v31 + s3_p * v29));
-    const wide angle8 = atan2_wide(-sqrt_wide(v43), -(v17 * v31 + s3_m * v29));
+    const wide angle5 = atan2_wide(-sqrt_wide(v40), -(v16 * v30 + s3_p * v28)),
+        angle6 = atan2_wide(-sqrt_wide(v41), -(v17 * v30 + s3_m * v28)),
+        angle7 = atan2_wide(-sqrt_wide(v42), -(v16 * v31 + s3_p * v29)),
+        angle8 = atan2_wide(-sqrt_wide(v43), -(v17 * v31 + s3_m * v29));
 
     /* theta6 */
-    const wide v46 = sat2 * T12, v47 = sat2 * T22, v48 = v1 * v46 - v2 * v47;
-    const wide v49 = cat2 * T32 - inverse1 * (v4 * v47 + v5 * v46);
-    const wide v50 = v49 + w1 * (inverse1 * v48), v51 = v49 + w1 * (inverse1 * -v48);
-    const wide v52 = cat2 * T12, v53 = cat2 * T22, v54 = v1 * v52 - v2 * v53;
-    const wide v55 = sat2 * T32 + inverse1 * (v4 * v53 + v5 * v52);
-    const wide v56 = w1 * (inverse1 * v54) - v55, v57 = w1 * (inverse1 * -v54) - v55;
-    const wide v58 = c1_p * T22 + v11 * T12, v59 = v12 * T12 - v8 * T22, v60 = sat2 * T11;
-    const wide v61 = sat2 * T21, v62 = v1 * v60 - v2 * v61;
-    const wide v63 = cat2 * T31 - inverse1 * (v4 * v61 + v5 * v60);
-    const wide v64 = v63 + w1 * (inverse1 * v62), v65 = v63 + w1 * (inverse1 * -v62);
-    const wide v66 = cat2 * T11, v67 = cat2 * T21, v68 = v1 * v66 - v2 * v67;
-    const wide v69 = sat2 * T31 + inverse1 * (v4 * v67 + v5 * v66);
-    const wide v70 = w1 * (inverse1 * v68) - v69, v71 = w1 * (inverse1 * -v68) - v69;
-    const wide v72 = c1_p * T21 + v11 * T11, v73 = v12 * T11 - v8 * T21;
-    const wide v74 = v36 * (s3_p * v72 - v16 * v70) - -X4_pp * v64;
-    const wide v75 = v36 * (s3_m * v72 - v17 * v70) - -X4_pm * v64;
-    const wide v76 = v37 * (s3_p * v73 - v16 * v71) - -X4_mp * v65;
-    const wide v77 = v37 * (s3_m * v73 - v17 * v71) - -X4_mm * v65;
-    const wide angle9 = atan2_wide(v74, v36 * (s3_p * v58 - v16 * v56) - -X4_pp * v50);
-    const wide angle10 = atan2_wide(v75, v36 * (s3_m * v58 - v17 * v56) - -X4_pm * v50);
-    const wide angle11 = atan2_wide(v76, v37 * (s3_p * v59 - v16 * v57) - -X4_mp * v51);
-    const wide angle12 = atan2_wide(v77, v37 * (s3_m * v59 - v17 * v57) - -X4_mm * v51);
-    const wide q6_ppm = angle9 - h1 * copysign_wide(all_wide(half_turn), v74);
-    const wide q6_pmm = angle10 - h1 * copysign_wide(all_wide(half_turn), v75);
-    const wide q6_mpm = angle11 - h1 * copysign_wide(all_wide(half_turn), v76);
-    const wide q6_mmm = angle12 - h1 * copysign_wide(all_wide(half_turn), v77);
+    const wide v46 = sat2 * T12, v47 = sat2 * T22, v48 = v1 * v46 - v2 * v47,
+        v49 = cat2 * T32 - inverse1 * (v4 * v47 + v5 * v46), v50 = v49 + w1 * (inverse1 * v48),
+        v51 = v49 + w1 * (inverse1 * -v48), v52 = cat2 * T12, v53 = cat2 * T22,
+        v54 = v1 * v52 - v2 * v53, v55 = sat2 * T32 + inverse1 * (v4 * v53 + v5 * v52),
+        v56 = w1 * (inverse1 * v54) - v55, v57 = w1 * (inverse1 * -v54) - v55,
+        v58 = c1_p * T22 + v11 * T12, v59 = v12 * T12 - v8 * T22, v60 = sat2 * T11,
+        v61 = sat2 * T21, v62 = v1 * v60 - v2 * v61,
+        v63 = cat2 * T31 - inverse1 * (v4 * v61 + v5 * v60), v64 = v63 + w1 * (inverse1 * v62),
+        v65 = v63 + w1 * (inverse1 * -v62), v66 = cat2 * T11, v67 = cat2 * T21,
+        v68 = v1 * v66 - v2 * v67, v69 = sat2 * T31 + inverse1 * (v4 * v67 + v5 * v66),
+        v70 = w1 * (inverse1 * v68) - v69, v71 = w1 * (inverse1 * -v68) - v69,
+        v72 = c1_p * T21 + v11 * T11, v73 = v12 * T11 - v8 * T21,
+        v74 = v36 * (s3_p * v72 - v16 * v70) - -X4_pp * v64,
+        v75 = v36 * (s3_m * v72 - v17 * v70) - -X4_pm * v64,
+        v76 = v37 * (s3_p * v73 - v16 * v71) - -X4_mp * v65,
+        v77 = v37 * (s3_m * v73 - v17 * v71) - -X4_mm * v65,
+        angle9 = atan2_wide(v74, v36 * (s3_p * v58 - v16 * v56) - -X4_pp * v50),
+        angle10 = atan2_wide(v75, v36 * (s3_m * v58 - v17 * v56) - -X4_pm * v50),
+        angle11 = atan2_wide(v76, v37 * (s3_p * v59 - v16 * v57) - -X4_mp * v51),
+        angle12 = atan2_wide(v77, v37 * (s3_m * v59 - v17 * v57) - -X4_mm * v51);
 
     /* joint values */
-    const wide angle13 = atan2_wide(-v11, c1_p);
-    const wide q1_ppp = v13 + angle13;
-    const wide angle14 = atan2_wide(-v12, -v8);
-    const wide q1_mpp = v13 + angle14;
-    const wide angle15 = atan2_wide(s3_p, -v16);
-    const wide q3_ppp = v3 + angle15;
-    const wide angle16 = atan2_wide(s3_m, -v17);
-    const wide q3_pmp = v3 + angle16;
-    const wide q2_mpp = v23 - v20, q2_mmp = v23 - v21;
+    const wide angle13 = atan2_wide(-v11, c1_p), q1_ppp = v13 + angle13,
+        angle14 = atan2_wide(-v12, -v8), q1_mpp = v13 + angle14, angle15 = atan2_wide(s3_p, -v16),
+        q3_ppp = v3 + angle15, angle16 = atan2_wide(s3_m, -v17), q3_pmp = v3 + angle16,
+        q2_mpp = v23 - v20, q2_mmp = v23 - v21;
     const wide_mask doubt1 = (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) |
-        ((N1 <= doubt_limit_squared2) | ((abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
-        abs_wide(Z3))) | ((v43 <= m5) | ((v42 <= m5) | ((v40 <= m5) | (v41 <= m5))))));
+        (N1 <= doubt_limit_squared2) | (abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
+        abs_wide(Z3))) | (v43 <= m5) | (v42 <= m5) | (v40 <= m5) | (v41 <= m5);
 
     q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = -(v20 + v22); q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle5;
-    q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = -(v20 + v22); q[8] = q3_ppp; q[9] = angle1 - v44; q[10] = -angle5;
+    q[11] = angle9 - h1 * copysign_wide(all_wide(half_turn), v74);
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = -(v21 + v22); q[14] = q3_pmp; q[15] = angle2; q[16] = angle6;
     q[17] = angle10;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = -(v21 + v22); q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle6;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = -(v21 + v22); q[20] = q3_pmp; q[21] = angle2 - v44; q[22] = -angle6;
+    q[23] = angle10 - h1 * copysign_wide(all_wide(half_turn), v75);
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = angle7; q[29] = angle11;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle7; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v45; q[34] = -angle7;
+    q[35] = angle11 - h1 * copysign_wide(all_wide(half_turn), v76);
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = angle8; q[41] = angle12;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle8; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v45; q[46] = -angle8;
+    q[47] = angle12 - h1 * copysign_wide(all_wide(half_turn), v77);
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -628,27 +519,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double wy = T24 - d6 * T23;
-    const double v1 = sat2 * wy;
-    const double wx = T14 - d6 * T13;
-    const double v2 = sat2 * wx;
-    const double N1 = v1 * v1 + v2 * v2;
-    const double wz = T34 - d6 * T33;
-    const double Z1 = cat2 * wz - k1;
-    const double D1 = N1 - Z1 * Z1;
-    const double w1 = sqrt(D1);
-    const double v3 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v4 = v1 * Z1, v5 = v2 * Z1, v6 = inverse1 * v5;
+    const double wy = T24 - d6 * T23, v1 = sat2 * wy, wx = T14 - d6 * T13, v2 = sat2 * wx,
+        N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1 = N1 - Z1 * Z1,
+        w1 = sqrt(D1), v3 = w1 - w1, inverse1 = 1.0 / N1, v4 = v1 * Z1, v5 = v2 * Z1,
+        v6 = inverse1 * v5;
     const four c1 = w1 * (inverse1 * (e1 * v1)) - v6;
     const double v7 = inverse1 * v4;
     const four v8 = v7 + w1 * (inverse1 * (e1 * v2));
 
     /* theta3 */
-    const double Z3 = wz - k5;
-    const double D3 = k4 - Z3 * Z3;
-    const double w3 = sqrt(D3);
-    const double v9 = w3 - w3, v10 = m3 * wz - m2;
+    const double Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt(D3), v9 = w3 - w3, v10 = m3 * wz - m2;
     const four v11 = v10 + w3 * (m1 * e2);
     const double v12 = m1 * wz - m4;
     const four s3 = v12 - w3 * (m3 * e2);
@@ -657,46 +537,44 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v13 = a3 * s3 - d4 * v11, v14 = c1 * -wy - wx * v8;
 
     /* theta4 */
-    const double v15 = cat2 * T13, v16 = cat2 * T23, v17 = v1 * v15 - v2 * v16;
-    const double v18 = sat2 * T33 + inverse1 * (v4 * v16 + v5 * v15);
-    const four v19 = w1 * (inverse1 * (e1 * v17)) - v18, v20 = T13 * v8 + T23 * c1;
-    const four X4 = v11 * v19 - s3 * v20;
-    const double v21 = sat2 * T13, v22 = sat2 * T23, v23 = v1 * v21 - v2 * v22;
-    const double v24 = cat2 * T33 - inverse1 * (v4 * v22 + v5 * v21);
+    const double v15 = cat2 * T13, v16 = cat2 * T23, v17 = v1 * v15 - v2 * v16,
+        v18 = sat2 * T33 + inverse1 * (v4 * v16 + v5 * v15);
+    const four v19 = w1 * (inverse1 * (e1 * v17)) - v18, v20 = T13 * v8 + T23 * c1,
+        X4 = v11 * v19 - s3 * v20;
+    const double v21 = sat2 * T13, v22 = sat2 * T23, v23 = v1 * v21 - v2 * v22,
+        v24 = cat2 * T33 - inverse1 * (v4 * v22 + v5 * v21);
     const four v25 = v24 + w1 * (inverse1 * (e1 * v23)), v26 = v25 * v25, v27 = v26 + X4 * X4;
     const four_mask doubt2 = v27 <= m5;
     const four v28 = copysign_four(all_four(half_turn), -v25) * h1;
 
     /* theta6 */
-    const double v29 = sat2 * T12, v30 = sat2 * T22, v31 = v1 * v29 - v2 * v30;
-    const double v32 = cat2 * T32 - inverse1 * (v4 * v30 + v5 * v29);
+    const double v29 = sat2 * T12, v30 = sat2 * T22, v31 = v1 * v29 - v2 * v30,
+        v32 = cat2 * T32 - inverse1 * (v4 * v30 + v5 * v29);
     const four v33 = v32 + w1 * (inverse1 * (e1 * v31));
-    const double v34 = cat2 * T12, v35 = cat2 * T22, v36 = v1 * v34 - v2 * v35;
-    const double v37 = sat2 * T32 + inverse1 * (v4 * v35 + v5 * v34);
+    const double v34 = cat2 * T12, v35 = cat2 * T22, v36 = v1 * v34 - v2 * v35,
+        v37 = sat2 * T32 + inverse1 * (v4 * v35 + v5 * v34);
     const four v38 = w1 * (inverse1 * (e1 * v36)) - v37, v39 = c1 * T22 + v8 * T12;
-    const double v40 = sat2 * T11, v41 = sat2 * T21, v42 = v1 * v40 - v2 * v41;
-    const double v43 = cat2 * T31 - inverse1 * (v4 * v41 + v5 * v40);
+    const double v40 = sat2 * T11, v41 = sat2 * T21, v42 = v1 * v40 - v2 * v41,
+        v43 = cat2 * T31 - inverse1 * (v4 * v41 + v5 * v40);
     const four v44 = v43 + w1 * (inverse1 * (e1 * v42));
-    const double v45 = cat2 * T11, v46 = cat2 * T21, v47 = v1 * v45 - v2 * v46;
-    const double v48 = sat2 * T31 + inverse1 * (v4 * v46 + v5 * v45);
-    const four v49 = w1 * (inverse1 * (e1 * v47)) - v48, v50 = c1 * T21 + v8 * T11;
-    const four v51 = v25 * (s3 * v50 - v11 * v49) - -X4 * v44;
+    const double v45 = cat2 * T11, v46 = cat2 * T21, v47 = v1 * v45 - v2 * v46,
+        v48 = sat2 * T31 + inverse1 * (v4 * v46 + v5 * v45);
+    const four v49 = w1 * (inverse1 * (e1 * v47)) - v48, v50 = c1 * T21 + v8 * T11,
+        v51 = v25 * (s3 * v50 - v11 * v49) - -X4 * v44;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | ((fabs(D3) <=
-        reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <=
+        reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2);
 
-    const four angle1 = atan2_four(-v25, -X4);
-    const four angle2 = atan2_four(-sqrt_four(v27), -(v11 * v20 + s3 * v19));
-    const four angle3 = atan2_four(v51, v25 * (s3 * v39 - v11 * v38) - -X4 * v33);
-    const four packed4 = atan2_four(-v8, c1);
-    const four angle4 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four packed5 = atan2_four(s3, -v11);
-    const four angle5 = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
-    const four q4_m = angle1 - v28;
-    const four q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v51);
-    const four q1_p = v9 + angle4;
-    const four q3_p = v3 + angle5;
+    const four angle1 = atan2_four(-v25, -X4),
+        angle2 = atan2_four(-sqrt_four(v27), -(v11 * v20 + s3 * v19)),
+        angle3 = atan2_four(v51, v25 * (s3 * v39 - v11 * v38) - -X4 * v33),
+        packed4 = atan2_four(-v8, c1),
+        angle4 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2),
+        packed5 = atan2_four(s3, -v11),
+        angle5 = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
+    const four q4_m = angle1 - v28, q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v51),
+        q1_p = v9 + angle4, q3_p = v3 + angle5;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -782,14 +660,12 @@ static void solve(
     const double wz = T34 - d6 * T33;
     const double Z1 = wz * cat2 - k1;
     const double D1 = N1 - Z1 * Z1;
-    const double v3 = fabs(Z1);
-    const double v4 = 2.0 * v3;
+    const double v3 = fabs(Z1), v4 = 2.0 * v3;
     const int apart1 = merge_slack1 * (v4 + merge_slack1) < D1;
     if (!(-(reach_slack1 * (v4 + reach_slack1)) <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v3 * sqrt(N1)));
-    const double v5 = v1 * Z1;
-    const double v6 = v2 * Z1;
+    const double v5 = v1 * Z1, v6 = v2 * Z1;
 
     /* theta3, type 2: U0 A6^-1 [3, 4] */
     const double Z3 = wz - k5;
@@ -798,56 +674,37 @@ static void solve(
     const int apart3 = merge_slack1 * (merge_slack1 + v7) < D3;
     if (!(-(reach_slack1 * (reach_slack1 + v7)) <= D3)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
-    const double v8 = k2 * Z3;
-    const double v9 = k3 * Z3;
+    const double v8 = k2 * Z3, v9 = k3 * Z3;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v13 = T13 * cat2;
-    const double v14 = T23 * cat2;
-    const double v15 = sat2 * T33;
-    const double v18 = sat2 * T13;
-    const double v19 = T23 * sat2;
-    const double v20 = T33 * cat2;
+    const double v13 = T13 * cat2, v14 = T23 * cat2, v15 = sat2 * T33, v18 = sat2 * T13,
+        v19 = T23 * sat2, v20 = T33 * cat2;
 
     /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-    const double v23 = sat2 * T12;
-    const double v24 = T22 * sat2;
-    const double v25 = T32 * cat2;
-    const double v27 = T12 * cat2;
-    const double v28 = T22 * cat2;
-    const double v29 = sat2 * T32;
-    const double v33 = sat2 * T11;
-    const double v34 = T21 * sat2;
-    const double v35 = T31 * cat2;
-    const double v37 = T11 * cat2;
-    const double v38 = T21 * cat2;
-    const double v39 = sat2 * T31;
+    const double v23 = sat2 * T12, v24 = T22 * sat2, v25 = T32 * cat2, v27 = T12 * cat2,
+        v28 = T22 * cat2, v29 = sat2 * T32, v33 = sat2 * T11, v34 = T21 * sat2, v35 = T31 * cat2,
+        v37 = T11 * cat2, v38 = T21 * cat2, v39 = sat2 * T31;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v6);
-        const double s1 = free1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * root1));
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v6),
+            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * root1));
         const double q1 = atan2(s1, c1);
 
         /* r2, type 1: U1 A6^-1 [3, 4] */
         const double v12 = c1 * -wy + wx * s1;
 
         /* theta4 */
-        const double v16 = c1 * v13 + s1 * v14 - v15;
-        const double v17 = T13 * s1 - T23 * c1;
-        const double v21 = c1 * v18 + s1 * v19 + v20;
-        const double v22 = v21 * v21;
+        const double v16 = c1 * v13 + s1 * v14 - v15, v17 = T13 * s1 - T23 * c1,
+            v21 = c1 * v18 + s1 * v19 + v20, v22 = v21 * v21;
 
         /* theta6 */
-        const double v26 = c1 * v23 + s1 * v24 + v25;
-        const double v30 = c1 * v27 + s1 * v28 - v29;
-        const double v31 = T22 * c1 - T12 * s1;
-        const double v36 = c1 * v33 + s1 * v34 + v35;
-        const double v40 = c1 * v37 + s1 * v38 - v39;
-        const double v41 = T21 * c1 - T11 * s1;
+        const double v26 = c1 * v23 + s1 * v24 + v25, v30 = c1 * v27 + s1 * v28 - v29,
+            v31 = T22 * c1 - T12 * s1, v36 = c1 * v33 + s1 * v34 + v35,
+            v40 = c1 * v37 + s1 * v38 - v39, v41 = T21 * c1 - T11 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip3, flip3 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -871,16 +728,15 @@ static void solve(
             const double c5 = v10 * v17 - s3 * v16;
 
             /* theta6 */
-            const double v32 = s3 * v31 - v10 * v30;
-            const double v42 = s3 * v41 - v10 * v40;
+            const double v32 = s3 * v31 - v10 * v30, v42 = s3 * v41 - v10 * v40;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip4, flip4 */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : -(v21 * factor4);
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : -(v21 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
@@ -889,12 +745,8 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v36 + s4 * v42), -(c4 * v26 + s4 * v32));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = -(v11 + v12);
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
-                q[row][5] = q6;
+                q[row][0] = q1; q[row][1] = -(v11 + v12); q[row][2] = q3; q[row][3] = q4;
+                q[row][4] = q5; q[row][5] = q6;
                 status[row] = (free1 || free4) ? PRISMATIC_2_WRIST_FREE_JOINT :
                     PRISMATIC_2_WRIST_OK;
             }

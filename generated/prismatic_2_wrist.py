@@ -674,9 +674,9 @@ def _regular(pose, q, status):
     q2_mpp = v23 - v20
     q2_mmp = v23 - v21
     doubt1 = (
-        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (N1 <= doubt_limit_squared2 or
-        (abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or (v43 <= m5 or (v42 <= m5 or
-        (v40 <= m5 or v41 <= m5)))))
+        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
+        abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or v43 <= m5 or v42 <= m5 or v40 <=
+        m5 or v41 <= m5
     )
 
     # angles, side by side
@@ -1128,9 +1128,9 @@ def _in_tiles(T, q, status):
             q2_mpp = v23 - v20
             q2_mmp = v23 - v21
             doubt1 = (
-                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (N1 <=
-                doubt_limit_squared2 or (abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or
-                (v43 <= m5 or (v42 <= m5 or (v40 <= m5 or v41 <= m5)))))
+                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <=
+                doubt_limit_squared2 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or
+                v43 <= m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
             )
             work[272 + k] = v3
             work[288 + k] = v13

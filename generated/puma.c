@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -170,7 +135,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -192,14 +157,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -268,6 +225,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -323,48 +282,31 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void puma_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double x2_x = s1 * s2;
     const double v1 = c1 * s2;
     const double y2_x = s1 * c2;
     const double v2 = c1 * c2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3;
     const double v3 = v1 * c3 + v2 * s3;
     const double x3_z = c2 * c3 - s2 * s3;
-    const double v4 = s2 * c3 + c2 * s3;
-    const double v5 = x2_x * s3 - y2_x * c3;
-    const double v6 = v2 * c3 - v1 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = c1 * c4 + v5 * s4;
-    const double x4_y = s1 * c4 + v6 * s4;
-    const double x4_z = v4 * s4;
+    const double v4 = s2 * c3 + c2 * s3, v5 = x2_x * s3 - y2_x * c3, v6 = v2 * c3 - v1 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = c1 * c4 + v5 * s4, x4_y = s1 * c4 + v6 * s4, x4_z = v4 * s4;
     const double y4_z = v4 * c4;
-    const double v7 = c1 * s4 - v5 * c4;
-    const double v8 = s1 * s4 - v6 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T13_ = x3_x * c5 + v7 * s5;
-    const double T23_ = v8 * s5 - v3 * c5;
-    const double T33_ = x3_z * c5 - y4_z * s5;
+    const double v7 = c1 * s4 - v5 * c4, v8 = s1 * s4 - v6 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T13_ = x3_x * c5 + v7 * s5, T23_ = v8 * s5 - v3 * c5, T33_ = x3_z * c5 - y4_z * s5;
     const double y5_y = v8 * c5 + v3 * s5;
-    const double v9 = y4_z * c5 + x3_z * s5;
-    const double v10 = x3_x * s5 - v7 * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x4_x * c6 + v10 * s6;
-    const double T21_ = x4_y * c6 - y5_y * s6;
-    const double T31_ = x4_z * c6 + v9 * s6;
-    const double T12_ = v10 * c6 - x4_x * s6;
-    const double T32_ = v9 * c6 - x4_z * s6;
-    const double T14_ = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * T11_ - T13_ * f1;
-    const double T24_ = s1 * D3 - v1 * L2 - v3 * D4 - D3 * T21_ - T23_ * f1;
-    const double T34_ = c2 * L2 + x3_z * D4 - D3 * T31_ - T33_ * f1;
+    const double v9 = y4_z * c5 + x3_z * s5, v10 = x3_x * s5 - v7 * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x4_x * c6 + v10 * s6, T21_ = x4_y * c6 - y5_y * s6,
+        T31_ = x4_z * c6 + v9 * s6, T12_ = v10 * c6 - x4_x * s6, T32_ = v9 * c6 - x4_z * s6,
+        T14_ = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * T11_ - T13_ * f1,
+        T24_ = s1 * D3 - v1 * L2 - v3 * D4 - D3 * T21_ - T23_ * f1,
+        T34_ = c2 * L2 + x3_z * D4 - D3 * T31_ - T33_ * f1;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(y5_y * c6 + x4_y * s6); T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -374,10 +316,8 @@ void puma_fk(const double q[6], double T[16])
 
 void puma_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double x2_x = s1 * s2;
     const double v1 = c1 * s2;
     const double y2_x = s1 * c2;
@@ -385,55 +325,33 @@ void puma_jacobian(const double q[6], double J[36])
     const double p3_x = x2_x * L2;
     const double v3 = v1 * L2;
     const double p3_z = c2 * L2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double J44 = x2_x * c3 + y2_x * s3;
     const double v4 = v1 * c3 + v2 * s3;
     const double J64 = c2 * c3 - s2 * s3;
     const double v5 = s2 * c3 + c2 * s3;
-    const double p4_x = p3_x + c1 * D3;
-    const double p4_y = s1 * D3 - v3;
-    const double v6 = x2_x * s3 - y2_x * c3;
-    const double v7 = v2 * c3 - v1 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = c1 * c4 + v6 * s4;
-    const double J55 = s1 * c4 + v7 * s4;
-    const double J65 = v5 * s4;
+    const double p4_x = p3_x + c1 * D3, p4_y = s1 * D3 - v3;
+    const double v6 = x2_x * s3 - y2_x * c3, v7 = v2 * c3 - v1 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = c1 * c4 + v6 * s4, J55 = s1 * c4 + v7 * s4, J65 = v5 * s4;
     const double y4_z = v5 * c4;
-    const double p5_x = p4_x + J44 * D4;
-    const double p5_y = p4_y - v4 * D4;
-    const double p5_z = p3_z + J64 * D4;
-    const double v8 = c1 * s4 - v6 * c4;
-    const double v9 = s1 * s4 - v7 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = J44 * c5 + v8 * s5;
-    const double J56 = v9 * s5 - v4 * c5;
-    const double J66 = J64 * c5 - y4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
+    const double p5_x = p4_x + J44 * D4, p5_y = p4_y - v4 * D4, p5_z = p3_z + J64 * D4;
+    const double v8 = c1 * s4 - v6 * c4, v9 = s1 * s4 - v7 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = J44 * c5 + v8 * s5, J56 = v9 * s5 - v4 * c5, J66 = J64 * c5 - y4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double J21 = p5_x - D3 * (J45 * c6 + (J44 * s5 - v8 * c5) * s6) - J46 * g1;
-    const double v10 = p5_y - D3 * (J55 * c6 - (v9 * c5 + v4 * s5) * s6) - J56 * g1;
-    const double v11 = p5_z - D3 * (J65 * c6 + (y4_z * c5 + J64 * s5) * s6) - J66 * g1;
-    const double J12 = s1 * v11;
-    const double J32 = c1 * v10 - s1 * J21;
+    const double v10 = p5_y - D3 * (J55 * c6 - (v9 * c5 + v4 * s5) * s6) - J56 * g1,
+        v11 = p5_z - D3 * (J65 * c6 + (y4_z * c5 + J64 * s5) * s6) - J66 * g1;
+    const double J12 = s1 * v11, J32 = c1 * v10 - s1 * J21;
     const double v12 = v11 - p3_z;
-    const double J13 = s1 * v12;
-    const double J33 = c1 * (v3 + v10) - s1 * (J21 - p3_x);
-    const double v13 = J21 - p4_x;
-    const double v14 = v10 - p4_y;
-    const double J24 = J64 * v13 - J44 * v12;
-    const double J34 = J44 * v14 + v4 * v13;
-    const double v15 = J21 - p5_x;
-    const double v16 = v10 - p5_y;
-    const double v17 = v11 - p5_z;
-    const double J15 = J55 * v17 - J65 * v16;
-    const double J25 = J65 * v15 - J45 * v17;
-    const double J35 = J45 * v16 - J55 * v15;
-    const double J16 = J56 * v17 - J66 * v16;
-    const double J26 = J66 * v15 - J46 * v17;
-    const double J36 = J46 * v16 - J56 * v15;
+    const double J13 = s1 * v12, J33 = c1 * (v3 + v10) - s1 * (J21 - p3_x);
+    const double v13 = J21 - p4_x, v14 = v10 - p4_y;
+    const double J24 = J64 * v13 - J44 * v12, J34 = J44 * v14 + v4 * v13;
+    const double v15 = J21 - p5_x, v16 = v10 - p5_y, v17 = v11 - p5_z;
+    const double J15 = J55 * v17 - J65 * v16, J25 = J65 * v15 - J45 * v17,
+        J35 = J45 * v16 - J55 * v15, J16 = J56 * v17 - J66 * v16, J26 = J66 * v15 - J46 * v17,
+        J36 = J46 * v16 - J56 * v15;
     J[0] = -v10; J[1] = J12; J[2] = J13; J[3] = -(v4 * v12 + J64 * v14); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(c1 * v11); J[8] = -(c1 * v12); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -446,13 +364,16 @@ void puma_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -499,116 +420,95 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide t24 = T24 + D3 * T21 + k1 * T23;
-    const wide t14 = T14 + D3 * T11 + k1 * T13;
-    const wide N1 = t24 * t24 + t14 * t14;
-    const wide D1 = N1 - k2;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (D3 * t14), v3 = w1 * (t24 * inverse1);
-    const wide c1_p = v2 + v3, c1_m = v2 - v3;
-    const wide v4 = inverse1 * (D3 * t24), v5 = w1 * (t14 * inverse1);
-    const wide s1_p = v4 - v5, s1_m = v4 + v5;
+    const wide t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
+        N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = sqrt_wide(D1), v1 = w1 - w1,
+        inverse1 = 1.0 / N1, v2 = inverse1 * (D3 * t14), v3 = w1 * (t24 * inverse1), c1_p = v2 + v3,
+        c1_m = v2 - v3, v4 = inverse1 * (D3 * t24), v5 = w1 * (t14 * inverse1), s1_p = v4 - v5,
+        s1_m = v4 + v5;
 
     /* theta3 */
-    const wide t34 = T34 + D3 * T31 + k1 * T33;
-    const wide N3 = D1 + t34 * t34;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = w3 - w3;
-    const wide angle1 = atan2_wide(w3, N3 - k5);
+    const wide t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3,
+        angle1 = atan2_wide(w3, N3 - k5);
 
     /* theta2 */
-    const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7;
-    const wide v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1);
-    const wide C2_pp = v11 - v12, C2_pm = v11 + v12;
-    const wide v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14;
-    const wide v16 = v14 + -v10 * -v10;
-    const wide factor2_pp = sqrt_wide(v13) * (1.0 / v13), factor2_pm = sqrt_wide(v15) * (1.0 / v15);
-    const wide factor2_mp = sqrt_wide(v16) * (1.0 / v16);
-    const wide angle2 = atan2_wide(-v9, C2_pp), angle3 = atan2_wide(-v10, C2_pm);
-    const wide angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
+    const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
+        v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
+        v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14,
+        v16 = v14 + -v10 * -v10, factor2_pp = sqrt_wide(v13) * (1.0 / v13),
+        factor2_pm = sqrt_wide(v15) * (1.0 / v15), factor2_mp = sqrt_wide(v16) * (1.0 / v16),
+        angle2 = atan2_wide(-v9, C2_pp), angle3 = atan2_wide(-v10, C2_pm),
+        angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
-    const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19));
-    const wide s23_pp = v7 + v20, s23_pm = v20 - v7;
-    const wide v21 = w1 * (N3 * (-v18 + -v19));
-    const wide s23_mp = v7 + v21, s23_mm = v21 - v7;
-    const wide v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m;
-    const wide X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm;
-    const wide X4_mp = C2_pp * v23 - T33 * s23_mp, X4_mm = C2_pm * v23 - T33 * s23_mm;
-    const wide v24 = T13 * c1_p + T23 * s1_p, v25 = T13 * c1_m + T23 * s1_m, v26 = v24 * v24;
-    const wide v27 = v25 * v25, v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
-    const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
-    const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
-    const wide v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm));
-    const wide angle6 = atan2_wide(-v24, factor2_pp * -X4_pp);
-    const wide angle7 = atan2_wide(-v24, factor2_pm * -X4_pm);
-    const wide angle8 = atan2_wide(-v25, factor2_mp * -X4_mp);
-    const wide angle9 = atan2_wide(-v25, factor2_pp * -X4_mm);
-    const wide v32 = copysign_wide(all_wide(half_turn), -v24) * h1;
-    const wide v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
-    const wide q4_ppm = angle6 - v32, q4_pmm = angle7 - v32, q4_mpm = angle8 - v33;
-    const wide q4_mmm = angle9 - v33;
+    const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19)),
+        s23_pp = v7 + v20, s23_pm = v20 - v7, v21 = w1 * (N3 * (-v18 + -v19)), s23_mp = v7 + v21,
+        s23_mm = v21 - v7, v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m,
+        X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm,
+        X4_mp = C2_pp * v23 - T33 * s23_mp, X4_mm = C2_pm * v23 - T33 * s23_mm,
+        v24 = T13 * c1_p + T23 * s1_p, v25 = T13 * c1_m + T23 * s1_m, v26 = v24 * v24,
+        v27 = v25 * v25, v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp)),
+        v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm)),
+        v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp)),
+        v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm)),
+        angle6 = atan2_wide(-v24, factor2_pp * -X4_pp),
+        angle7 = atan2_wide(-v24, factor2_pm * -X4_pm),
+        angle8 = atan2_wide(-v25, factor2_mp * -X4_mp),
+        angle9 = atan2_wide(-v25, factor2_pp * -X4_mm),
+        v32 = copysign_wide(all_wide(half_turn), -v24) * h1,
+        v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
 
     /* theta5 */
-    const wide v34 = T33 * C2_pm;
-    const wide angle10 = atan2_wide(-sqrt_wide(v28), factor2_pp * (v34 + s23_pp * v22));
-    const wide v35 = T33 * C2_pp;
-    const wide angle11 = atan2_wide(-sqrt_wide(v29), factor2_pm * (v35 + s23_pm * v22));
-    const wide angle12 = atan2_wide(-sqrt_wide(v30), factor2_mp * (v35 + s23_mp * v23));
-    const wide angle13 = atan2_wide(-sqrt_wide(v31), factor2_pp * (v34 + s23_mm * v23));
+    const wide v34 = T33 * C2_pm,
+        angle10 = atan2_wide(-sqrt_wide(v28), factor2_pp * (v34 + s23_pp * v22)), v35 = T33 * C2_pp,
+        angle11 = atan2_wide(-sqrt_wide(v29), factor2_pm * (v35 + s23_pm * v22)),
+        angle12 = atan2_wide(-sqrt_wide(v30), factor2_mp * (v35 + s23_mp * v23)),
+        angle13 = atan2_wide(-sqrt_wide(v31), factor2_pp * (v34 + s23_mm * v23));
 
     /* theta6 */
-    const wide v36 = c1_p * T12 + s1_p * T22, v37 = c1_m * T12 + s1_m * T22;
-    const wide v38 = s1_p * T12 - c1_p * T22, v39 = s1_m * T12 - c1_m * T22;
-    const wide v40 = T11 * c1_p + T21 * s1_p, v41 = T11 * c1_m + T21 * s1_m;
-    const wide v42 = T11 * s1_p - T21 * c1_p, v43 = T11 * s1_m - T21 * c1_m;
-    const wide v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36;
-    const wide v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36;
-    const wide v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37;
-    const wide v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37;
-    const wide angle14 = atan2_wide(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42));
-    const wide angle15 = atan2_wide(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42));
-    const wide angle16 = atan2_wide(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43));
-    const wide angle17 = atan2_wide(v47, -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43));
-    const wide q6_ppm = angle14 - h1 * copysign_wide(all_wide(half_turn), v44);
-    const wide q6_pmm = angle15 - h1 * copysign_wide(all_wide(half_turn), v45);
-    const wide q6_mpm = angle16 - h1 * copysign_wide(all_wide(half_turn), v46);
-    const wide q6_mmm = angle17 - h1 * copysign_wide(all_wide(half_turn), v47);
+    const wide v36 = c1_p * T12 + s1_p * T22, v37 = c1_m * T12 + s1_m * T22,
+        v38 = s1_p * T12 - c1_p * T22, v39 = s1_m * T12 - c1_m * T22, v40 = T11 * c1_p + T21 * s1_p,
+        v41 = T11 * c1_m + T21 * s1_m, v42 = T11 * s1_p - T21 * c1_p, v43 = T11 * s1_m - T21 * c1_m,
+        v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36,
+        v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36,
+        v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37,
+        v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37,
+        angle14 = atan2_wide(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)),
+        angle15 = atan2_wide(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)),
+        angle16 = atan2_wide(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)),
+        angle17 = atan2_wide(v47, -X4_mm * v41 - v25 * (T31 * s23_mm - C2_pm * v43));
 
     /* joint values */
-    const wide angle18 = atan2_wide(s1_p, c1_p);
-    const wide q1_ppp = v6 + angle18;
-    const wide angle19 = atan2_wide(s1_m, c1_m);
-    const wide q1_mpp = v6 + angle19;
-    const wide q3_ppp = v1 + angle1, q3_pmp = v1 - angle1;
-    const wide_mask doubt1 = (abs_wide(D1) <= k3) | ((N1 <= doubt_limit_squared2) | ((v31 <= m5) |
-        ((v30 <= m5) | ((v16 <= m2) | ((v29 <= m5) | ((v15 <= m2) | ((v28 <= m5) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v13 <= m2)))))))));
+    const wide angle18 = atan2_wide(s1_p, c1_p), q1_ppp = v6 + angle18,
+        angle19 = atan2_wide(s1_m, c1_m), q1_mpp = v6 + angle19, q3_ppp = v1 + angle1,
+        q3_pmp = v1 - angle1;
+    const wide_mask doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v31 <= m5) |
+        (v30 <= m5) | (v16 <= m2) | (v29 <= m5) | (v15 <= m2) | (v28 <= m5) | ((shortest3_reach <=
+        N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) |
+        (v13 <= m2);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = angle2; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle10; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle2; q[8] = q3_ppp; q[9] = angle6 - v32; q[10] = -angle10;
+    q[11] = angle14 - h1 * copysign_wide(all_wide(half_turn), v44);
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = angle3; q[14] = q3_pmp; q[15] = angle7; q[16] = angle11;
     q[17] = angle15;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = angle3; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle11;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle3; q[20] = q3_pmp; q[21] = angle7 - v32; q[22] = -angle11;
+    q[23] = angle15 - h1 * copysign_wide(all_wide(half_turn), v45);
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = angle4; q[26] = q3_ppp; q[27] = angle8; q[28] = angle12;
     q[29] = angle16;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = angle4; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle12;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle4; q[32] = q3_ppp; q[33] = angle8 - v33; q[34] = -angle12;
+    q[35] = angle16 - h1 * copysign_wide(all_wide(half_turn), v46);
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = angle5; q[38] = q3_pmp; q[39] = angle9; q[40] = angle13;
     q[41] = angle17;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = angle5; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle13;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle5; q[44] = q3_pmp; q[45] = angle9 - v33; q[46] = -angle13;
+    q[47] = angle17 - h1 * copysign_wide(all_wide(half_turn), v47);
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -627,64 +527,51 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double t24 = T24 + D3 * T21 + k1 * T23;
-    const double t14 = T14 + D3 * T11 + k1 * T13;
-    const double N1 = t24 * t24 + t14 * t14;
-    const double D1 = N1 - k2;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v2 = inverse1 * (D3 * t14);
+    const double t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
+        N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1,
+        v2 = inverse1 * (D3 * t14);
     const four c1 = v2 + w1 * (inverse1 * (e1 * t24));
     const double v3 = inverse1 * (D3 * t24);
     const four s1 = v3 - w1 * (inverse1 * (e1 * t14));
 
     /* theta3 */
-    const double t34 = T34 + D3 * T31 + k1 * T33;
-    const double N3 = D1 + t34 * t34;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3;
+    const double t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3;
 
     /* theta2 */
     const four v5 = w3 * (m1 * (e2 * t34)), v6 = m1 * (w1 * (e1 * N3)), v7 = v5 + v6, v8 = e1 * e2;
     const double v9 = m1 * (t34 * N3);
-    const four C2 = v9 - w3 * (m1 * (w1 * v8));
-    const four v10 = v7 * v7 + C2 * C2;
-    const four factor2 = sqrt_four(v10) * (1.0 / v10);
+    const four C2 = v9 - w3 * (m1 * (w1 * v8)), v10 = v7 * v7 + C2 * C2,
+        factor2 = sqrt_four(v10) * (1.0 / v10);
 
     /* theta4 */
     const four c23 = v9 + w3 * (w1 * (m1 * v8));
     const double v11 = m3 * N3, v12 = m1 - v11;
     const four v13 = e1 * v12;
     const double v14 = v11 - m4;
-    const four v15 = e2 * v14;
-    const four s23 = v5 + w1 * (N3 * (v13 + v8 * v15));
-    const four v16 = T13 * s1 - T23 * c1;
-    const four X4 = c23 * v16 - T33 * s23;
-    const four v17 = T13 * c1 + T23 * s1, v18 = v17 * v17;
-    const four v19 = v18 + factor2 * (X4 * (factor2 * X4));
-    const four v20 = copysign_four(all_four(half_turn), -v17) * h1;
+    const four v15 = e2 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)), v16 = T13 * s1 - T23 * c1,
+        X4 = c23 * v16 - T33 * s23, v17 = T13 * c1 + T23 * s1, v18 = v17 * v17,
+        v19 = v18 + factor2 * (X4 * (factor2 * X4)),
+        v20 = copysign_four(all_four(half_turn), -v17) * h1;
 
     /* theta6 */
-    const four v21 = c1 * T12 + s1 * T22, v22 = s1 * T12 - c1 * T22, v23 = T11 * c1 + T21 * s1;
-    const four v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) - -X4 * v21;
+    const four v21 = c1 * T12 + s1 * T22, v22 = s1 * T12 - c1 * T22, v23 = T11 * c1 + T21 * s1,
+        v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) - -X4 * v21;
 
     /* joint values */
     const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
-    const int doubt1 = (fabs(D1) <= k3) | ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= k3) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(-v7, C2), angle3 = atan2_four(-v17, factor2 * -X4);
-    const four angle4 = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
-    const four angle5 = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24));
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
-        __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3));
-    const four angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle3 - v20;
-    const four q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v25);
-    const four q1_p = v4 + angle6;
-    const four q3_p = v1 + e2 * angle1;
+    const four angle2 = atan2_four(-v7, C2), angle3 = atan2_four(-v17, factor2 * -X4),
+        angle4 = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16)),
+        angle5 = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24)),
+        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
+            __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3)),
+        angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q4_m = angle3 - v20, q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v25),
+        q1_p = v4 + angle6, q3_p = v1 + e2 * angle1;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -770,8 +657,7 @@ static void solve(
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : D3 * sqrt(N1)));
-    const double v1 = D3 * t24;
-    const double v2 = D3 * t14;
+    const double v1 = D3 * t24, v2 = D3 * t14;
 
     /* theta3, type 8: U1[3, 4] and U1[2, 4] */
     const double t34 = T34 + D3 * T31 + k1 * T33;
@@ -782,8 +668,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 + t24 * root1);
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (v1 - t14 * root1);
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 + t24 * root1),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 - t14 * root1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -797,19 +683,14 @@ static void solve(
 
         /* theta2, type 3: U1[3, 4] and U1[2, 4] */
         const double Y1_2 = L2 + D4 * c3;
-        const double v5 = root1 * Y1_2;
-        const double v7 = t34 * Y1_2;
+        const double v5 = root1 * Y1_2, v7 = t34 * Y1_2;
 
         /* theta4, type 2: U4[1, 3] */
-        const double v8 = T13 * s1 - T23 * c1;
-        const double v9 = T13 * c1 + T23 * s1;
-        const double v10 = v9 * v9;
+        const double v8 = T13 * s1 - T23 * c1, v9 = T13 * c1 + T23 * s1, v10 = v9 * v9;
 
         /* theta6, type 3: U4[1, 2] and U4[1, 1] */
-        const double v11 = T12 * c1 + T22 * s1;
-        const double v12 = T12 * s1 - T22 * c1;
-        const double v14 = T11 * c1 + T21 * s1;
-        const double v15 = T11 * s1 - T21 * c1;
+        const double v11 = T12 * c1 + T22 * s1, v12 = T12 * s1 - T22 * c1,
+            v14 = T11 * c1 + T21 * s1, v15 = T11 * s1 - T21 * c1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -819,19 +700,17 @@ static void solve(
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
-            const double v4 = D4 * s3;
-            const double v6 = t34 * v4 + v5;
+            const double v4 = D4 * s3, v6 = t34 * v4 + v5;
             const double C2 = v7 - root1 * v4;
             const double w2 = sqrt(v6 * v6 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(v6 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(v6 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double X4 = c23 * v8 - T33 * s23;
             const double w4 = sqrt(X4 * X4 + v10);
             const int free4 = w4 <= free_limit;
@@ -841,16 +720,15 @@ static void solve(
             const double c5 = T33 * c23 + s23 * v8;
 
             /* theta6 */
-            const double v13 = T32 * s23 - c23 * v12;
-            const double v16 = T31 * s23 - c23 * v15;
+            const double v13 = T32 * s23 - c23 * v12, v16 = T31 * s23 - c23 * v15;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : -(v9 * factor4);
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : -(v9 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
@@ -860,11 +738,7 @@ static void solve(
                 const double c6 = c4 * v14 + s4 * v16;
                 const double q6 = atan2(-(c4 * v11 + s4 * v13), c6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? PUMA_FREE_JOINT : PUMA_OK;
             }

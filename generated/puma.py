@@ -638,9 +638,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v30 <= m5 or (v16 <= m2 or
-        (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <= longest3_reach
-        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2))))))))
+        abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v31 <= m5 or v30 <= m5 or v16 <= m2 or v29 <=
+        m5 or v15 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
+        (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2
     )
 
     # angles, side by side
@@ -1077,10 +1077,9 @@ def _in_tiles(T, q, status):
             v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37
             v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37
             doubt1 = (
-                abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v30 <= m5 or (v16 <=
-                m2 or (v29 <= m5 or (v15 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <=
-                m2))))))))
+                abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v31 <= m5 or v30 <= m5 or v16 <= m2
+                or v29 <= m5 or v15 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v13 <= m2
             )
             work[272 + k] = v1
             work[288 + k] = v6

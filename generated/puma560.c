@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -170,7 +135,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -192,14 +157,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -267,6 +224,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -341,45 +300,29 @@ static const double highest[6] = {
 
 void puma560_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double z3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
     const double z4_x = s1 * c4 + x3_x * s4;
     const double y5_y = c1 * c4 - x3_y * s4;
     const double z4_z = x3_z * s4;
-    const double T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4;
-    const double T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v3 * s5;
-    const double x5_y = x4_y * c5 - v4 * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
+    const double T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4,
+        T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v3 * s5, x5_y = x4_y * c5 - v4 * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
     const double T33_ = z3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - z4_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 - z4_z * s6;
-    const double T22_ = y5_y * c6 - x5_y * s6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 - z4_z * s6, T22_ = y5_y * c6 - x5_y * s6;
     T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
     T[8] = T31_; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
@@ -389,48 +332,29 @@ void puma560_fk(const double q[6], double T[16])
 
 void puma560_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double J64 = c2 * c3 - s2 * s3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double p3_x = p2_x + x3_x * a3 + s1 * d3;
-    const double p3_y = p2_y + x3_y * a3 - c1 * d3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double J21 = p3_x - v3 * d4;
-    const double p4_y = p3_y - v4 * d4;
-    const double p4_z = p3_z + J64 * d4;
+    const double p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 + s1 * d3,
+        p3_y = p2_y + x3_y * a3 - c1 * d3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, J21 = p3_x - v3 * d4;
+    const double p4_y = p3_y - v4 * d4, p4_z = p3_z + J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double J66 = J64 * c5 - x3_z * c4 * s5;
     const double v5 = p4_z - d1;
     const double J32 = s1 * p4_y + c1 * J21;
     const double v6 = p4_z - p2_z;
     const double J33 = s1 * (p4_y - p2_y) + c1 * (J21 - p2_x);
-    const double v7 = J21 - p3_x;
-    const double v8 = p4_y - p3_y;
-    const double v9 = p4_z - p3_z;
-    const double J24 = J64 * v7 + v3 * v9;
-    const double J34 = v4 * v7 - v3 * v8;
+    const double v7 = J21 - p3_x, v8 = p4_y - p3_y, v9 = p4_z - p3_z;
+    const double J24 = J64 * v7 + v3 * v9, J34 = v4 * v7 - v3 * v8;
     J[0] = -p4_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(v4 * v9 + J64 * v8); J[4] = 0.0;
     J[5] = 0.0;
     J[6] = J21; J[7] = -(s1 * v5); J[8] = -(s1 * v6); J[9] = J24; J[10] = 0.0; J[11] = 0.0;
@@ -446,13 +370,16 @@ void puma560_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -499,132 +426,108 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1);
-    const wide c1_p = v3 - v2;
-    const wide v4 = v2 + v3, v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1);
-    const wide s1_p = v5 + v6, s1_m = v5 - v6;
-    const wide angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
+    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
+        inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1), c1_p = v3 - v2,
+        v4 = v2 + v3, v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1), s1_p = v5 + v6,
+        s1_m = v5 - v6, angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1;
-    const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3;
-    const wide s3_p = v8 + v9, s3_m = v8 - v9;
-    const wide v10 = m1 * N3 - m4, v11 = m3 * w3;
-    const wide c3_p = v10 + v11, c3_m = v10 - v11;
-    const wide angle3 = atan2_wide(w3, N3 - k6);
-    const wide q3__p = angle3 - turn1;
-    const wide v12 = turn1 + angle3;
+    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v7 = w3 - w3, v8 = m2 - m3 * N3,
+        v9 = m1 * w3, s3_p = v8 + v9, s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3,
+        c3_p = v10 + v11, c3_m = v10 - v11, angle3 = atan2_wide(w3, N3 - k6),
+        q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m5 * N3 - m6;
-    const wide v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1);
-    const wide S2_pp = v13 - v14, S2_pm = v13 + v14;
-    const wide v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2, v18 = w1 * -X1_2;
-    const wide C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18, C2_mm = v16 + v18;
-    const wide factor2 = 1.0 / N3;
-    const wide angle4 = atan2_wide(S2_pp, C2_pp), angle5 = atan2_wide(S2_pm, C2_pm);
-    const wide angle6 = atan2_wide(S2_pm, C2_mp), angle7 = atan2_wide(S2_pp, C2_mm);
+    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
+        v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
+        C2_mm = v16 + v18, factor2 = 1.0 / N3, angle4 = atan2_wide(S2_pp, C2_pp),
+        angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
+        angle7 = atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm;
-    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp;
-    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm;
-    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm;
-    const wide v19 = c1_p * T13 + s1_p * T23, v20 = s1_m * T23 - v4 * T13;
-    const wide c4_pp = c23_pp * v19 + s23_pp * T33, c4_pm = c23_pm * v19 + s23_pm * T33;
-    const wide c4_mp = c23_mp * v20 + s23_mp * T33, c4_mm = c23_mm * v20 + s23_mm * T33;
-    const wide Y4_p = c1_p * T23 - s1_p * T13;
-    const wide v21 = v4 * T23 + s1_m * T13, v22 = Y4_p * Y4_p, v23 = v21 * v21;
-    const wide v24 = factor2 * c4_pp, v25 = factor2 * c4_pm, v26 = factor2 * c4_mp;
-    const wide v27 = factor2 * c4_mm, v28 = v22 + factor2 * (c4_pp * v24);
-    const wide v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26);
-    const wide v31 = v23 + factor2 * (c4_mm * v27);
-    const wide angle8 = atan2_wide(Y4_p, v24), angle9 = atan2_wide(Y4_p, v25);
-    const wide angle10 = atan2_wide(-v21, v26), angle11 = atan2_wide(-v21, v27);
-    const wide v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
-    const wide q4_ppm = angle8 - v32, q4_pmm = angle9 - v32, q4_mpm = angle10 - v33;
-    const wide q4_mmm = angle11 - v33;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm,
+        c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp,
+        s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm,
+        s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm,
+        v19 = c1_p * T13 + s1_p * T23, v20 = s1_m * T23 - v4 * T13,
+        c4_pp = c23_pp * v19 + s23_pp * T33, c4_pm = c23_pm * v19 + s23_pm * T33,
+        c4_mp = c23_mp * v20 + s23_mp * T33, c4_mm = c23_mm * v20 + s23_mm * T33,
+        Y4_p = c1_p * T23 - s1_p * T13, v21 = v4 * T23 + s1_m * T13, v22 = Y4_p * Y4_p,
+        v23 = v21 * v21, v24 = factor2 * c4_pp, v25 = factor2 * c4_pm, v26 = factor2 * c4_mp,
+        v27 = factor2 * c4_mm, v28 = v22 + factor2 * (c4_pp * v24),
+        v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26),
+        v31 = v23 + factor2 * (c4_mm * v27), angle8 = atan2_wide(Y4_p, v24),
+        angle9 = atan2_wide(Y4_p, v25), angle10 = atan2_wide(-v21, v26),
+        angle11 = atan2_wide(-v21, v27), v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
+        v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
 
     /* theta5 */
-    const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19));
-    const wide angle13 = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm * v19));
-    const wide angle14 = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp * v20));
-    const wide angle15 = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm * v20));
+    const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19)),
+        angle13 = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm * v19)),
+        angle14 = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp * v20)),
+        angle15 = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm * v20));
 
     /* theta6 */
-    const wide v34 = s1_p * T12 - c1_p * T22, v35 = s1_m * T12 + v4 * T22;
-    const wide v36 = c1_p * T12 + s1_p * T22, v37 = s1_m * T22 - v4 * T12;
-    const wide v38 = s1_p * T11 - c1_p * T21, v39 = s1_m * T11 + v4 * T21;
-    const wide v40 = c1_p * T11 + s1_p * T21, v41 = s1_m * T21 - v4 * T11;
-    const wide angle16 = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp *
-        v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
-    const wide angle17 = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm *
-        v34 + Y4_p * (c23_pm * v36 + s23_pm * T32)));
-    const wide v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39;
-    const wide angle18 = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35);
-    const wide v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39;
-    const wide angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
-    const wide q6_ppm = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p *
-        (c23_pp * v40 + s23_pp * T31)));
-    const wide q6_pmm = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p *
-        (c23_pm * v40 + s23_pm * T31)));
-    const wide q6_mpm = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mmm = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide v34 = s1_p * T12 - c1_p * T22, v35 = s1_m * T12 + v4 * T22,
+        v36 = c1_p * T12 + s1_p * T22, v37 = s1_m * T22 - v4 * T12, v38 = s1_p * T11 - c1_p * T21,
+        v39 = s1_m * T11 + v4 * T21, v40 = c1_p * T11 + s1_p * T21, v41 = s1_m * T21 - v4 * T11,
+        angle16 = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp * v34 +
+            Y4_p * (c23_pp * v36 + s23_pp * T32))),
+        angle17 = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm * v34 +
+            Y4_p * (c23_pm * v36 + s23_pm * T32))),
+        v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39,
+        angle18 = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35),
+        v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39,
+        angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9);
-    const wide v45 = only_wide(-v12 <= -half_turn, m9) - v12;
-    const wide_mask v46 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v47 = (angle2 < low1) | (high1 < angle2), v48 = (v44 < low3) | (high3 < v44);
-    const wide_mask v49 = (v45 < low3) | (high3 < v45);
-    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7;
-    const wide q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | (v46 | ((angle4 < low2) | (high2 < angle4)));
-    const wide_mask v51 = v49 | (v46 | ((angle5 < low2) | (high2 < angle5)));
-    const wide_mask v52 = v48 | (v47 | ((angle6 < low2) | (high2 < angle6)));
-    const wide_mask v53 = v49 | (v47 | ((angle7 < low2) | (high2 < angle7)));
-    const wide_mask outside_ppp = v50 | ((angle12 < low5) | (high5 < angle12));
-    const wide_mask outside_ppm = v50 | ((-angle12 < low5) | (high5 < -angle12));
-    const wide_mask outside_pmp = v51 | ((angle13 < low5) | (high5 < angle13));
-    const wide_mask outside_pmm = v51 | ((-angle13 < low5) | (high5 < -angle13));
-    const wide_mask outside_mpp = v52 | ((angle14 < low5) | (high5 < angle14));
-    const wide_mask outside_mpm = v52 | ((-angle14 < low5) | (high5 < -angle14));
-    const wide_mask outside_mmp = v53 | ((angle15 < low5) | (high5 < angle15));
-    const wide_mask outside_mmm = v53 | ((-angle15 < low5) | (high5 < -angle15));
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) |
-        ((v28 <= m7) | (v29 <= m7)))))));
+    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9),
+        v45 = only_wide(-v12 <= -half_turn, m9) - v12;
+    const wide_mask v46 = beyond(angle1, low1, high1), v47 = beyond(angle2, low1, high1),
+        v48 = beyond(v44, low3, high3), v49 = beyond(v45, low3, high3);
+    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
+    const wide_mask v50 = v48 | v46 | beyond(angle4, low2, high2),
+        v51 = v49 | v46 | beyond(angle5, low2, high2),
+        v52 = v48 | v47 | beyond(angle6, low2, high2),
+        v53 = v49 | v47 | beyond(angle7, low2, high2),
+        outside_ppp = v50 | beyond(angle12, low5, high5),
+        outside_ppm = v50 | beyond(-angle12, low5, high5),
+        outside_pmp = v51 | beyond(angle13, low5, high5),
+        outside_pmm = v51 | beyond(-angle13, low5, high5),
+        outside_mpp = v52 | beyond(angle14, low5, high5),
+        outside_mpm = v52 | beyond(-angle14, low5, high5),
+        outside_mmp = v53 | beyond(angle15, low5, high5),
+        outside_mmm = v53 | beyond(-angle15, low5, high5),
+        doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | ((shortest3_reach <= N3) &
+            (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3
+            <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle12; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v32; q[10] = -angle12;
+    q[11] = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
+        s23_pp * T31)));
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle13;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v32; q[22] = -angle13;
+    q[23] = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p * (c23_pm * v40 +
+        s23_pm * T31)));
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle14;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = angle10 - v33; q[34] = -angle14;
+    q[35] = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle15;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = angle11 - v33; q[46] = -angle15;
+    q[47] = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -643,71 +546,57 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v2 = inverse1 * (d3 * T24);
+    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
+        inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * T24);
     const four c1 = w1 * (inverse1 * (e1 * T14)) - v2;
     const double v3 = inverse1 * (d3 * T14);
     const four s1 = v3 + w1 * (inverse1 * (e1 * T24));
 
     /* theta3 */
-    const double Z1_3 = T34 - d1;
-    const double N3 = D1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3, v5 = m2 - m3 * N3;
+    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3, v5 = m2 - m3 * N3;
     const four s3 = v5 + w3 * (m1 * e2);
     const double v6 = m1 * N3 - m4;
     const four c3 = v6 + w3 * (m3 * e2);
 
     /* theta2 */
-    const double X1_2 = m5 * N3 - m6;
-    const double v7 = Z1_3 * X1_2;
-    const four S2 = v7 - w3 * (m5 * (w1 * (e1 * e2)));
-    const four v8 = w3 * (m5 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
-    const four C2 = v8 + v9;
+    const double X1_2 = m5 * N3 - m6, v7 = Z1_3 * X1_2;
+    const four S2 = v7 - w3 * (m5 * (w1 * (e1 * e2))), v8 = w3 * (m5 * (e2 * Z1_3)),
+        v9 = w1 * (e1 * X1_2), C2 = v8 + v9;
     const double factor2 = 1.0 / N3;
 
     /* theta4 */
-    const four c23 = c3 * C2 - s3 * S2;
-    const four s23 = c3 * S2 + s3 * C2;
-    const four v10 = c1 * T13 + s1 * T23;
-    const four c4 = c23 * v10 + s23 * T33;
-    const four Y4 = c1 * T23 - s1 * T13;
-    const four v11 = Y4 * Y4, v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12);
+    const four c23 = c3 * C2 - s3 * S2, s23 = c3 * S2 + s3 * C2, v10 = c1 * T13 + s1 * T23,
+        c4 = c23 * v10 + s23 * T33, Y4 = c1 * T23 - s1 * T13, v11 = Y4 * Y4, v12 = factor2 * c4,
+        v13 = v11 + factor2 * (c4 * v12);
     const four_mask doubt2 = v13 <= m7;
     const four v14 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v15 = s1 * T12 - c1 * T22, v16 = c1 * T12 + s1 * T22, v17 = s1 * T11 - c1 * T21;
-    const four v18 = c1 * T11 + s1 * T21;
+    const four v15 = s1 * T12 - c1 * T22, v16 = c1 * T12 + s1 * T22, v17 = s1 * T11 - c1 * T21,
+        v18 = c1 * T11 + s1 * T21;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((N3 <=
-        doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
+    const int doubt1 = (fabs(D1) <= k2) | (N1 <= doubt_limit_squared2) | (N3 <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    const four angle3 = atan2_four(S2, C2), angle4 = atan2_four(Y4, v12);
-    const four angle5 = atan2_four(-sqrt_four(v13), factor2 * (c23 * T33 - s23 * v10));
-    const four angle6 = atan2_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4 *
-        (c23 * v16 + s23 * T32)));
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
-        __builtin_shufflevector(c1, all_four(N3 - k6), 0, 5, 2, 3));
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_ = e2 * angle2 - turn1;
-    const four q4_m = angle4 - v14;
-    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), -(c4 * v17 + Y4 * (c23 * v18
-        + s23 * T31)));
-    const four v19 = q3_ + only_four(q3_ <= -half_turn, m9);
-    const four_mask v20 = (angle1 < low1) | (high1 < angle1), v21 = (v19 < low3) | (high3 < v19);
-    const four q1_p = angle1 + v4;
-    const four q3_p = v1 + v19;
-    const four_mask v22 = v21 | (v20 | ((angle3 < low2) | (high2 < angle3)));
-    const four_mask outside_p = v22 | ((angle5 < low5) | (high5 < angle5));
-    const four_mask outside_m = v22 | ((-angle5 < low5) | (high5 < -angle5));
+    const four angle3 = atan2_four(S2, C2), angle4 = atan2_four(Y4, v12),
+        angle5 = atan2_four(-sqrt_four(v13), factor2 * (c23 * T33 - s23 * v10)),
+        angle6 = atan2_four(-(c4 * v17 + Y4 * (c23 * v18 + s23 * T31)), -(c4 * v15 + Y4 * (c23 * v16
+            + s23 * T32))),
+        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
+            __builtin_shufflevector(c1, all_four(N3 - k6), 0, 5, 2, 3)),
+        angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v14,
+        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), -(c4 * v17 + Y4 * (c23 * v18 + s23 *
+            T31))), v19 = q3_ + only_four(q3_ <= -half_turn, m9);
+    const four_mask v20 = beyond(angle1, low1, high1), v21 = beyond(v19, low3, high3);
+    const four q1_p = angle1 + v4, q3_p = v1 + v19;
+    const four_mask v22 = v21 | v20 | beyond(angle3, low2, high2),
+        outside_p = v22 | beyond(angle5, low5, high5),
+        outside_m = v22 | beyond(-angle5, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -794,8 +683,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = T14 * d3;
-    const double v2 = T24 * d3;
+    const double v1 = T14 * d3, v2 = T24 * d3;
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
@@ -806,8 +694,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (T14 * root1 - v2);
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + T24 * root1);
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (T14 * root1 - v2),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + T24 * root1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -817,8 +705,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v4 = k4 * K3;
-        const double v5 = k5 * K3;
+        const double v4 = k4 * K3, v5 = k5 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v6 = T13 * c1 + T23 * s1;
@@ -826,18 +713,15 @@ static void solve(
         const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T12 * s1 - T22 * c1;
-        const double v10 = T12 * c1 + T22 * s1;
-        const double v12 = T11 * s1 - T21 * c1;
-        const double v13 = T11 * c1 + T21 * s1;
+        const double v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
+            v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k5 * root3 - v4) * k7;
-            const double c3 = k7 * (v5 + k4 * root3);
+            const double s3 = (k5 * root3 - v4) * k7, c3 = k7 * (v5 + k4 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -848,13 +732,12 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : S2 * factor2;
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double v7 = c23 * v6 + T33 * s23;
             const double w4 = sqrt(v7 * v7 + v8);
             const int free4 = w4 <= free_limit;
@@ -864,16 +747,15 @@ static void solve(
             const double c5 = T33 * c23 - s23 * v6;
 
             /* theta6 */
-            const double v11 = c23 * v10 + T32 * s23;
-            const double v14 = c23 * v13 + T31 * s23;
+            const double v11 = c23 * v10 + T32 * s23, v14 = c23 * v13 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : v7 * factor4;
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : v7 * factor4,
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
@@ -882,11 +764,7 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? PUMA560_FREE_JOINT : PUMA560_OK;
             }

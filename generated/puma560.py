@@ -622,9 +622,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or ((shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <=
-        doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
+        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3 and N3 <=
+        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <=
+        doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
     )
 
     # angles, side by side
@@ -723,18 +723,18 @@ def _regular(pose, q, status):
     q1_mpp = angle2 + v7
     q3_ppp = v1 + v44
     q3_pmp = v1 + v45
-    v50 = v48 or (v46 or (angle4 < low2 or high2 < angle4))
-    v51 = v49 or (v46 or (angle5 < low2 or high2 < angle5))
-    v52 = v48 or (v47 or (angle6 < low2 or high2 < angle6))
-    v53 = v49 or (v47 or (angle7 < low2 or high2 < angle7))
-    outside_ppp = v50 or (angle12 < low5 or high5 < angle12)
-    outside_ppm = v50 or (-angle12 < low5 or high5 < -angle12)
-    outside_pmp = v51 or (angle13 < low5 or high5 < angle13)
-    outside_pmm = v51 or (-angle13 < low5 or high5 < -angle13)
-    outside_mpp = v52 or (angle14 < low5 or high5 < angle14)
-    outside_mpm = v52 or (-angle14 < low5 or high5 < -angle14)
-    outside_mmp = v53 or (angle15 < low5 or high5 < angle15)
-    outside_mmm = v53 or (-angle15 < low5 or high5 < -angle15)
+    v50 = v48 or v46 or angle4 < low2 or high2 < angle4
+    v51 = v49 or v46 or angle5 < low2 or high2 < angle5
+    v52 = v48 or v47 or angle6 < low2 or high2 < angle6
+    v53 = v49 or v47 or angle7 < low2 or high2 < angle7
+    outside_ppp = v50 or angle12 < low5 or high5 < angle12
+    outside_ppm = v50 or -angle12 < low5 or high5 < -angle12
+    outside_pmp = v51 or angle13 < low5 or high5 < angle13
+    outside_pmm = v51 or -angle13 < low5 or high5 < -angle13
+    outside_mpp = v52 or angle14 < low5 or high5 < angle14
+    outside_mpm = v52 or -angle14 < low5 or high5 < -angle14
+    outside_mmp = v53 or angle15 < low5 or high5 < angle15
+    outside_mmm = v53 or -angle15 < low5 or high5 < -angle15
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1093,9 +1093,9 @@ def _in_tiles(T, q, status):
             v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
             v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
             doubt1 = (
-                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or ((shortest3_reach <= N3 and N3 <=
-                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or (N3 <=
-                doubt_limit_squared2 or (v31 <= m7 or (v30 <= m7 or (v28 <= m7 or v29 <= m7))))))
+                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3 and N3 <=
+                longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or N3 <=
+                doubt_limit_squared2 or v31 <= m7 or v30 <= m7 or v28 <= m7 or v29 <= m7
             )
             work[272 + k] = v1
             work[288 + k] = v7
@@ -1216,18 +1216,18 @@ def _in_tiles(T, q, status):
             q1_mpp = angle2 + v7
             q3_ppp = v1 + v44
             q3_pmp = v1 + v45
-            v50 = v48 or (v46 or (angle4 < low2 or high2 < angle4))
-            v51 = v49 or (v46 or (angle5 < low2 or high2 < angle5))
-            v52 = v48 or (v47 or (angle6 < low2 or high2 < angle6))
-            v53 = v49 or (v47 or (angle7 < low2 or high2 < angle7))
-            outside_ppp = v50 or (angle12 < low5 or high5 < angle12)
-            outside_ppm = v50 or (-angle12 < low5 or high5 < -angle12)
-            outside_pmp = v51 or (angle13 < low5 or high5 < angle13)
-            outside_pmm = v51 or (-angle13 < low5 or high5 < -angle13)
-            outside_mpp = v52 or (angle14 < low5 or high5 < angle14)
-            outside_mpm = v52 or (-angle14 < low5 or high5 < -angle14)
-            outside_mmp = v53 or (angle15 < low5 or high5 < angle15)
-            outside_mmm = v53 or (-angle15 < low5 or high5 < -angle15)
+            v50 = v48 or v46 or angle4 < low2 or high2 < angle4
+            v51 = v49 or v46 or angle5 < low2 or high2 < angle5
+            v52 = v48 or v47 or angle6 < low2 or high2 < angle6
+            v53 = v49 or v47 or angle7 < low2 or high2 < angle7
+            outside_ppp = v50 or angle12 < low5 or high5 < angle12
+            outside_ppm = v50 or -angle12 < low5 or high5 < -angle12
+            outside_pmp = v51 or angle13 < low5 or high5 < angle13
+            outside_pmm = v51 or -angle13 < low5 or high5 < -angle13
+            outside_mpp = v52 or angle14 < low5 or high5 < angle14
+            outside_mpm = v52 or -angle14 < low5 or high5 < -angle14
+            outside_mmp = v53 or angle15 < low5 or high5 < angle15
+            outside_mmm = v53 or -angle15 < low5 or high5 < -angle15
             _1136 = q1_ppp
             work[1136 + k] = _1136
             _1152 = angle4

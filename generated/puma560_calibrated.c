@@ -19,6 +19,8 @@ static const double measure[6] = {
     0.5843514598369508, 0.5843514598369508, 0.5843514598369508, 0.5843514598369508,
     0.5843514598369508, 0.5843514598369508,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -47,15 +49,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     puma560_calibrated_fk(d->q, P);
     puma560_calibrated_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.7112988821471;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.7112988821471;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.7112988821471;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.7112988821471;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -70,6 +69,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -104,14 +117,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -120,12 +125,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3244,93 +3243,62 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void puma560_calibrated_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double z1_x = s1 * sa1;
-    const double v3 = c1 * sa1;
-    const double v4 = q[1] + offset2;
-    const double c2 = cos(v4);
-    const double s2 = sin(v4);
-    const double x2_x = c1 * c2 - v2 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v5 = v2 * c2 + c1 * s2;
-    const double v6 = y1_y * c2 - s1 * s2;
-    const double v7 = sa1 * c2;
-    const double y2_x = z1_x * sa2 - v5 * ca2;
-    const double y2_y = v6 * ca2 - v3 * sa2;
-    const double y2_z = v7 * ca2 + f2;
+    const double v3 = c1 * sa1, v4 = q[1] + offset2;
+    const double c2 = cos(v4), s2 = sin(v4);
+    const double x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2;
+    const double y2_x = z1_x * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2, y2_z = v7 * ca2 + f2;
     const double z2_x = v5 * sa2 + z1_x * ca2;
     const double v8 = v6 * sa2 + v3 * ca2;
     const double z2_z = f3 - v7 * sa2;
     const double v9 = q[2] + offset3;
-    const double c3 = cos(v9);
-    const double s3 = sin(v9);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double v10 = y2_x * c3 - x2_x * s3;
-    const double v11 = y2_y * c3 - x2_y * s3;
-    const double v12 = y2_z * c3 - x2_z * s3;
-    const double y3_x = v10 * ca3 - z2_x * sa3;
-    const double y3_y = v11 * ca3 + v8 * sa3;
-    const double y3_z = v12 * ca3 - z2_z * sa3;
-    const double z3_x = v10 * sa3 + z2_x * ca3;
-    const double z3_y = v11 * sa3 - v8 * ca3;
-    const double z3_z = v12 * sa3 + z2_z * ca3;
+    const double c3 = cos(v9), s3 = sin(v9);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double v10 = y2_x * c3 - x2_x * s3, v11 = y2_y * c3 - x2_y * s3,
+        v12 = y2_z * c3 - x2_z * s3;
+    const double y3_x = v10 * ca3 - z2_x * sa3, y3_y = v11 * ca3 + v8 * sa3,
+        y3_z = v12 * ca3 - z2_z * sa3;
+    const double z3_x = v10 * sa3 + z2_x * ca3, z3_y = v11 * sa3 - v8 * ca3,
+        z3_z = v12 * sa3 + z2_z * ca3;
     const double v13 = q[3] + offset4;
-    const double c4 = cos(v13);
-    const double s4 = sin(v13);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v14 = y3_x * c4 - x3_x * s4;
-    const double v15 = y3_y * c4 - x3_y * s4;
-    const double v16 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v14 * ca4 + z3_x * sa4;
-    const double y4_y = v15 * ca4 + z3_y * sa4;
-    const double y4_z = v16 * ca4 + z3_z * sa4;
-    const double z4_x = z3_x * ca4 - v14 * sa4;
-    const double z4_y = z3_y * ca4 - v15 * sa4;
-    const double z4_z = z3_z * ca4 - v16 * sa4;
+    const double c4 = cos(v13), s4 = sin(v13);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v14 = y3_x * c4 - x3_x * s4, v15 = y3_y * c4 - x3_y * s4,
+        v16 = y3_z * c4 - x3_z * s4;
+    const double y4_x = v14 * ca4 + z3_x * sa4, y4_y = v15 * ca4 + z3_y * sa4,
+        y4_z = v16 * ca4 + z3_z * sa4;
+    const double z4_x = z3_x * ca4 - v14 * sa4, z4_y = z3_y * ca4 - v15 * sa4,
+        z4_z = z3_z * ca4 - v16 * sa4;
     const double v17 = q[4] + offset5;
-    const double c5 = cos(v17);
-    const double s5 = sin(v17);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v18 = y4_x * c5 - x4_x * s5;
-    const double v19 = y4_y * c5 - x4_y * s5;
-    const double v20 = y4_z * c5 - x4_z * s5;
-    const double y5_x = v18 * ca5 - z4_x * sa5;
-    const double y5_y = v19 * ca5 - z4_y * sa5;
-    const double y5_z = v20 * ca5 - z4_z * sa5;
-    const double z5_x = v18 * sa5 + z4_x * ca5;
-    const double z5_y = v19 * sa5 + z4_y * ca5;
-    const double z5_z = v20 * sa5 + z4_z * ca5;
+    const double c5 = cos(v17), s5 = sin(v17);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v18 = y4_x * c5 - x4_x * s5, v19 = y4_y * c5 - x4_y * s5,
+        v20 = y4_z * c5 - x4_z * s5;
+    const double y5_x = v18 * ca5 - z4_x * sa5, y5_y = v19 * ca5 - z4_y * sa5,
+        y5_z = v20 * ca5 - z4_z * sa5;
+    const double z5_x = v18 * sa5 + z4_x * ca5, z5_y = v19 * sa5 + z4_y * ca5,
+        z5_z = v20 * sa5 + z4_z * ca5;
     const double v21 = q[5] + offset6;
-    const double c6 = cos(v21);
-    const double s6 = sin(v21);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double v22 = y5_x * c6 - x5_x * s6;
-    const double v23 = y5_y * c6 - x5_y * s6;
-    const double v24 = y5_z * c6 - x5_z * s6;
+    const double c6 = cos(v21), s6 = sin(v21);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6;
+    const double v22 = y5_x * c6 - x5_x * s6, v23 = y5_y * c6 - x5_y * s6,
+        v24 = y5_z * c6 - x5_z * s6;
     const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x *
-        d4 + x5_x * a5 + z4_x * d5 + T11_ * a6 + z5_x * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 - v8 * d3 + x4_y * a4 + z3_y * d4
-        + x5_y * a5 + z4_y * d5 + T21_ * a6 + z5_y * d6;
-    const double T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z *
-        a5 + z4_z * d5 + T31_ * a6 + z5_z * d6;
-    const double T12_ = v22 * ca6 - z5_x * sa6;
-    const double T22_ = v23 * ca6 - z5_y * sa6;
-    const double T32_ = v24 * ca6 - z5_z * sa6;
-    const double T13_ = v22 * sa6 + z5_x * ca6;
-    const double T23_ = v23 * sa6 + z5_y * ca6;
-    const double T33_ = v24 * sa6 + z5_z * ca6;
+        d4 + x5_x * a5 + z4_x * d5 + T11_ * a6 + z5_x * d6,
+        T24_ = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 - v8 * d3 + x4_y * a4 + z3_y * d4 + x5_y *
+            a5 + z4_y * d5 + T21_ * a6 + z5_y * d6,
+        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
+            z4_z * d5 + T31_ * a6 + z5_z * d6, T12_ = v22 * ca6 - z5_x * sa6,
+        T22_ = v23 * ca6 - z5_y * sa6, T32_ = v24 * ca6 - z5_z * sa6, T13_ = v22 * sa6 + z5_x * ca6,
+        T23_ = v23 * sa6 + z5_y * ca6, T33_ = v24 * sa6 + z5_z * ca6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3341,117 +3309,73 @@ void puma560_calibrated_fk(const double q[6], double T[16])
 void puma560_calibrated_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(v1), s1 = sin(v1);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v2 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double J42 = s1 * sa1;
-    const double v3 = c1 * sa1;
-    const double v4 = q[1] + offset2;
-    const double c2 = cos(v4);
-    const double s2 = sin(v4);
-    const double x2_x = c1 * c2 - v2 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v5 = v2 * c2 + c1 * s2;
-    const double v6 = y1_y * c2 - s1 * s2;
-    const double v7 = sa1 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
-    const double p2_y = p1_y + x2_y * a2 - v3 * d2;
-    const double p2_z = d1 + x2_z * a2 + g1;
-    const double y2_x = J42 * sa2 - v5 * ca2;
-    const double y2_y = v6 * ca2 - v3 * sa2;
-    const double y2_z = v7 * ca2 + g2;
+    const double v3 = c1 * sa1, v4 = q[1] + offset2;
+    const double c2 = cos(v4), s2 = sin(v4);
+    const double x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v3 * d2,
+        p2_z = d1 + x2_z * a2 + g1;
+    const double y2_x = J42 * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2, y2_z = v7 * ca2 + g2;
     const double J43 = v5 * sa2 + J42 * ca2;
     const double v8 = v6 * sa2 + v3 * ca2;
     const double J63 = g3 - v7 * sa2;
     const double v9 = q[2] + offset3;
-    const double c3 = cos(v9);
-    const double s3 = sin(v9);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double v10 = y2_x * c3 - x2_x * s3;
-    const double v11 = y2_y * c3 - x2_y * s3;
-    const double v12 = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + x3_x * a3 + J43 * d3;
-    const double p3_y = p2_y + x3_y * a3 - v8 * d3;
-    const double p3_z = p2_z + x3_z * a3 + J63 * d3;
-    const double y3_x = v10 * ca3 - J43 * sa3;
-    const double y3_y = v11 * ca3 + v8 * sa3;
-    const double y3_z = v12 * ca3 - J63 * sa3;
-    const double J44 = v10 * sa3 + J43 * ca3;
-    const double J54 = v11 * sa3 - v8 * ca3;
-    const double J64 = v12 * sa3 + J63 * ca3;
+    const double c3 = cos(v9), s3 = sin(v9);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double v10 = y2_x * c3 - x2_x * s3, v11 = y2_y * c3 - x2_y * s3,
+        v12 = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 - v8 * d3,
+        p3_z = p2_z + x3_z * a3 + J63 * d3;
+    const double y3_x = v10 * ca3 - J43 * sa3, y3_y = v11 * ca3 + v8 * sa3,
+        y3_z = v12 * ca3 - J63 * sa3;
+    const double J44 = v10 * sa3 + J43 * ca3, J54 = v11 * sa3 - v8 * ca3,
+        J64 = v12 * sa3 + J63 * ca3;
     const double v13 = q[3] + offset4;
-    const double c4 = cos(v13);
-    const double s4 = sin(v13);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v14 = y3_x * c4 - x3_x * s4;
-    const double v15 = y3_y * c4 - x3_y * s4;
-    const double v16 = y3_z * c4 - x3_z * s4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4;
-    const double p4_y = p3_y + x4_y * a4 + J54 * d4;
-    const double p4_z = p3_z + x4_z * a4 + J64 * d4;
-    const double y4_x = v14 * ca4 + J44 * sa4;
-    const double y4_y = v15 * ca4 + J54 * sa4;
-    const double y4_z = v16 * ca4 + J64 * sa4;
-    const double J45 = J44 * ca4 - v14 * sa4;
-    const double J55 = J54 * ca4 - v15 * sa4;
-    const double J65 = J64 * ca4 - v16 * sa4;
+    const double c4 = cos(v13), s4 = sin(v13);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v14 = y3_x * c4 - x3_x * s4, v15 = y3_y * c4 - x3_y * s4,
+        v16 = y3_z * c4 - x3_z * s4;
+    const double p4_x = p3_x + x4_x * a4 + J44 * d4, p4_y = p3_y + x4_y * a4 + J54 * d4,
+        p4_z = p3_z + x4_z * a4 + J64 * d4;
+    const double y4_x = v14 * ca4 + J44 * sa4, y4_y = v15 * ca4 + J54 * sa4,
+        y4_z = v16 * ca4 + J64 * sa4;
+    const double J45 = J44 * ca4 - v14 * sa4, J55 = J54 * ca4 - v15 * sa4,
+        J65 = J64 * ca4 - v16 * sa4;
     const double v17 = q[4] + offset5;
-    const double c5 = cos(v17);
-    const double s5 = sin(v17);
-    const double x5_x = x4_x * c5 + y4_x * s5;
-    const double x5_y = x4_y * c5 + y4_y * s5;
-    const double x5_z = x4_z * c5 + y4_z * s5;
-    const double v18 = y4_x * c5 - x4_x * s5;
-    const double v19 = y4_y * c5 - x4_y * s5;
-    const double v20 = y4_z * c5 - x4_z * s5;
-    const double p5_x = p4_x + x5_x * a5 + J45 * d5;
-    const double p5_y = p4_y + x5_y * a5 + J55 * d5;
-    const double p5_z = p4_z + x5_z * a5 + J65 * d5;
-    const double J46 = v18 * sa5 + J45 * ca5;
-    const double J56 = v19 * sa5 + J55 * ca5;
-    const double J66 = v20 * sa5 + J65 * ca5;
+    const double c5 = cos(v17), s5 = sin(v17);
+    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
+        x5_z = x4_z * c5 + y4_z * s5;
+    const double v18 = y4_x * c5 - x4_x * s5, v19 = y4_y * c5 - x4_y * s5,
+        v20 = y4_z * c5 - x4_z * s5;
+    const double p5_x = p4_x + x5_x * a5 + J45 * d5, p5_y = p4_y + x5_y * a5 + J55 * d5,
+        p5_z = p4_z + x5_z * a5 + J65 * d5;
+    const double J46 = v18 * sa5 + J45 * ca5, J56 = v19 * sa5 + J55 * ca5,
+        J66 = v20 * sa5 + J65 * ca5;
     const double v21 = q[5] + offset6;
-    const double c6 = cos(v21);
-    const double s6 = sin(v21);
+    const double c6 = cos(v21), s6 = sin(v21);
     const double J21 = p5_x + (x5_x * c6 + (v18 * ca5 - J45 * sa5) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (v19 * ca5 - J55 * sa5) * s6) * a6 + J56 * d6;
-    const double p6_z = p5_z + (x5_z * c6 + (v20 * ca5 - J65 * sa5) * s6) * a6 + J66 * d6;
-    const double v22 = J21 - p1_x;
-    const double v23 = p6_y - p1_y;
-    const double v24 = p6_z - d1;
-    const double J22 = ca1 * v22 - J42 * v24;
-    const double J32 = J42 * v23 + v3 * v22;
-    const double v25 = J21 - p2_x;
-    const double v26 = p6_y - p2_y;
-    const double v27 = p6_z - p2_z;
-    const double J23 = J63 * v25 - J43 * v27;
-    const double J33 = J43 * v26 + v8 * v25;
-    const double v28 = J21 - p3_x;
-    const double v29 = p6_y - p3_y;
-    const double v30 = p6_z - p3_z;
-    const double J14 = J54 * v30 - J64 * v29;
-    const double J24 = J64 * v28 - J44 * v30;
-    const double J34 = J44 * v29 - J54 * v28;
-    const double v31 = J21 - p4_x;
-    const double v32 = p6_y - p4_y;
-    const double v33 = p6_z - p4_z;
-    const double J15 = J55 * v33 - J65 * v32;
-    const double J25 = J65 * v31 - J45 * v33;
-    const double J35 = J45 * v32 - J55 * v31;
-    const double v34 = J21 - p5_x;
-    const double v35 = p6_y - p5_y;
-    const double v36 = p6_z - p5_z;
-    const double J16 = J56 * v36 - J66 * v35;
-    const double J26 = J66 * v34 - J46 * v36;
-    const double J36 = J46 * v35 - J56 * v34;
+    const double p6_y = p5_y + (x5_y * c6 + (v19 * ca5 - J55 * sa5) * s6) * a6 + J56 * d6,
+        p6_z = p5_z + (x5_z * c6 + (v20 * ca5 - J65 * sa5) * s6) * a6 + J66 * d6;
+    const double v22 = J21 - p1_x, v23 = p6_y - p1_y, v24 = p6_z - d1;
+    const double J22 = ca1 * v22 - J42 * v24, J32 = J42 * v23 + v3 * v22;
+    const double v25 = J21 - p2_x, v26 = p6_y - p2_y, v27 = p6_z - p2_z;
+    const double J23 = J63 * v25 - J43 * v27, J33 = J43 * v26 + v8 * v25;
+    const double v28 = J21 - p3_x, v29 = p6_y - p3_y, v30 = p6_z - p3_z;
+    const double J14 = J54 * v30 - J64 * v29, J24 = J64 * v28 - J44 * v30,
+        J34 = J44 * v29 - J54 * v28;
+    const double v31 = J21 - p4_x, v32 = p6_y - p4_y, v33 = p6_z - p4_z;
+    const double J15 = J55 * v33 - J65 * v32, J25 = J65 * v31 - J45 * v33,
+        J35 = J45 * v32 - J55 * v31;
+    const double v34 = J21 - p5_x, v35 = p6_y - p5_y, v36 = p6_z - p5_z;
+    const double J16 = J56 * v36 - J66 * v35, J26 = J66 * v34 - J46 * v36,
+        J36 = J46 * v35 - J56 * v34;
     J[0] = -p6_y; J[1] = -(v3 * v24 + ca1 * v23); J[2] = -(v8 * v27 + J63 * v26); J[3] = J14;
     J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -3465,13 +3389,16 @@ void puma560_calibrated_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3531,11 +3458,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? PUMA560_CALIBRATED_FREE_JOINT : PUMA560_CALIBRATED_OK;
     }

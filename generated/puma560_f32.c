@@ -89,6 +89,8 @@ HELPER wide irregularity_wide(const wide T[16])
         * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(none, outside) \
     ((none) ? (int)PUMA560_F32_UNREACHABLE \
@@ -156,45 +158,29 @@ static const float highest[6] = {
 
 void puma560_f32_fk(const float q[6], float T[16])
 {
-    const float c1 = cosf(q[0]);
-    const float s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]);
-    const float s2 = sinf(q[1]);
-    const float x2_x = c1 * c2;
-    const float x2_y = s1 * c2;
-    const float v1 = c1 * s2;
-    const float v2 = s1 * s2;
-    const float c3 = cosf(q[2]);
-    const float s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3;
-    const float x3_y = x2_y * c3 - v2 * s3;
-    const float x3_z = s2 * c3 + c2 * s3;
-    const float v3 = v1 * c3 + x2_x * s3;
-    const float v4 = v2 * c3 + x2_y * s3;
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
+    const float x2_x = c1 * c2, x2_y = s1 * c2;
+    const float v1 = c1 * s2, v2 = s1 * s2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const float z3_z = c2 * c3 - s2 * s3;
-    const float c4 = cosf(q[3]);
-    const float s4 = sinf(q[3]);
-    const float x4_x = x3_x * c4 - s1 * s4;
-    const float x4_y = x3_y * c4 + c1 * s4;
-    const float x4_z = x3_z * c4;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
+    const float x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
     const float z4_x = s1 * c4 + x3_x * s4;
     const float y5_y = c1 * c4 - x3_y * s4;
     const float z4_z = x3_z * s4;
-    const float T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4;
-    const float T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
-    const float T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
-    const float c5 = cosf(q[4]);
-    const float s5 = sinf(q[4]);
-    const float x5_x = x4_x * c5 - v3 * s5;
-    const float x5_y = x4_y * c5 - v4 * s5;
-    const float x5_z = x4_z * c5 + z3_z * s5;
+    const float T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4,
+        T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
+    const float x5_x = x4_x * c5 - v3 * s5, x5_y = x4_y * c5 - v4 * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
     const float T33_ = z3_z * c5 - x4_z * s5;
-    const float c6 = cosf(q[5]);
-    const float s6 = sinf(q[5]);
-    const float T11_ = x5_x * c6 - z4_x * s6;
-    const float T21_ = x5_y * c6 + y5_y * s6;
-    const float T31_ = x5_z * c6 - z4_z * s6;
-    const float T22_ = y5_y * c6 - x5_y * s6;
+    const float c6 = cosf(q[5]), s6 = sinf(q[5]);
+    const float T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 - z4_z * s6, T22_ = y5_y * c6 - x5_y * s6;
     T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
     T[8] = T31_; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
@@ -204,48 +190,29 @@ void puma560_f32_fk(const float q[6], float T[16])
 
 void puma560_f32_jacobian(const float q[6], float J[36])
 {
-    const float c1 = cosf(q[0]);
-    const float s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]);
-    const float s2 = sinf(q[1]);
-    const float x2_x = c1 * c2;
-    const float x2_y = s1 * c2;
-    const float v1 = c1 * s2;
-    const float v2 = s1 * s2;
-    const float p2_x = x2_x * a2;
-    const float p2_y = x2_y * a2;
-    const float p2_z = d1 + s2 * a2;
-    const float c3 = cosf(q[2]);
-    const float s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3;
-    const float x3_y = x2_y * c3 - v2 * s3;
-    const float x3_z = s2 * c3 + c2 * s3;
-    const float v3 = v1 * c3 + x2_x * s3;
-    const float v4 = v2 * c3 + x2_y * s3;
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
+    const float x2_x = c1 * c2, x2_y = s1 * c2;
+    const float v1 = c1 * s2, v2 = s1 * s2;
+    const float p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const float J64 = c2 * c3 - s2 * s3;
-    const float p3_z = p2_z + x3_z * a3;
-    const float p3_x = p2_x + x3_x * a3 + s1 * d3;
-    const float p3_y = p2_y + x3_y * a3 - c1 * d3;
-    const float c4 = cosf(q[3]);
-    const float s4 = sinf(q[3]);
-    const float J45 = s1 * c4 + x3_x * s4;
-    const float J65 = x3_z * s4;
-    const float J21 = p3_x - v3 * d4;
-    const float p4_y = p3_y - v4 * d4;
-    const float p4_z = p3_z + J64 * d4;
+    const float p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 + s1 * d3,
+        p3_y = p2_y + x3_y * a3 - c1 * d3;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
+    const float J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, J21 = p3_x - v3 * d4;
+    const float p4_y = p3_y - v4 * d4, p4_z = p3_z + J64 * d4;
     const float J55 = x3_y * s4 - c1 * c4;
-    const float c5 = cosf(q[4]);
-    const float s5 = sinf(q[4]);
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
     const float J66 = J64 * c5 - x3_z * c4 * s5;
     const float v5 = p4_z - d1;
     const float J32 = s1 * p4_y + c1 * J21;
     const float v6 = p4_z - p2_z;
     const float J33 = s1 * (p4_y - p2_y) + c1 * (J21 - p2_x);
-    const float v7 = J21 - p3_x;
-    const float v8 = p4_y - p3_y;
-    const float v9 = p4_z - p3_z;
-    const float J24 = J64 * v7 + v3 * v9;
-    const float J34 = v4 * v7 - v3 * v8;
+    const float v7 = J21 - p3_x, v8 = p4_y - p3_y, v9 = p4_z - p3_z;
+    const float J24 = J64 * v7 + v3 * v9, J34 = v4 * v7 - v3 * v8;
     J[0] = -p4_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(v4 * v9 + J64 * v8); J[4] = 0.0f;
     J[5] = 0.0f;
     J[6] = J21; J[7] = -(s1 * v5); J[8] = -(s1 * v6); J[9] = J24; J[10] = 0.0f; J[11] = 0.0f;
@@ -261,13 +228,16 @@ void puma560_f32_jacobian(const float q[6], float J[36])
 static float misfit(const float T[16])
 {
     const float *x = T, *y = T + 4, *z = T + 8;
-    const float xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0f;
-    const float yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0f;
-    const float xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const float z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const float z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const float z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0f * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    float xx = -1.0f, yy = -1.0f, xy = 0.0f, zz = 0.0f;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const float off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0f * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -314,132 +284,109 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0f / N1;
-    const wide v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1);
-    const wide c1_p = v3 - v2;
-    const wide v4 = v2 + v3, v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1);
-    const wide s1_p = v5 + v6, s1_m = v5 - v6;
-    const wide angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
+    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
+        inverse1 = 1.0f / N1, v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1), c1_p = v3 -
+            v2,
+        v4 = v2 + v3, v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1), s1_p = v5 + v6,
+        s1_m = v5 - v6, angle1 = atan2_wide(s1_p, c1_p), angle2 = atan2_wide(s1_m, -v4);
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1;
-    const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3;
-    const wide s3_p = v8 + v9, s3_m = v8 - v9;
-    const wide v10 = m1 * N3 - m4, v11 = m3 * w3;
-    const wide c3_p = v10 + v11, c3_m = v10 - v11;
-    const wide angle3 = atan2_wide(w3, N3 - k6);
-    const wide q3__p = angle3 - turn1;
-    const wide v12 = turn1 + angle3;
+    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v7 = w3 - w3, v8 = m2 - m3 * N3,
+        v9 = m1 * w3, s3_p = v8 + v9, s3_m = v8 - v9, v10 = m1 * N3 - m4, v11 = m3 * w3,
+        c3_p = v10 + v11, c3_m = v10 - v11, angle3 = atan2_wide(w3, N3 - k6),
+        q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
-    const wide X1_2 = m5 * N3 - m6;
-    const wide v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1);
-    const wide S2_pp = v13 - v14, S2_pm = v13 + v14;
-    const wide v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2, v18 = w1 * -X1_2;
-    const wide C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18, C2_mm = v16 + v18;
-    const wide factor2 = 1.0f / N3;
-    const wide angle4 = atan2_wide(S2_pp, C2_pp), angle5 = atan2_wide(S2_pm, C2_pm);
-    const wide angle6 = atan2_wide(S2_pm, C2_mp), angle7 = atan2_wide(S2_pp, C2_mm);
+    const wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1), S2_pp = v13 - v14,
+        S2_pm = v13 + v14, v15 = w3 * (m5 * Z1_3), v16 = w3 * (m5 * -Z1_3), v17 = w1 * X1_2,
+        v18 = w1 * -X1_2, C2_pp = v15 + v17, C2_pm = v16 + v17, C2_mp = v15 + v18,
+        C2_mm = v16 + v18, factor2 = 1.0f / N3, angle4 = atan2_wide(S2_pp, C2_pp),
+        angle5 = atan2_wide(S2_pm, C2_pm), angle6 = atan2_wide(S2_pm, C2_mp),
+        angle7 = atan2_wide(S2_pp, C2_mm);
 
     /* theta4 */
-    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm;
-    const wide c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp;
-    const wide s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm;
-    const wide s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm;
-    const wide v19 = c1_p * T13 + s1_p * T23, v20 = s1_m * T23 - v4 * T13;
-    const wide c4_pp = c23_pp * v19 + s23_pp * T33, c4_pm = c23_pm * v19 + s23_pm * T33;
-    const wide c4_mp = c23_mp * v20 + s23_mp * T33, c4_mm = c23_mm * v20 + s23_mm * T33;
-    const wide Y4_p = c1_p * T23 - s1_p * T13;
-    const wide v21 = v4 * T23 + s1_m * T13, v22 = Y4_p * Y4_p, v23 = v21 * v21;
-    const wide v24 = factor2 * c4_pp, v25 = factor2 * c4_pm, v26 = factor2 * c4_mp;
-    const wide v27 = factor2 * c4_mm, v28 = v22 + factor2 * (c4_pp * v24);
-    const wide v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26);
-    const wide v31 = v23 + factor2 * (c4_mm * v27);
-    const wide angle8 = atan2_wide(Y4_p, v24), angle9 = atan2_wide(Y4_p, v25);
-    const wide angle10 = atan2_wide(-v21, v26), angle11 = atan2_wide(-v21, v27);
-    const wide v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
-    const wide q4_ppm = angle8 - v32, q4_pmm = angle9 - v32, q4_mpm = angle10 - v33;
-    const wide q4_mmm = angle11 - v33;
+    const wide c23_pp = c3_p * C2_pp - s3_p * S2_pp, c23_pm = c3_m * C2_pm - s3_m * S2_pm,
+        c23_mp = c3_p * C2_mp - s3_p * S2_pm, c23_mm = c3_m * C2_mm - s3_m * S2_pp,
+        s23_pp = c3_p * S2_pp + s3_p * C2_pp, s23_pm = c3_m * S2_pm + s3_m * C2_pm,
+        s23_mp = c3_p * S2_pm + s3_p * C2_mp, s23_mm = c3_m * S2_pp + s3_m * C2_mm,
+        v19 = c1_p * T13 + s1_p * T23, v20 = s1_m * T23 - v4 * T13,
+        c4_pp = c23_pp * v19 + s23_pp * T33, c4_pm = c23_pm * v19 + s23_pm * T33,
+        c4_mp = c23_mp * v20 + s23_mp * T33, c4_mm = c23_mm * v20 + s23_mm * T33,
+        Y4_p = c1_p * T23 - s1_p * T13, v21 = v4 * T23 + s1_m * T13, v22 = Y4_p * Y4_p,
+        v23 = v21 * v21, v24 = factor2 * c4_pp, v25 = factor2 * c4_pm, v26 = factor2 * c4_mp,
+        v27 = factor2 * c4_mm, v28 = v22 + factor2 * (c4_pp * v24),
+        v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26),
+        v31 = v23 + factor2 * (c4_mm * v27), angle8 = atan2_wide(Y4_p, v24),
+        angle9 = atan2_wide(Y4_p, v25), angle10 = atan2_wide(-v21, v26),
+        angle11 = atan2_wide(-v21, v27), v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
+        v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
 
     /* theta5 */
-    const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19));
-    const wide angle13 = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm * v19));
-    const wide angle14 = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp * v20));
-    const wide angle15 = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm * v20));
+    const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19)),
+        angle13 = atan2_wide(-sqrt_wide(v29), factor2 * (c23_pm * T33 - s23_pm * v19)),
+        angle14 = atan2_wide(-sqrt_wide(v30), factor2 * (c23_mp * T33 - s23_mp * v20)),
+        angle15 = atan2_wide(-sqrt_wide(v31), factor2 * (c23_mm * T33 - s23_mm * v20));
 
     /* theta6 */
-    const wide v34 = s1_p * T12 - c1_p * T22, v35 = s1_m * T12 + v4 * T22;
-    const wide v36 = c1_p * T12 + s1_p * T22, v37 = s1_m * T22 - v4 * T12;
-    const wide v38 = s1_p * T11 - c1_p * T21, v39 = s1_m * T11 + v4 * T21;
-    const wide v40 = c1_p * T11 + s1_p * T21, v41 = s1_m * T21 - v4 * T11;
-    const wide angle16 = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp *
-        v34 + Y4_p * (c23_pp * v36 + s23_pp * T32)));
-    const wide angle17 = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm *
-        v34 + Y4_p * (c23_pm * v36 + s23_pm * T32)));
-    const wide v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39;
-    const wide angle18 = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35);
-    const wide v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39;
-    const wide angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
-    const wide q6_ppm = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p *
-        (c23_pp * v40 + s23_pp * T31)));
-    const wide q6_pmm = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p *
-        (c23_pm * v40 + s23_pm * T31)));
-    const wide q6_mpm = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
-    const wide q6_mmm = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
+    const wide v34 = s1_p * T12 - c1_p * T22, v35 = s1_m * T12 + v4 * T22,
+        v36 = c1_p * T12 + s1_p * T22, v37 = s1_m * T22 - v4 * T12, v38 = s1_p * T11 - c1_p * T21,
+        v39 = s1_m * T11 + v4 * T21, v40 = c1_p * T11 + s1_p * T21, v41 = s1_m * T21 - v4 * T11,
+        angle16 = atan2_wide(-(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)), -(c4_pp * v34 +
+            Y4_p * (c23_pp * v36 + s23_pp * T32))),
+        angle17 = atan2_wide(-(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)), -(c4_pm * v34 +
+            Y4_p * (c23_pm * v36 + s23_pm * T32))),
+        v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39,
+        angle18 = atan2_wide(v42, v21 * (c23_mp * v37 + s23_mp * T32) - c4_mp * v35),
+        v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39,
+        angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9);
-    const wide v45 = only_wide(-v12 <= -half_turn, m9) - v12;
-    const wide_mask v46 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v47 = (angle2 < low1) | (high1 < angle2), v48 = (v44 < low3) | (high3 < v44);
-    const wide_mask v49 = (v45 < low3) | (high3 < v45);
-    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7;
-    const wide q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | (v46 | ((angle4 < low2) | (high2 < angle4)));
-    const wide_mask v51 = v49 | (v46 | ((angle5 < low2) | (high2 < angle5)));
-    const wide_mask v52 = v48 | (v47 | ((angle6 < low2) | (high2 < angle6)));
-    const wide_mask v53 = v49 | (v47 | ((angle7 < low2) | (high2 < angle7)));
-    const wide_mask outside_ppp = v50 | ((angle12 < low5) | (high5 < angle12));
-    const wide_mask outside_ppm = v50 | ((-angle12 < low5) | (high5 < -angle12));
-    const wide_mask outside_pmp = v51 | ((angle13 < low5) | (high5 < angle13));
-    const wide_mask outside_pmm = v51 | ((-angle13 < low5) | (high5 < -angle13));
-    const wide_mask outside_mpp = v52 | ((angle14 < low5) | (high5 < angle14));
-    const wide_mask outside_mpm = v52 | ((-angle14 < low5) | (high5 < -angle14));
-    const wide_mask outside_mmp = v53 | ((angle15 < low5) | (high5 < angle15));
-    const wide_mask outside_mmm = v53 | ((-angle15 < low5) | (high5 < -angle15));
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | ((N3 <= doubt_limit_squared2) | ((v31 <= m7) | ((v30 <= m7) |
-        ((v28 <= m7) | (v29 <= m7)))))));
+    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9),
+        v45 = only_wide(-v12 <= -half_turn, m9) - v12;
+    const wide_mask v46 = beyond(angle1, low1, high1), v47 = beyond(angle2, low1, high1),
+        v48 = beyond(v44, low3, high3), v49 = beyond(v45, low3, high3);
+    const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
+    const wide_mask v50 = v48 | v46 | beyond(angle4, low2, high2),
+        v51 = v49 | v46 | beyond(angle5, low2, high2),
+        v52 = v48 | v47 | beyond(angle6, low2, high2),
+        v53 = v49 | v47 | beyond(angle7, low2, high2),
+        outside_ppp = v50 | beyond(angle12, low5, high5),
+        outside_ppm = v50 | beyond(-angle12, low5, high5),
+        outside_pmp = v51 | beyond(angle13, low5, high5),
+        outside_pmm = v51 | beyond(-angle13, low5, high5),
+        outside_mpp = v52 | beyond(angle14, low5, high5),
+        outside_mpm = v52 | beyond(-angle14, low5, high5),
+        outside_mmp = v53 | beyond(angle15, low5, high5),
+        outside_mmm = v53 | beyond(-angle15, low5, high5),
+        doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | ((shortest3_reach <= N3) &
+            (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3
+            <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle12; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v32; q[10] = -angle12;
+    q[11] = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
+        s23_pp * T31)));
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle13;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v32; q[22] = -angle13;
+    q[23] = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p * (c23_pm * v40 +
+        s23_pm * T31)));
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle14;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = angle10 - v33; q[34] = -angle14;
+    q[35] = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle15;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = angle11 - v33; q[46] = -angle15;
+    q[47] = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
@@ -474,8 +421,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const float w1 = sqrtf(apart1 ? D1 : 0.0f);
     const float inverse1 = 1.0f / (free1 ? 1.0f : (apart1 ? N1 : d3 * sqrtf(N1)));
-    const float v1 = T14 * d3;
-    const float v2 = T24 * d3;
+    const float v1 = T14 * d3, v2 = T24 * d3;
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const float Z1_3 = T34 - d1;
@@ -486,8 +432,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
         const float root1 = w1 * e1;
-        const float c1 = free1 ? cosf(seed[0]) : inverse1 * (T14 * root1 - v2);
-        const float s1 = free1 ? sinf(seed[0]) : inverse1 * (v1 + T24 * root1);
+        const float c1 = free1 ? cosf(seed[0]) : inverse1 * (T14 * root1 - v2),
+            s1 = free1 ? sinf(seed[0]) : inverse1 * (v1 + T24 * root1);
         const float q1 = atan2f(s1, c1);
 
         /* theta3 */
@@ -497,8 +443,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const float w3 = sqrtf(apart3 ? D3 : 0.0f);
-        const float v4 = k4 * K3;
-        const float v5 = k5 * K3;
+        const float v4 = k4 * K3, v5 = k5 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const float v6 = T13 * c1 + T23 * s1;
@@ -506,18 +451,15 @@ static void solve(
         const float v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const float v9 = T12 * s1 - T22 * c1;
-        const float v10 = T12 * c1 + T22 * s1;
-        const float v12 = T11 * s1 - T21 * c1;
-        const float v13 = T11 * c1 + T21 * s1;
+        const float v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
+            v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const float e2 = i2 == 0 ? 1.0f : -1.0f;
             /* theta3 */
             if (e2 < 0.0f && !apart3) continue; /* both signs give the same */
             const float root3 = w3 * e2;
-            const float s3 = (k5 * root3 - v4) * k7;
-            const float c3 = k7 * (v5 + k4 * root3);
+            const float s3 = (k5 * root3 - v4) * k7, c3 = k7 * (v5 + k4 * root3);
             const float q3 = atan2f(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -528,13 +470,12 @@ static void solve(
             const float w2 = sqrtf(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const float factor2 = 1.0f / (free2 ? 1.0f : w2);
-            const float c2 = free2 ? cosf(seed[1]) : C2 * factor2;
-            const float s2 = free2 ? sinf(seed[1]) : S2 * factor2;
+            const float c2 = free2 ? cosf(seed[1]) : C2 * factor2,
+                s2 = free2 ? sinf(seed[1]) : S2 * factor2;
             const float q2 = atan2f(s2, c2);
 
             /* theta4 */
-            const float c23 = c3 * c2 - s3 * s2;
-            const float s23 = c3 * s2 + s3 * c2;
+            const float c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const float v7 = c23 * v6 + T33 * s23;
             const float w4 = sqrtf(v7 * v7 + v8);
             const int free4 = w4 <= free_limit;
@@ -544,16 +485,15 @@ static void solve(
             const float c5 = T33 * c23 - s23 * v6;
 
             /* theta6 */
-            const float v11 = c23 * v10 + T32 * s23;
-            const float v14 = c23 * v13 + T31 * s23;
+            const float v11 = c23 * v10 + T32 * s23, v14 = c23 * v13 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const float e3 = i3 == 0 ? 1.0f : -1.0f;
                 /* theta4 */
                 if (e3 < 0.0f && free4) continue; /* both signs give the same */
                 const float factor4 = e3 / divisor4;
-                const float c4 = free4 ? cosf(seed[3]) : v7 * factor4;
-                const float s4 = free4 ? sinf(seed[3]) : Y4 * factor4;
+                const float c4 = free4 ? cosf(seed[3]) : v7 * factor4,
+                    s4 = free4 ? sinf(seed[3]) : Y4 * factor4;
                 const float q4 = atan2f(s4, c4);
 
                 /* theta5 */
@@ -562,11 +502,7 @@ static void solve(
                 /* theta6 */
                 const float q6 = atan2f(-(c4 * v12 + s4 * v14), -(c4 * v9 + s4 * v11));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? PUMA560_F32_FREE_JOINT : PUMA560_F32_OK;
             }

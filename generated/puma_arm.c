@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -159,20 +124,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -244,6 +196,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -295,25 +249,16 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void puma_arm_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - v1 * s3;
-    const double T21_ = x2_y * c3 - v2 * s3;
-    const double T31_ = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
-    const double T33_ = c2 * c3 - s2 * s3;
-    const double T14_ = x2_x * a2 + T11_ * a3 + s1 * d3 - v3 * d4;
-    const double T24_ = x2_y * a2 + T21_ * a3 - c1 * d3 - v4 * d4;
-    const double T34_ = d1 + s2 * a2 + T31_ * a3 + T33_ * d4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double T11_ = x2_x * c3 - v1 * s3, T21_ = x2_y * c3 - v2 * s3, T31_ = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
+    const double T33_ = c2 * c3 - s2 * s3, T14_ = x2_x * a2 + T11_ * a3 + s1 * d3 - v3 * d4,
+        T24_ = x2_y * a2 + T21_ * a3 - c1 * d3 - v4 * d4,
+        T34_ = d1 + s2 * a2 + T31_ * a3 + T33_ * d4;
     T[0] = T11_; T[1] = -s1; T[2] = -v3; T[3] = T14_;
     T[4] = T21_; T[5] = c1; T[6] = -v4; T[7] = T24_;
     T[8] = T31_; T[9] = 0.0; T[10] = T33_; T[11] = T34_;
@@ -323,23 +268,15 @@ void puma_arm_fk(const double q[3], double T[16])
 
 void puma_arm_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double J21 = p2_x + (x2_x * c3 - v1 * s3) * a3 + s1 * d3 - (v1 * c3 + x2_x * s3) * d4;
-    const double v3 = p2_y + (x2_y * c3 - v2 * s3) * a3 - c1 * d3 - (v2 * c3 + x2_y * s3) * d4;
-    const double v4 = p2_z + (s2 * c3 + c2 * s3) * a3 + (c2 * c3 - s2 * s3) * d4;
-    const double v5 = v4 - d1;
+    const double v3 = p2_y + (x2_y * c3 - v2 * s3) * a3 - c1 * d3 - (v2 * c3 + x2_y * s3) * d4,
+        v4 = p2_z + (s2 * c3 + c2 * s3) * a3 + (c2 * c3 - s2 * s3) * d4, v5 = v4 - d1;
     const double J32 = s1 * v3 + c1 * J21;
     const double v6 = v4 - p2_z;
     const double J33 = s1 * (v3 - p2_y) + c1 * (J21 - p2_x);
@@ -370,47 +307,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide T34 = T[11];
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
+        v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d1;
-    const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = w3 - w3;
-    const wide angle1 = atan2_wide(w3, N3 - k6);
-    const wide q3__p = angle1 - turn1;
-    const wide v7 = turn1 + angle1;
+    const wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3,
+        angle1 = atan2_wide(w3, N3 - k6), q3__p = angle1 - turn1, v7 = turn1 + angle1;
 
     /* theta2 */
-    const wide X1_2 = m1 * N3 - m2;
-    const wide v8 = Z1_3 * X1_2, v9 = w3 * (m1 * Z1_3), v10 = w3 * (m1 * -Z1_3), v11 = w1 * X1_2;
-    const wide v12 = w1 * -X1_2, v13 = w3 * (m1 * w1), v14 = v8 - v13;
-    const wide angle2 = atan2_wide(v14, v9 + v11);
-    const wide v15 = v8 + v13;
-    const wide angle3 = atan2_wide(v15, v10 + v11), angle4 = atan2_wide(v15, v9 + v12);
-    const wide angle5 = atan2_wide(v14, v10 + v12);
+    const wide X1_2 = m1 * N3 - m2, v8 = Z1_3 * X1_2, v9 = w3 * (m1 * Z1_3),
+        v10 = w3 * (m1 * -Z1_3), v11 = w1 * X1_2, v12 = w1 * -X1_2, v13 = w3 * (m1 * w1),
+        v14 = v8 - v13, v15 = v8 + v13;
 
     /* joint values */
-    const wide angle6 = atan2_wide(v2 + v5, v4 - v3);
-    const wide q1_pp = v6 + angle6;
-    const wide angle7 = atan2_wide(v2 - v5, -(v3 + v4));
-    const wide q1_mp = v6 + angle7;
-    const wide q3_pp = v1 + (q3__p + only_wide(q3__p <= -half_turn, m3));
-    const wide q3_pm = v1 + (only_wide(-v7 <= -half_turn, m3) - v7);
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((N3 <=
-        doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
+    const wide angle6 = atan2_wide(v2 + v5, v4 - v3), q1_pp = v6 + angle6,
+        angle7 = atan2_wide(v2 - v5, -(v3 + v4)), q1_mp = v6 + angle7,
+        q3_pp = v1 + (q3__p + only_wide(q3__p <= -half_turn, m3)),
+        q3_pm = v1 + (only_wide(-v7 <= -half_turn, m3) - v7);
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (N3 <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    q[0] = q1_pp; q[1] = angle2; q[2] = q3_pp;
+    q[0] = q1_pp; q[1] = atan2_wide(v14, v9 + v11); q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_pp; q[4] = angle3; q[5] = q3_pm;
+    q[3] = q1_pp; q[4] = atan2_wide(v15, v10 + v11); q[5] = q3_pm;
     kind[1] = kind_of(q[3] != q[3], 0);
-    q[6] = q1_mp; q[7] = angle4; q[8] = q3_pp;
+    q[6] = q1_mp; q[7] = atan2_wide(v15, v9 + v12); q[8] = q3_pp;
     kind[2] = kind_of(q[6] != q[6], 0);
-    q[9] = q1_mp; q[10] = angle5; q[11] = q3_pm;
+    q[9] = q1_mp; q[10] = atan2_wide(v14, v10 + v12); q[11] = q3_pm;
     kind[3] = kind_of(q[9] != q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -429,35 +354,29 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double T34 = T[11];
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
+        v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
-    const double Z1_3 = T34 - d1;
-    const double N3 = D1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v6 = w3 - w3;
+    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3;
 
     /* theta2 */
-    const double X1_2 = m1 * N3 - m2;
-    const double v7 = Z1_3 * X1_2;
+    const double X1_2 = m1 * N3 - m2, v7 = Z1_3 * X1_2;
     const four v8 = w3 * (m1 * (e2 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((N3 <=
-        doubt_limit_squared2) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))));
+    const int doubt1 = (fabs(D1) <= k2) | (N1 <= doubt_limit_squared2) | (N3 <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    const four angle2 = atan2_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);
-    const four packed2 = atan2_four(__builtin_shufflevector(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3),
-        __builtin_shufflevector(e1 * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3));
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four q3_ = e2 * angle1 - turn1;
-    const four q1 = v6 + angle3;
-    const four q3 = v1 + (q3_ + only_four(q3_ <= -half_turn, m3));
+    const four angle2 = atan2_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9),
+        packed2 = atan2_four(__builtin_shufflevector(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3),
+            __builtin_shufflevector(e1 * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3)),
+        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3,
+        q3 = v1 + (q3_ + only_four(q3_ <= -half_turn, m3));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -538,8 +457,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = T14 * d3;
-    const double v2 = T24 * d3;
+    const double v1 = T14 * d3, v2 = T24 * d3;
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
@@ -550,8 +468,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (T14 * root1 - v2);
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + T24 * root1);
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (T14 * root1 - v2),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + T24 * root1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -561,16 +479,14 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v4 = k4 * K3;
-        const double v5 = k5 * K3;
+        const double v4 = k4 * K3, v5 = k5 * K3;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (k5 * root3 - v4) * k7;
-            const double c3 = k7 * (v5 + k4 * root3);
+            const double s3 = (k5 * root3 - v4) * k7, c3 = k7 * (v5 + k4 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -581,13 +497,11 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : S2 * factor2;
             const double q2 = atan2(s2, c2);
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
             status[row] = (free1 || free2) ? PUMA_ARM_FREE_JOINT : PUMA_ARM_OK;
         }
     }

@@ -408,9 +408,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (N3 <= doubt_limit_squared2 or
+        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or N3 <= doubt_limit_squared2 or
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart))))
+        longest3_apart))
     )
 
     # angles, side by side
@@ -687,9 +687,9 @@ def _in_tiles(T, q, status):
             v14 = v8 - v13
             v15 = v8 + v13
             doubt1 = (
-                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (N3 <= doubt_limit_squared2 or
+                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or N3 <= doubt_limit_squared2 or
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart))))
+                < longest3_apart))
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,7 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -183,16 +148,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -269,6 +224,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -283,32 +240,14 @@ HELPER void transpose(wide x[LANES])
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+    double reached[16], sum = 0.0;
     rail_5dof_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 0.16666666666666666 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 0.16666666666666666 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 0.16666666666666666 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 9; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.16666666666666666 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -320,6 +259,8 @@ static const double unit[5] = { 6.0, 1.0, 1.0, 1.0, 1.0 };
 static const double measure[5] = {
     1.0, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666, 0.16666666666666666,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -348,15 +289,12 @@ static void look(struct descent *d, const double u[5])
         d->q[solved[j]] = unit[j] * u[j];
     rail_5dof_fk(d->q, P);
     rail_5dof_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 6.0;
-    for (int j = 0; j < 5; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 6.0;
-    for (int j = 0; j < 5; j++)
-        d->A[1][j] = measure[j] * J[5 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 6.0;
-    for (int j = 0; j < 5; j++)
-        d->A[2][j] = measure[j] * J[10 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 6.0;
+        for (int j = 0; j < 5; j++)
+            d->A[i][j] = measure[j] * J[5 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -371,6 +309,20 @@ static void look(struct descent *d, const double u[5])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[5], double to[5])
+{
+    for (int j = 0; j < 5; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -405,14 +357,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
  * much
  * it misses the pose then. */
@@ -432,8 +376,7 @@ static double tightened(struct descent *d, double exact, double q[5], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 5; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -477,9 +420,8 @@ static void tighten(const double T[16], double q[2][5], unsigned char status[2])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 6.0);
-    distance = fmax(distance, fabs(T[7]) / 6.0);
-    distance = fmax(distance, fabs(T[11]) / 6.0);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 6.0);
     const double exact = 1e-12 * distance;
     int moved[2] = { 0 };
     double miss[2], least = HUGE_VAL;
@@ -517,7 +459,7 @@ static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1.296e-09; /* doubt_limit_squared2^2 [m^4] */
 static const double m2 = 1e-06; /* doubt_limit^2 */
 static const double m4 = 1e-12; /* doubt_limit_squared^2 */
-static const double m5 = 2.0; /* a coefficient of v12 */
+static const double m5 = 2.0; /* a coefficient of v10 */
 static const double m6 = 3.6000000000000004e-23; /* exact_slack1^2 [m^2] */
 static const double m7 = 1e-24; /* exact_slack^2 */
 static const double h1 = 1.0; /* 2 * m3 */
@@ -534,30 +476,18 @@ static const double weight[5] = { 0.027777777777777776, 1.0, 1.0, 1.0, 1.0 };
 
 void rail_5dof_fk(const double q[5], double T[16])
 {
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = c2 * c3;
-    const double x3_y = s2 * c3;
-    const double z4_x = c2 * s3;
-    const double z4_y = s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s2 * s4;
-    const double x4_y = x3_y * c4 - c2 * s4;
-    const double x4_z = s3 * c4;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = c2 * c3, x3_y = s2 * c3;
+    const double z4_x = c2 * s3, z4_y = s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + s2 * s4, x4_y = x3_y * c4 - c2 * s4, x4_z = s3 * c4;
     const double T13_ = s2 * c4 - x3_x * s4;
-    const double v1 = c2 * c4 + x3_y * s4;
-    const double v2 = s3 * s4;
-    const double T14_ = a1 + s2 * d3 + T13_ * d5;
-    const double T34_ = q[0] - v2 * d5;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 - z4_x * s5;
-    const double T21_ = x4_y * c5 - z4_y * s5;
-    const double T31_ = x4_z * c5 + c3 * s5;
-    const double T32_ = c3 * c5 - x4_z * s5;
+    const double v1 = c2 * c4 + x3_y * s4, v2 = s3 * s4;
+    const double T14_ = a1 + s2 * d3 + T13_ * d5, T34_ = q[0] - v2 * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x4_x * c5 - z4_x * s5, T21_ = x4_y * c5 - z4_y * s5,
+        T31_ = x4_z * c5 + c3 * s5, T32_ = c3 * c5 - x4_z * s5;
     T[0] = T11_; T[1] = -(z4_x * c5 + x4_x * s5); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(z4_y * c5 + x4_y * s5); T[6] = -v1; T[7] = -(c2 * d3 + v1 * d5);
     T[8] = T31_; T[9] = T32_; T[10] = -v2; T[11] = T34_;
@@ -567,28 +497,18 @@ void rail_5dof_fk(const double q[5], double T[16])
 
 void rail_5dof_jacobian(const double q[5], double J[30])
 {
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double p3_x = a1 + s2 * d3;
     const double v1 = c2 * d3;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double J44 = c2 * s3;
-    const double J54 = s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double J44 = c2 * s3, J54 = s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J45 = s2 * c4 - c2 * c3 * s4;
-    const double v2 = c2 * c4 + s2 * c3 * s4;
-    const double v3 = s3 * s4;
+    const double v2 = c2 * c4 + s2 * c3 * s4, v3 = s3 * s4;
     const double p5_x = p3_x + J45 * d5;
-    const double J12 = v1 + v2 * d5;
-    const double J22 = p5_x - a1;
-    const double v4 = q[0] - v3 * d5 - q[0];
-    const double v5 = p5_x - p3_x;
-    const double v6 = v1 - J12;
-    const double J33 = s2 * v6 + c2 * v5;
-    const double J14 = J54 * v4 + c3 * v6;
-    const double J34 = J44 * v6 - J54 * v5;
+    const double J12 = v1 + v2 * d5, J22 = p5_x - a1;
+    const double v4 = q[0] - v3 * d5 - q[0], v5 = p5_x - p3_x, v6 = v1 - J12;
+    const double J33 = s2 * v6 + c2 * v5, J14 = J54 * v4 + c3 * v6, J34 = J44 * v6 - J54 * v5;
     J[0] = 0.0; J[1] = J12; J[2] = -(c2 * v4); J[3] = J14; J[4] = 0.0;
     J[5] = 0.0; J[6] = J22; J[7] = -(s2 * v4); J[8] = -(c3 * v5 + J44 * v4); J[9] = 0.0;
     J[10] = 1.0; J[11] = 0.0; J[12] = J33; J[13] = J34; J[14] = 0.0;
@@ -601,13 +521,16 @@ void rail_5dof_jacobian(const double q[5], double J[30])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -657,60 +580,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
     const wide q1_p = T34 - d5 * T33;
 
     /* theta2 */
-    const wide v1 = d3 * (T14 - d5 * T13 - a1);
-    const wide C2 = d3 * (T24 - d5 * T23);
-    const wide v2 = v1 * v1 + C2 * C2;
-    const wide w2 = sqrt_wide(v2);
-    const wide v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4;
-    const wide s2 = v1 * v4;
-    const wide angle1 = atan2_wide(v1, -C2);
+    const wide v1 = d3 * (T14 - d5 * T13 - a1), C2 = d3 * (T24 - d5 * T23), v2 = v1 * v1 + C2 * C2,
+        w2 = sqrt_wide(v2), v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4, s2 = v1 * v4,
+        angle1 = atan2_wide(v1, -C2);
 
     /* theta3 */
-    const wide v6 = T23 * s2 - T13 * v5;
-    const wide X3 = w2 * (v3 * (v1 * T23 - T13 * C2));
-    const wide v7 = X3 * X3 + T33 * T33;
-    const wide w3 = sqrt_wide(v7);
-    const wide v8 = 1.0 / v7;
-    const wide factor3 = w3 * v8;
-    const wide v9 = X3 * factor3, v10 = T33 * factor3;
-    const wide angle2 = atan2_wide(-T33, -X3);
-    const wide q3_m = angle2 - copysign_wide(all_wide(half_turn), -T33) * h1;
+    const wide v6 = T23 * s2 - T13 * v5, X3 = w2 * (v3 * (v1 * T23 - T13 * C2)),
+        v7 = X3 * X3 + T33 * T33, w3 = sqrt_wide(v7), v8 = 1.0 / v7, factor3 = w3 * v8,
+        v9 = X3 * factor3, v10 = T33 * factor3, angle2 = atan2_wide(-T33, -X3);
 
     /* theta4 */
-    const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2)), v12 = v7 + v11 * v11;
-    const wide v13 = sqrt_wide(v12) * (1.0 / v12);
-    const wide c4 = v11 * v13;
-    const wide s4 = w3 * v13;
-    const wide angle3 = atan2_wide(w3, v11);
+    const wide v11 = w2 * (v3 * (T13 * v1 + T23 * C2)), v12 = v7 + v11 * v11,
+        v13 = sqrt_wide(v12) * (1.0 / v12), c4 = v11 * v13, s4 = w3 * v13,
+        angle3 = atan2_wide(w3, v11);
 
     /* theta5 */
-    const wide C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
-    const wide S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
-    const wide v14 = S5 * S5 + C5 * C5, v15 = sqrt_wide(v14) * (1.0 / v14), v16 = C5 * v15;
-    const wide v17 = S5 * v15;
-    const wide angle4 = atan2_wide(-S5, -C5);
-    const wide q5_m = angle4 - h1 * copysign_wide(all_wide(half_turn), -S5);
+    const wide C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12))),
+        S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11))), v14 = S5 * S5 + C5 * C5,
+        v15 = sqrt_wide(v14) * (1.0 / v14), v16 = C5 * v15, v17 = S5 * v15,
+        angle4 = atan2_wide(-S5, -C5);
 
     /* is the pose one that the arm can take? */
-    const wide v18 = v5 * v9, v19 = c4 * v18 + s2 * s4, v20 = v5 * v10, v21 = s2 * v9;
-    const wide v22 = c4 * v21 - v5 * s4, v23 = s2 * v10, v24 = v10 * c4;
-    const wide v25 = T34 + (-q1_p - s4 * (d5 * v10)), v26 = T33 - v10 * s4;
-    const wide v27 = T32 - (v9 * v16 - v17 * v24), v28 = T31 - (v16 * v24 + v9 * v17);
-    const wide v29 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)));
-    const wide v30 = T23 - (v5 * c4 + s4 * v21), v31 = T22 + (v17 * v22 + v16 * v23);
-    const wide v32 = T21 + (v17 * v23 - v16 * v22);
-    const wide v33 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)));
-    const wide v34 = T13 - (s2 * c4 - s4 * v18), v35 = T11 - (v17 * v20 - v16 * v19);
-    const wide v36 = T12 - (v16 * v20 + v17 * v19);
+    const wide v18 = v5 * v9, v19 = s2 * v9, v20 = T34 + (-q1_p - s4 * (d5 * v10)),
+        v21 = T33 - v10 * s4, v22 = T31 - (v16 * (v10 * c4) + v9 * v17),
+        v23 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v19))),
+        v24 = T23 - (v5 * c4 + s4 * v19),
+        v25 = T21 + (v17 * (s2 * v10) - v16 * (c4 * v19 - v5 * s4)),
+        v26 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2))),
+        v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4)),
+        v28 = T13 - (s2 * c4 - s4 * v18);
 
     /* joint values */
-    const wide_mask doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v12 <= m4) | ((v14 <= m4) | ((m7 < v36 *
-        v36 + (v35 * v35 + (v34 * v34 + (v32 * v32 + (v31 * v31 + (v30 * v30 + (v28 * v28 + (v26 *
-        v26 + v27 * v27)))))))) | (m6 < v33 * v33 + (v25 * v25 + v29 * v29))))));
+    const wide_mask doubt1 = (v7 <= m2) | (v2 <= m1) | (v12 <= m4) | (v14 <= m4) | (m7 < v28 * v28 +
+        (v27 * v27 + (v25 * v25 + (v24 * v24 + (v21 * v21 + v22 * v22))))) | (m6 < v26 * v26 + (v20
+        * v20 + v23 * v23));
 
     q[0] = q1_p; q[1] = angle1; q[2] = angle2; q[3] = angle3; q[4] = angle4;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_p; q[6] = angle1; q[7] = q3_m; q[8] = -angle3; q[9] = q5_m;
+    q[5] = q1_p; q[6] = angle1; q[7] = angle2 - copysign_wide(all_wide(half_turn), -T33) * h1;
+    q[8] = -angle3; q[9] = angle4 - h1 * copysign_wide(all_wide(half_turn), -S5);
     kind[1] = kind_of(q[5] != q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -732,60 +640,47 @@ HELPER int solve_regular(const double T[16], double q[2][5], unsigned char statu
     const double q1 = T34 - d5 * T33;
 
     /* theta2 */
-    const double v1 = d3 * (T14 - d5 * T13 - a1);
-    const double C2 = d3 * (T24 - d5 * T23);
-    const double v2 = v1 * v1 + C2 * C2;
-    const double w2 = sqrt(v2);
-    const double v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4;
-    const double s2 = v1 * v4;
+    const double v1 = d3 * (T14 - d5 * T13 - a1), C2 = d3 * (T24 - d5 * T23),
+        v2 = v1 * v1 + C2 * C2, w2 = sqrt(v2), v3 = 1.0 / v2, v4 = w2 * v3, v5 = C2 * v4,
+        s2 = v1 * v4;
 
     /* theta3 */
-    const double v6 = T23 * s2 - T13 * v5;
-    const double X3 = w2 * (v3 * (v1 * T23 - T13 * C2));
-    const double v7 = X3 * X3 + T33 * T33;
-    const double w3 = sqrt(v7);
-    const double v8 = 1.0 / v7;
-    const double factor3 = w3 * v8;
-    const double v9 = X3 * factor3, v10 = T33 * factor3, v11 = copysign(half_turn, -T33);
+    const double v6 = T23 * s2 - T13 * v5, X3 = w2 * (v3 * (v1 * T23 - T13 * C2)),
+        v7 = X3 * X3 + T33 * T33, w3 = sqrt(v7), v8 = 1.0 / v7, factor3 = w3 * v8,
+        v9 = X3 * factor3, v10 = T33 * factor3, v11 = copysign(half_turn, -T33);
     const four v12 = m3 * (e1 - 1.0);
 
     /* theta4 */
-    const double v13 = w2 * (v3 * (T13 * v1 + T23 * C2)), v14 = v7 + v13 * v13;
-    const double v15 = sqrt(v14) * (1.0 / v14);
-    const double c4 = v13 * v15;
-    const double s4 = w3 * v15;
+    const double v13 = w2 * (v3 * (T13 * v1 + T23 * C2)), v14 = v7 + v13 * v13,
+        v15 = sqrt(v14) * (1.0 / v14), c4 = v13 * v15, s4 = w3 * v15;
 
     /* theta5 */
-    const double C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12)));
-    const double S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11)));
-    const double v16 = S5 * S5 + C5 * C5, v17 = sqrt(v16) * (1.0 / v16), v18 = C5 * v17;
-    const double v19 = S5 * v17, v20 = copysign(half_turn, -S5);
+    const double C5 = w3 * (v8 * (v6 * T32 - T33 * (s2 * T22 - v5 * T12))),
+        S5 = w3 * (v8 * (v6 * T31 - T33 * (s2 * T21 - v5 * T11))), v16 = S5 * S5 + C5 * C5,
+        v17 = sqrt(v16) * (1.0 / v16), v18 = C5 * v17, v19 = S5 * v17,
+        v20 = copysign(half_turn, -S5);
 
     /* is the pose one that the arm can take? */
-    const double v21 = v5 * v9, v22 = c4 * v21 + s2 * s4, v23 = v5 * v10, v24 = s2 * v9;
-    const double v25 = c4 * v24 - v5 * s4, v26 = s2 * v10, v27 = v10 * c4;
-    const double v28 = T34 + (-q1 - s4 * (d5 * v10)), v29 = T33 - v10 * s4;
-    const double v30 = T32 - (v9 * v18 - v19 * v27), v31 = T31 - (v18 * v27 + v9 * v19);
-    const double v32 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v24)));
-    const double v33 = T23 - (v5 * c4 + s4 * v24), v34 = T22 + (v19 * v25 + v18 * v26);
-    const double v35 = T21 + (v19 * v26 - v18 * v25);
-    const double v36 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5 * s2)));
-    const double v37 = T13 - (s2 * c4 - s4 * v21), v38 = T11 - (v19 * v23 - v18 * v22);
-    const double v39 = T12 - (v18 * v23 + v19 * v22);
+    const double v21 = v5 * v9, v22 = s2 * v9, v23 = T34 + (-q1 - s4 * (d5 * v10)),
+        v24 = T33 - v10 * s4, v25 = T31 - (v18 * (v10 * c4) + v9 * v19),
+        v26 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v22))),
+        v27 = T23 - (v5 * c4 + s4 * v22),
+        v28 = T21 + (v19 * (s2 * v10) - v18 * (c4 * v22 - v5 * s4)),
+        v29 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v21) - c4 * (d5 * s2))),
+        v30 = T11 - (v19 * (v5 * v10) - v18 * (c4 * v21 + s2 * s4)),
+        v31 = T13 - (s2 * c4 - s4 * v21);
 
     /* joint values */
-    const int doubt1 = (v7 <= m2) | ((v2 <= m1) | ((v14 <= m4) | ((v16 <= m4) | ((m7 < v39 * v39 +
-        (v38 * v38 + (v37 * v37 + (v35 * v35 + (v34 * v34 + (v33 * v33 + (v31 * v31 + (v29 * v29 +
-        v30 * v30)))))))) | (m6 < v36 * v36 + (v28 * v28 + v32 * v32))))));
+    const int doubt1 = (v7 <= m2) | (v2 <= m1) | (v14 <= m4) | (v16 <= m4) | (m7 < v31 * v31 + (v30
+        * v30 + (v28 * v28 + (v27 * v27 + (v24 * v24 + v25 * v25))))) | (m6 < v29 * v29 + (v23 * v23
+        + v26 * v26));
 
-    const four packed1 = atan2_four((four){ v1, -T33, w3, -S5 }, (four){ -C2, -X3, v13, -C5 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q3 = angle2 + v11 * v12;
-    const four q5 = angle4 + v12 * v20;
-    const four q4 = e1 * angle3;
+    const four packed1 = atan2_four((four){ v1, -T33, w3, -S5 }, (four){ -C2, -X3, v13, -C5 }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four q3 = angle2 + v11 * v12, q5 = angle4 + v12 * v20, q4 = e1 * angle3;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -869,8 +764,7 @@ static void solve(
     const double w2 = sqrt(v1 * v1 + C2 * C2);
     const int free2 = w2 <= free_limit_squared2;
     const double v2 = 1.0 / (free2 ? 1.0 : w2);
-    const double c2 = free2 ? cos(seed[1]) : -(C2 * v2);
-    const double s2 = free2 ? sin(seed[1]) : v1 * v2;
+    const double c2 = free2 ? cos(seed[1]) : -(C2 * v2), s2 = free2 ? sin(seed[1]) : v1 * v2;
     const double q2 = atan2(s2, c2);
 
     /* theta3, type 2: U3[2, 3] */
@@ -884,22 +778,18 @@ static void solve(
     const double v3 = Z1_4 * Z1_4;
 
     /* theta5, type 3: U3[2, 2] and U3[2, 1] */
-    const double v5 = T12 * c2 + T22 * s2;
-    const double v6 = T11 * c2 + T21 * s2;
+    const double v5 = T12 * c2 + T22 * s2, v6 = T11 * c2 + T21 * s2;
 
     /* is the pose one that the arm can take? */
-    const double v11 = d5 * s2;
-    const double v12 = a1 + d3 * s2;
-    const double v16 = d5 * c2;
-    const double v17 = d3 * c2;
+    const double v9 = d5 * s2, v10 = a1 + d3 * s2, v12 = d5 * c2, v13 = d3 * c2;
 
     for (int i1 = 0; i1 < 2; i1++) { /* noflip, flip */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta3 */
         if (e1 < 0.0 && free3) continue; /* both signs give the same */
         const double factor3 = e1 / divisor3;
-        const double c3 = free3 ? cos(seed[2]) : -(X3 * factor3);
-        const double s3 = free3 ? sin(seed[2]) : -(T33 * factor3);
+        const double c3 = free3 ? cos(seed[2]) : -(X3 * factor3),
+            s3 = free3 ? sin(seed[2]) : -(T33 * factor3);
         const double q3 = atan2(s3, c3);
         const double root3 = w3 * e1;
 
@@ -907,8 +797,8 @@ static void solve(
         const double w4 = sqrt(root3 * root3 + v3);
         const int free4 = w4 <= free_limit_squared;
         const double v4 = 1.0 / (free4 ? 1.0 : w4);
-        const double c4 = free4 ? cos(seed[3]) : -(Z1_4 * v4);
-        const double s4 = free4 ? sin(seed[3]) : root3 * v4;
+        const double c4 = free4 ? cos(seed[3]) : -(Z1_4 * v4),
+            s4 = free4 ? sin(seed[3]) : root3 * v4;
         const double q4 = atan2(s4, c4);
 
         /* theta5 */
@@ -917,33 +807,21 @@ static void solve(
         const double w5 = sqrt(S5 * S5 + C5 * C5);
         const int free5 = w5 <= free_limit_squared;
         const double v7 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(C5 * v7);
-        const double s5 = free5 ? sin(seed[4]) : -(S5 * v7);
+        const double c5 = free5 ? cos(seed[4]) : -(C5 * v7), s5 = free5 ? sin(seed[4]) : -(S5 * v7);
         const double q5 = atan2(s5, c5);
 
         /* is the pose one that the arm can take? */
-        const double v8 = c2 * c3;
-        const double v9 = c4 * v8 + s2 * s4;
-        const double v10 = c2 * s3;
-        const double v13 = s2 * c3;
-        const double v14 = c2 * s4 - c4 * v13;
-        const double v15 = s2 * s3;
-        const double v18 = s3 * c4;
-        if (!(fabs(T34 + (s4 * (d5 * s3) + -wz)) <= doubtful_slack1 && (fabs(T33 + s3 * s4) <=
-            doubtful_slack && (fabs(T32 - (c3 * c5 - s5 * v18)) <= doubtful_slack && (fabs(T31 - (c5
-            * v18 + c3 * s5)) <= doubtful_slack && (fabs(T24 + (c4 * v16 + s4 * (d5 * v13) + v17))
-            <= doubtful_slack1 && (fabs(T23 + (c2 * c4 + s4 * v13)) <= doubtful_slack && (fabs(T22 -
-            (s5 * v14 - c5 * v15)) <= doubtful_slack && (fabs(T21 + (c5 * v14 + s5 * v15)) <=
-            doubtful_slack && (fabs(T14 - (v12 - (s4 * (d5 * v8) - c4 * v11))) <= doubtful_slack1 &&
-            (fabs(T13 - (s2 * c4 - s4 * v8)) <= doubtful_slack && (fabs(T11 - (c5 * v9 - s5 * v10))
-            <= doubtful_slack && fabs(T12 + (c5 * v10 + s5 * v9)) <= doubtful_slack))))))))))))
+        const double v8 = c2 * c3, v11 = s2 * c3;
+        if (!(fabs(T34 + (s4 * (d5 * s3) + -wz)) <= doubtful_slack1 && fabs(T33 + s3 * s4) <=
+            doubtful_slack && fabs(T31 - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack && fabs(T24 +
+            (c4 * v12 + s4 * (d5 * v11) + v13)) <= doubtful_slack1 && fabs(T23 + (c2 * c4 + s4 *
+            v11)) <= doubtful_slack && fabs(T21 + (c5 * (c2 * s4 - c4 * v11) + s5 * (s2 * s3))) <=
+            doubtful_slack && fabs(T14 - (v10 - (s4 * (d5 * v8) - c4 * v9))) <= doubtful_slack1 &&
+            fabs(T11 - (c5 * (c4 * v8 + s2 * s4) - s5 * (c2 * s3))) <= doubtful_slack && fabs(T13 -
+            (s2 * c4 - s4 * v8)) <= doubtful_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
-        q[row][0] = wz;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = wz; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         status[row] = (free2 || free3 || free4 || free5) ? RAIL_5DOF_FREE_JOINT : RAIL_5DOF_OK;
     }
 }

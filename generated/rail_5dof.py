@@ -96,7 +96,7 @@ half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.296e-09  # doubt_limit_squared2^2 [m^4]
 m2 = 1e-06  # doubt_limit^2
 m4 = 1e-12  # doubt_limit_squared^2
-m5 = 2.0  # a coefficient of v12
+m5 = 2.0  # a coefficient of v10
 m6 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
 m7 = 1e-24  # exact_slack^2
 h1 = 1.0  # 2 * m3
@@ -273,7 +273,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof c8464ec751a94082"
+_KEY = "rail_5dof be2405c5aa3203b1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -360,23 +360,17 @@ def _missed_by(pose, q):
     miss = 0.0
     off = T11_ - pose[0]
     miss += (1.0 * off) ** 2
-    off = -(z4_x * c5 + x4_x * s5) - pose[1]
-    miss += (1.0 * off) ** 2
     off = T13_ - pose[2]
     miss += (1.0 * off) ** 2
     off = T14_ - pose[3]
     miss += (0.16666666666666666 * off) ** 2
     off = T21_ - pose[4]
     miss += (1.0 * off) ** 2
-    off = -(z4_y * c5 + x4_y * s5) - pose[5]
-    miss += (1.0 * off) ** 2
     off = -v1 - pose[6]
     miss += (1.0 * off) ** 2
     off = -(c2 * d3 + v1 * d5) - pose[7]
     miss += (0.16666666666666666 * off) ** 2
     off = T31_ - pose[8]
-    miss += (1.0 * off) ** 2
-    off = T32_ - pose[9]
     miss += (1.0 * off) ** 2
     off = -v2 - pose[10]
     miss += (1.0 * off) ** 2
@@ -439,6 +433,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(5):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -463,21 +472,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(5):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner
@@ -557,21 +551,18 @@ def _tighten(pose, q, status):
     distance = max(distance, abs(pose[7]) / 6.0)
     distance = max(distance, abs(pose[11]) / 6.0)
     exact = 1e-12 * distance
-    worst = 0.0
+    worst, miss = 0.0, carray(_room(2), 2)
     for row in range(2):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, miss = np.empty((3, 4)), np.empty((2, 5)), np.empty(2)
-    held = np.empty(2, np.bool_)
+    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(2, np.bool_)
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     for row in range(2):
         held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
     _tighten_rows(T, exact, miss, rows, held)
     for row in range(2):
         if not held[row]:
@@ -615,10 +606,10 @@ def _solve(pose, seed, q, status):
     v6 = T11 * c2 + T21 * s2
 
     # is the pose one that the arm can take?
-    v11 = d5 * s2
-    v12 = a1 + d3 * s2
-    v16 = d5 * c2
-    v17 = d3 * c2
+    v9 = d5 * s2
+    v10 = a1 + d3 * s2
+    v12 = d5 * c2
+    v13 = d3 * c2
 
     for i1 in range(2):  # noflip, flip
         e1 = 1.0 - 2.0 * i1
@@ -651,21 +642,15 @@ def _solve(pose, seed, q, status):
 
         # is the pose one that the arm can take?
         v8 = c2 * c3
-        v9 = c4 * v8 + s2 * s4
-        v10 = c2 * s3
-        v13 = s2 * c3
-        v14 = c2 * s4 - c4 * v13
-        v15 = s2 * s3
-        v18 = s3 * c4
+        v11 = s2 * c3
         if (
-            not (abs(T34 + (s4 * (d5 * s3) + -wz)) <= doubtful_slack1 and (abs(T33 + s3 * s4) <=
-            doubtful_slack and (abs(T32 - (c3 * c5 - s5 * v18)) <= doubtful_slack and (abs(T31 - (c5
-            * v18 + c3 * s5)) <= doubtful_slack and (abs(T24 + (c4 * v16 + s4 * (d5 * v13) + v17))
-            <= doubtful_slack1 and (abs(T23 + (c2 * c4 + s4 * v13)) <= doubtful_slack and (abs(T22 -
-            (s5 * v14 - c5 * v15)) <= doubtful_slack and (abs(T21 + (c5 * v14 + s5 * v15)) <=
-            doubtful_slack and (abs(T14 - (v12 - (s4 * (d5 * v8) - c4 * v11))) <= doubtful_slack1
-            and (abs(T13 - (s2 * c4 - s4 * v8)) <= doubtful_slack and (abs(T11 - (c5 * v9 - s5 *
-            v10)) <= doubtful_slack and abs(T12 + (c5 * v10 + s5 * v9)) <= doubtful_slack)))))))))))
+            not (abs(T34 + (s4 * (d5 * s3) + -wz)) <= doubtful_slack1 and abs(T33 + s3 * s4) <=
+            doubtful_slack and abs(T31 - (c5 * (s3 * c4) + c3 * s5)) <= doubtful_slack and abs(T24 +
+            (c4 * v12 + s4 * (d5 * v11) + v13)) <= doubtful_slack1 and abs(T23 + (c2 * c4 + s4 *
+            v11)) <= doubtful_slack and abs(T21 + (c5 * (c2 * s4 - c4 * v11) + s5 * (s2 * s3))) <=
+            doubtful_slack and abs(T14 - (v10 - (s4 * (d5 * v8) - c4 * v9))) <= doubtful_slack1 and
+            abs(T11 - (c5 * (c4 * v8 + s2 * s4) - s5 * (c2 * s3))) <= doubtful_slack and abs(T13 -
+            (s2 * c4 - s4 * v8)) <= doubtful_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -744,8 +729,8 @@ def _whole(pose, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     _tighten(pose, q, status)
+    count = 0
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
@@ -808,30 +793,21 @@ def _regular(pose, q, status):
 
     # is the pose one that the arm can take?
     v18 = v5 * v9
-    v19 = c4 * v18 + s2 * s4
-    v20 = v5 * v10
-    v21 = s2 * v9
-    v22 = c4 * v21 - v5 * s4
-    v23 = s2 * v10
-    v24 = v10 * c4
-    v25 = T34 + (-q1_p - s4 * (d5 * v10))
-    v26 = T33 - v10 * s4
-    v27 = T32 - (v9 * v16 - v17 * v24)
-    v28 = T31 - (v16 * v24 + v9 * v17)
-    v29 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)))
-    v30 = T23 - (v5 * c4 + s4 * v21)
-    v31 = T22 + (v17 * v22 + v16 * v23)
-    v32 = T21 + (v17 * v23 - v16 * v22)
-    v33 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
-    v34 = T13 - (s2 * c4 - s4 * v18)
-    v35 = T11 - (v17 * v20 - v16 * v19)
-    v36 = T12 - (v16 * v20 + v17 * v19)
+    v19 = s2 * v9
+    v20 = T34 + (-q1_p - s4 * (d5 * v10))
+    v21 = T33 - v10 * s4
+    v22 = T31 - (v16 * (v10 * c4) + v9 * v17)
+    v23 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v19)))
+    v24 = T23 - (v5 * c4 + s4 * v19)
+    v25 = T21 + (v17 * (s2 * v10) - v16 * (c4 * v19 - v5 * s4))
+    v26 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
+    v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4))
+    v28 = T13 - (s2 * c4 - s4 * v18)
 
     # joint values
     doubt1 = (
-        v7 <= m2 or (v2 <= m1 or (v12 <= m4 or (v14 <= m4 or (m7 < v36 * v36 + (v35 * v35 + (v34 *
-        v34 + (v32 * v32 + (v31 * v31 + (v30 * v30 + (v28 * v28 + (v26 * v26 + v27 * v27))))))) or
-        m6 < v33 * v33 + (v25 * v25 + v29 * v29)))))
+        v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v28 * v28 + (v27 * v27 + (v25 * v25 +
+        (v24 * v24 + (v21 * v21 + v22 * v22)))) or m6 < v26 * v26 + (v20 * v20 + v23 * v23)
     )
 
     # angles, side by side
@@ -1118,28 +1094,20 @@ def _in_tiles(T, q, status):
             v16 = C5 * v15
             v17 = S5 * v15
             v18 = v5 * v9
-            v19 = c4 * v18 + s2 * s4
-            v20 = v5 * v10
-            v21 = s2 * v9
-            v22 = c4 * v21 - v5 * s4
-            v23 = s2 * v10
-            v24 = v10 * c4
-            v25 = T34 + (-q1_p - s4 * (d5 * v10))
-            v26 = T33 - v10 * s4
-            v27 = T32 - (v9 * v16 - v17 * v24)
-            v28 = T31 - (v16 * v24 + v9 * v17)
-            v29 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v21)))
-            v30 = T23 - (v5 * c4 + s4 * v21)
-            v31 = T22 + (v17 * v22 + v16 * v23)
-            v32 = T21 + (v17 * v23 - v16 * v22)
-            v33 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
-            v34 = T13 - (s2 * c4 - s4 * v18)
-            v35 = T11 - (v17 * v20 - v16 * v19)
-            v36 = T12 - (v16 * v20 + v17 * v19)
+            v19 = s2 * v9
+            v20 = T34 + (-q1_p - s4 * (d5 * v10))
+            v21 = T33 - v10 * s4
+            v22 = T31 - (v16 * (v10 * c4) + v9 * v17)
+            v23 = T24 - (d3 * v5 + (c4 * (d5 * v5) + s4 * (d5 * v19)))
+            v24 = T23 - (v5 * c4 + s4 * v19)
+            v25 = T21 + (v17 * (s2 * v10) - v16 * (c4 * v19 - v5 * s4))
+            v26 = T14 - (m5 + w2 * (v1 * v3) - (s4 * (d5 * v18) - c4 * (d5 * s2)))
+            v27 = T11 - (v17 * (v5 * v10) - v16 * (c4 * v18 + s2 * s4))
+            v28 = T13 - (s2 * c4 - s4 * v18)
             doubt1 = (
-                v7 <= m2 or (v2 <= m1 or (v12 <= m4 or (v14 <= m4 or (m7 < v36 * v36 + (v35 * v35 +
-                (v34 * v34 + (v32 * v32 + (v31 * v31 + (v30 * v30 + (v28 * v28 + (v26 * v26 + v27 *
-                v27))))))) or m6 < v33 * v33 + (v25 * v25 + v29 * v29)))))
+                v7 <= m2 or v2 <= m1 or v12 <= m4 or v14 <= m4 or m7 < v28 * v28 + (v27 * v27 + (v25
+                * v25 + (v24 * v24 + (v21 * v21 + v22 * v22)))) or m6 < v26 * v26 + (v20 * v20 + v23
+                * v23)
             )
             work[272 + k] = q1_p
             work[288 + k] = S5

@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -159,20 +124,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -244,6 +196,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -272,10 +226,8 @@ static const double weight[3] = { 1.0, 4.0, 4.0 };
 
 void rpp_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double T24_ = c1 * q[1];
-    const double T34_ = d1 + q[2];
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double T24_ = c1 * q[1], T34_ = d1 + q[2];
     T[0] = c1; T[1] = -s1; T[2] = 0.0; T[3] = -(s1 * q[1]);
     T[4] = s1; T[5] = c1; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = T34_;
@@ -285,8 +237,7 @@ void rpp_fk(const double q[3], double T[16])
 
 void rpp_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     J[0] = -(c1 * q[1]); J[1] = -s1; J[2] = 0.0;
     J[3] = -(s1 * q[1]); J[4] = c1; J[5] = 0.0;
     J[6] = 0.0; J[7] = 0.0; J[8] = 1.0;
@@ -317,15 +268,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide q3_p = T34 - d1;
 
     /* theta1, r2 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide q2_p = sqrt_wide(v1);
+    const wide v1 = T14 * T14 + T24 * T24, q2_p = sqrt_wide(v1);
     const wide_mask doubt1 = v1 <= m1;
     const wide angle1 = atan2_wide(-T14, T24);
-    const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), -T14) * h1;
 
     q[0] = angle1; q[1] = q2_p; q[2] = q3_p;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m; q[4] = -q2_p; q[5] = q3_p;
+    q[3] = angle1 - copysign_wide(all_wide(half_turn), -T14) * h1; q[4] = -q2_p; q[5] = q3_p;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -347,16 +296,15 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double q3 = T34 - d1;
 
     /* theta1, r2 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w2 = sqrt(v1);
+    const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1);
     const int doubt1 = v1 <= m1;
     const double v2 = copysign(half_turn, -T14);
 
     /* joint values */
     const four q2 = e1 * w2;
 
-    const four packed1 = atan2_four((four){ -T14, -T14, -T14, -T14 }, (four){ T24, T24, T24, T24 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
+    const four packed1 = atan2_four((four){ -T14, -T14, -T14, -T14 }, (four){ T24, T24, T24, T24 }),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four q1 = angle1 + v2 * (m2 * (e1 - 1.0));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
@@ -443,14 +391,12 @@ static void solve(
         /* theta1, r2 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : T24 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : -(T14 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : T24 * factor1,
+            s1 = free1 ? sin(seed[0]) : -(T14 * factor1);
         const double q1 = atan2(s1, c1);
         const double r2 = w2 * e1;
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = r2;
-        q[row][2] = r3;
+        q[row][0] = q1; q[row][1] = r2; q[row][2] = r3;
         status[row] = (free1) ? RPP_FREE_JOINT : RPP_OK;
     }
 }

@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -159,20 +124,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -244,6 +196,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -278,15 +232,10 @@ static const double weight[3] = { 1.0, 1.5624999999999998, 1.0 };
 
 void rpr_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double v1 = s1 * s3;
-    const double T21_ = c1 * s3;
-    const double T22_ = c1 * c3;
-    const double T24_ = c1 * q[1] + T21_ * a3;
-    const double T34_ = d1 - c3 * a3;
+    const double T21_ = c1 * s3, T22_ = c1 * c3, T24_ = c1 * q[1] + T21_ * a3, T34_ = d1 - c3 * a3;
     T[0] = -v1; T[1] = -(s1 * c3); T[2] = c1; T[3] = -(s1 * q[1] + v1 * a3);
     T[4] = T21_; T[5] = T22_; T[6] = s1; T[7] = T24_;
     T[8] = -c3; T[9] = s3; T[10] = 0.0; T[11] = T34_;
@@ -296,17 +245,14 @@ void rpr_fk(const double q[3], double T[16])
 
 void rpr_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * q[1];
     const double p2_y = c1 * q[1];
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double v2 = v1 + s1 * s3 * a3;
     const double p3_y = p2_y + c1 * s3 * a3;
     const double v3 = d1 - c3 * a3 - d1;
-    const double J13 = s1 * v3;
-    const double J33 = c1 * (p3_y - p2_y) - s1 * (v1 - v2);
+    const double J13 = s1 * v3, J33 = c1 * (p3_y - p2_y) - s1 * (v1 - v2);
     J[0] = -p3_y; J[1] = -s1; J[2] = J13;
     J[3] = -v2; J[4] = c1; J[5] = -(c1 * v3);
     J[6] = 0.0; J[7] = 0.0; J[8] = J33;
@@ -334,23 +280,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T24 * T24 + T14 * T14;
-    const wide w1 = sqrt_wide(v1);
-    const wide angle1 = atan2_wide(-T14, T24);
+    const wide v1 = T24 * T24 + T14 * T14, w1 = sqrt_wide(v1), angle1 = atan2_wide(-T14, T24);
 
     /* theta3 */
-    const wide Z3 = T34 - d1;
-    const wide D3 = k1 - Z3 * Z3;
-    const wide w3 = sqrt_wide(D3);
-    const wide v2 = w3 - w3;
-    const wide angle2 = atan2_wide(-(a3 * w3), -(a3 * Z3));
+    const wide Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt_wide(D3), v2 = w3 - w3,
+        angle2 = atan2_wide(-(a3 * w3), -(a3 * Z3));
 
     /* r2 */
     const wide q2_pp = w1 + w3, q2_pm = w1 - w3;
 
     /* joint values */
-    const wide q1_pp = angle1 + v2;
-    const wide q1_mp = v2 + (angle1 - copysign_wide(all_wide(half_turn), -T14) * h1);
+    const wide q1_pp = angle1 + v2,
+        q1_mp = v2 + (angle1 - copysign_wide(all_wide(half_turn), -T14) * h1);
     const wide_mask doubt1 = (v1 <= m1) | (abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
         abs_wide(Z3)));
 
@@ -380,29 +321,21 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double T34 = T[11];
 
     /* theta1 */
-    const double v1 = T24 * T24 + T14 * T14;
-    const double w1 = sqrt(v1);
-    const double v2 = copysign(half_turn, -T14);
+    const double v1 = T24 * T24 + T14 * T14, w1 = sqrt(v1), v2 = copysign(half_turn, -T14);
 
     /* theta3 */
-    const double Z3 = T34 - d1;
-    const double D3 = k1 - Z3 * Z3;
-    const double w3 = sqrt(D3);
-    const double v3 = w3 - w3;
+    const double Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt(D3), v3 = w3 - w3;
 
     /* r2 */
-    const four v4 = e1 * w1, v5 = e2 * w3;
-    const four q2 = v4 + v5;
+    const four v4 = e1 * w1, v5 = e2 * w3, q2 = v4 + v5;
 
     /* joint values */
     const int doubt1 = (v1 <= m1) | (fabs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3)));
 
     const four packed1 = atan2_four((four){ -T14, -(a3 * w3), -T14, -T14 }, (four){ T24, -(a3 * Z3),
-        T24, T24 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four q3 = e2 * angle2;
-    const four q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
+        T24, T24 }), angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four q3 = e2 * angle2, q1 = v3 + (angle1 + v2 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -493,8 +426,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : T24 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : -(T14 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : T24 * factor1,
+            s1 = free1 ? sin(seed[0]) : -(T14 * factor1);
         const double q1 = atan2(s1, c1);
         const double root1 = w1 * e1;
 
@@ -509,9 +442,7 @@ static void solve(
             const double v3 = a3 * v2;
             const double r2 = root1 + v3;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = r2;
-            q[row][2] = q3;
+            q[row][0] = q1; q[row][1] = r2; q[row][2] = q3;
             status[row] = (free1) ? RPR_FREE_JOINT : RPR_OK;
         }
     }

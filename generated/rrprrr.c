@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -170,7 +135,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -192,14 +157,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -268,6 +225,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -299,38 +258,23 @@ static const double weight[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 void rrprrr_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z3_x = c1 * s2;
-    const double z3_y = s1 * s2;
-    const double T14_ = z3_x * q[2];
-    const double T24_ = z3_y * q[2];
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x2_x * c4 + s1 * s4;
-    const double x4_y = x2_y * c4 - c1 * s4;
-    const double x4_z = s2 * c4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z3_x = c1 * s2, z3_y = s1 * s2;
+    const double T14_ = z3_x * q[2], T24_ = z3_y * q[2];
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x2_x * c4 + s1 * s4, x4_y = x2_y * c4 - c1 * s4, x4_z = s2 * c4;
     const double y4_x = s1 * c4 - x2_x * s4;
-    const double v1 = c1 * c4 + x2_y * s4;
-    const double v2 = s2 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - z3_x * s5;
-    const double x5_y = x4_y * c5 - z3_y * s5;
-    const double x5_z = x4_z * c5 + c2 * s5;
-    const double T13_ = z3_x * c5 + x4_x * s5;
-    const double T23_ = z3_y * c5 + x4_y * s5;
-    const double T33_ = x4_z * s5 - c2 * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y4_x * s6;
-    const double T21_ = x5_y * c6 - v1 * s6;
-    const double T31_ = x5_z * c6 - v2 * s6;
-    const double T12_ = y4_x * c6 - x5_x * s6;
+    const double v1 = c1 * c4 + x2_y * s4, v2 = s2 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - z3_x * s5, x5_y = x4_y * c5 - z3_y * s5,
+        x5_z = x4_z * c5 + c2 * s5;
+    const double T13_ = z3_x * c5 + x4_x * s5, T23_ = z3_y * c5 + x4_y * s5,
+        T33_ = x4_z * s5 - c2 * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y4_x * s6, T21_ = x5_y * c6 - v1 * s6,
+        T31_ = x5_z * c6 - v2 * s6, T12_ = y4_x * c6 - x5_x * s6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(v1 * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = -(v2 * c6 + x5_z * s6); T[10] = T33_; T[11] = -(c2 * q[2]);
@@ -340,28 +284,18 @@ void rrprrr_fk(const double q[6], double T[16])
 
 void rrprrr_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J13 = c1 * s2;
-    const double J23 = s1 * s2;
-    const double J21 = J13 * q[2];
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J13 = c1 * s2, J23 = s1 * s2, J21 = J13 * q[2];
     const double p3_y = J23 * q[2];
     const double v1 = c2 * q[2];
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J45 = s1 * c4 - x2_x * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = J13 * c5 + (x2_x * c4 + s1 * s4) * s5;
-    const double J56 = J23 * c5 + (x2_y * c4 - c1 * s4) * s5;
-    const double J66 = s2 * c4 * s5 - c2 * c5;
-    const double J12 = c1 * v1;
-    const double J22 = s1 * v1;
-    const double J32 = s1 * p3_y + c1 * J21;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = J13 * c5 + (x2_x * c4 + s1 * s4) * s5,
+        J56 = J23 * c5 + (x2_y * c4 - c1 * s4) * s5, J66 = s2 * c4 * s5 - c2 * c5, J12 = c1 * v1,
+        J22 = s1 * v1, J32 = s1 * p3_y + c1 * J21;
     J[0] = -p3_y; J[1] = J12; J[2] = J13; J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = J32; J[14] = -c2; J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
@@ -374,13 +308,16 @@ void rrprrr_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -427,46 +364,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide w1 = sqrt_wide(v1);
-    const wide factor1 = w1 * (1.0 / v1);
-    const wide angle1 = atan2_wide(-T24, -T14);
-    const wide q1_mpp = angle1 - copysign_wide(all_wide(half_turn), -T24) * h1;
+    const wide v1 = T14 * T14 + T24 * T24, w1 = sqrt_wide(v1), factor1 = w1 * (1.0 / v1),
+        angle1 = atan2_wide(-T24, -T14),
+        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), -T24) * h1;
 
     /* theta2, r3 */
-    const wide v2 = v1 + T34 * T34;
-    const wide q3_ppp = sqrt_wide(v2);
-    const wide factor2 = q3_ppp * (1.0 / v2);
-    const wide v3 = T34 * factor2, v4 = w1 * factor2;
-    const wide angle2 = atan2_wide(-w1, -T34);
-    const wide q2_pmp = angle2 - h1 * copysign_wide(all_wide(half_turn), -w1);
+    const wide v2 = v1 + T34 * T34, q3_ppp = sqrt_wide(v2), factor2 = q3_ppp * (1.0 / v2),
+        v3 = T34 * factor2, v4 = w1 * factor2, angle2 = atan2_wide(-w1, -T34),
+        q2_pmp = angle2 - h1 * copysign_wide(all_wide(half_turn), -w1);
 
     /* theta4 */
-    const wide v5 = T14 * T13 + T24 * T23;
-    const wide X4 = factor1 * (v3 * v5) - v4 * T33;
-    const wide Y4 = T24 * T13 - T14 * T23;
-    const wide v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4));
-    const wide w4 = sqrt_wide(v6);
-    const wide factor4 = w4 * (1.0 / v6);
-    const wide v7 = X4 * factor4;
-    const wide s4 = Y4 * factor4;
-    const wide v8 = factor1 * s4;
-    const wide angle3 = atan2_wide(v8, -v7);
-    const wide q4_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), v8);
+    const wide v5 = T14 * T13 + T24 * T23, X4 = factor1 * (v3 * v5) - v4 * T33,
+        Y4 = T24 * T13 - T14 * T23, v6 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4)),
+        w4 = sqrt_wide(v6), factor4 = w4 * (1.0 / v6), v7 = X4 * factor4, s4 = Y4 * factor4,
+        v8 = factor1 * s4, angle3 = atan2_wide(v8, -v7),
+        q4_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), v8);
 
     /* theta5 */
-    const wide angle4 = atan2_wide(-w4, v3 * T33 + factor1 * (v4 * v5));
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle4;
+    const wide angle4 = atan2_wide(-w4, v3 * T33 + factor1 * (v4 * v5)),
+        q5_pmp = h1 * copysign_wide(all_wide(half_turn), -w4) - angle4;
 
     /* theta6 */
     const wide v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) -
-        v4 * T31);
-    const wide angle5 = atan2_wide(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 *
-        T12 + T24 * T22)) - v4 * T32));
-    const wide q6_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9);
+        v4 * T31),
+        angle5 = atan2_wide(v9, v7 * (T24 * T12 - T14 * T22) - s4 * (factor1 * (v3 * (T14 * T12 +
+            T24 * T22)) - v4 * T32)), q6_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9);
 
     /* joint values */
-    const wide_mask doubt1 = (v2 <= m1) | ((v6 <= m1) | (v1 <= m1));
+    const wide_mask doubt1 = (v2 <= m1) | (v6 <= m1) | (v1 <= m1);
 
     q[0] = angle1; q[1] = angle2; q[2] = q3_ppp; q[3] = angle3; q[4] = angle4; q[5] = angle5;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -507,27 +432,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w1 = sqrt(v1);
-    const double factor1 = w1 * (1.0 / v1);
+    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), factor1 = w1 * (1.0 / v1);
 
     /* theta2, r3 */
-    const double v2 = v1 + T34 * T34;
-    const double w3 = sqrt(v2);
-    const double factor2 = w3 * (1.0 / v2);
-    const double v3 = T34 * factor2, v4 = w1 * factor2, v5 = copysign(half_turn, -w1);
+    const double v2 = v1 + T34 * T34, w3 = sqrt(v2), factor2 = w3 * (1.0 / v2), v3 = T34 * factor2,
+        v4 = w1 * factor2, v5 = copysign(half_turn, -w1);
     const four v6 = e2 - 1.0;
 
     /* theta4 */
-    const double v7 = T14 * T13 + T24 * T23;
-    const double X4 = factor1 * (v3 * v7) - v4 * T33;
-    const double Y4 = T24 * T13 - T14 * T23;
-    const double v8 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4));
-    const double w4 = sqrt(v8);
-    const double factor4 = w4 * (1.0 / v8);
-    const double v9 = X4 * factor4;
-    const double s4 = Y4 * factor4;
-    const double v10 = factor1 * s4, v11 = copysign(half_turn, v10);
+    const double v7 = T14 * T13 + T24 * T23, X4 = factor1 * (v3 * v7) - v4 * T33,
+        Y4 = T24 * T13 - T14 * T23, v8 = X4 * X4 + factor1 * (Y4 * (factor1 * Y4)), w4 = sqrt(v8),
+        factor4 = w4 * (1.0 / v8), v9 = X4 * factor4, s4 = Y4 * factor4, v10 = factor1 * s4,
+        v11 = copysign(half_turn, v10);
 
     /* theta5 */
     const double v13 = copysign(half_turn, -w4);
@@ -538,27 +454,23 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const four q3_p = e2 * w3;
-    const int doubt1 = (v2 <= m1) | ((v8 <= m1) | (v1 <= m1));
+    const int doubt1 = (v2 <= m1) | (v8 <= m1) | (v1 <= m1);
 
     const four packed1 = atan2_four((four){ -T24, -w1, v10, -w4 }, (four){ -T14, -T34, -v9, v3 * T33
-        + factor1 * (v4 * v7) });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four packed2 = atan2_four((four){ v14, v14, v14, v14 }, (four){ v9 * (T24 * T12 - T14 *
-        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
-        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
-        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
-        T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32) });
-    const four angle5 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four q1_m = angle1 - copysign(half_turn, -T24) * h1;
-    const four q2_p = angle2 + v5 * (m2 * v6);
-    const four v12 = e2 * angle3;
-    const four q4_p = v12 + v11 * (m2 * (e3 - e2)), q4_m = v12 - v11 * (m2 * (e2 + e3));
-    const four q5_ = e2 * angle4 + v13 * (m2 * -v6);
-    const four q6_p = angle5 + v15 * (m2 * (e2 * e3 - 1.0));
-    const four q5_p = e3 * q5_;
+        + factor1 * (v4 * v7) }), angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle4 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3),
+        packed2 = atan2_four((four){ v14, v14, v14, v14 }, (four){ v9 * (T24 * T12 - T14 * T22) - s4
+            * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 * T22) -
+            s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 * T22)
+            - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32), v9 * (T24 * T12 - T14 *
+            T22) - s4 * (factor1 * (v3 * (T14 * T12 + T24 * T22)) - v4 * T32) }),
+        angle5 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
+    const four q1_m = angle1 - copysign(half_turn, -T24) * h1, q2_p = angle2 + v5 * (m2 * v6),
+        v12 = e2 * angle3, q4_p = v12 + v11 * (m2 * (e3 - e2)), q4_m = v12 - v11 * (m2 * (e2 + e3)),
+        q5_ = e2 * angle4 + v13 * (m2 * -v6), q6_p = angle5 + v15 * (m2 * (e2 * e3 - 1.0)),
+        q5_p = e3 * q5_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -647,8 +559,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1),
+            s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
         const double q1 = atan2(s1, c1);
         const double root1 = w1 * e1;
 
@@ -663,18 +575,16 @@ static void solve(
         const double v3 = Y4 * Y4;
 
         /* theta6, type 3: U4[2, 2] and U4[2, 1] */
-        const double v4 = T22 * c1 - T12 * s1;
-        const double v5 = T12 * c1 + T22 * s1;
-        const double v7 = T21 * c1 - T11 * s1;
-        const double v8 = T11 * c1 + T21 * s1;
+        const double v4 = T22 * c1 - T12 * s1, v5 = T12 * c1 + T22 * s1, v7 = T21 * c1 - T11 * s1,
+            v8 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* forward, backward */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta2, r3 */
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
-            const double c2 = free2 ? cos(seed[1]) : -(T34 * factor2);
-            const double s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : -(T34 * factor2),
+                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
 
@@ -688,16 +598,15 @@ static void solve(
             const double c5 = s2 * v2 - T33 * c2;
 
             /* theta6 */
-            const double v6 = c2 * v5 + T32 * s2;
-            const double v9 = c2 * v8 + T31 * s2;
+            const double v6 = c2 * v5 + T32 * s2, v9 = c2 * v8 + T31 * s2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
@@ -706,11 +615,7 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v7 + s4 * v9), -(c4 * v4 + s4 * v6));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = r3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? RRPRRR_FREE_JOINT : RRPRRR_OK;
             }

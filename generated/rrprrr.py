@@ -470,7 +470,7 @@ def _regular(pose, q, status):
     v9 = v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 * T31)
 
     # joint values
-    doubt1 = v2 <= m1 or (v6 <= m1 or v1 <= m1)
+    doubt1 = v2 <= m1 or v6 <= m1 or v1 <= m1
 
     # angles, side by side
     room[0] = -T24
@@ -812,7 +812,7 @@ def _in_tiles(T, q, status):
                 v7 * (T24 * T11 - T14 * T21) - s4 * (factor1 * (v3 * (T14 * T11 + T24 * T21)) - v4 *
                 T31)
             )
-            doubt1 = v2 <= m1 or (v6 <= m1 or v1 <= m1)
+            doubt1 = v2 <= m1 or v6 <= m1 or v1 <= m1
             work[272 + k] = w1
             work[288 + k] = q3_ppp
             work[304 + k] = w4

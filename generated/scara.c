@@ -87,56 +87,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -176,7 +141,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -188,24 +153,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -274,6 +221,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -333,18 +282,12 @@ static const double weight[4] = { 1.0, 1.0, 1.5625000000000002, 1.0 };
 
 void scara_fk(const double q[4], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double T11_ = x2_x * c4 - x2_y * s4;
-    const double T21_ = x2_y * c4 + x2_x * s4;
-    const double T14_ = c1 * L1 + x2_x * L2 + T11_ * L4;
-    const double T24_ = s1 * L1 + x2_y * L2 + T21_ * L4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double T11_ = x2_x * c4 - x2_y * s4, T21_ = x2_y * c4 + x2_x * s4,
+        T14_ = c1 * L1 + x2_x * L2 + T11_ * L4, T24_ = s1 * L1 + x2_y * L2 + T21_ * L4;
     T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
     T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = q[2];
@@ -354,24 +297,15 @@ void scara_fk(const double q[4], double T[16])
 
 void scara_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * L1;
-    const double p1_y = s1 * L1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + x2_x * L2;
-    const double p2_y = p1_y + x2_y * L2;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * L1, p1_y = s1 * L1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4;
     const double v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4;
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - v1;
-    const double J24 = J21 - p2_x;
-    const double J14 = p2_y - v1;
+    const double J22 = J21 - p1_x, J12 = p1_y - v1, J24 = J21 - p2_x, J14 = p2_y - v1;
     J[0] = -v1; J[1] = J12; J[2] = 0.0; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = 0.0; J[7] = J24;
     J[8] = 0.0; J[9] = 0.0; J[10] = 1.0; J[11] = 0.0;
@@ -384,13 +318,16 @@ void scara_jacobian(const double q[4], double J[24])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -432,52 +369,44 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T11 = T[0], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r3 */
     const wide t34 = T34 - L4 * T31;
 
     /* theta124 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1);
-    const wide c124 = T11 * v2;
-    const wide s124 = T21 * v2;
-    const wide angle1 = atan2_wide(T21, T11);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
+        angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
-    const wide t14 = T14 - L4 * T11;
-    const wide t24 = T24 - L4 * T21;
-    const wide N2 = t14 * t14 + t24 * t24;
-    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide angle2 = atan2_wide(w2, N2 - k1);
+    const wide t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
+        w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)), angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3;
-    const wide angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24));
-    const wide angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
+    const wide v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3,
+        angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24)),
+        angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = T33 - 1.0, v7 = T22 - c124, v8 = T21 - s124, v9 = T11 - c124, v10 = s124 + T12;
+    const wide v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
 
     /* joint values */
-    const wide v11 = angle1 - (angle2 + angle3), v12 = angle1 - (angle4 - angle2);
-    const wide q4_p = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
-    const wide q4_m = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
-    const wide_mask v13 = (t34 < low3) | (high3 < t34);
+    const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
+    const wide_mask v11 = beyond(t34, low3, high3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask outside_p = v13 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
-        (high2 < angle2)));
-    const wide_mask outside_m = v13 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
-        (high2 < -angle2)));
-    const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 +
-        (v9 * v9 + (T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 *
-        T32)))))))) | (N2 <= doubt_limit_squared2)));
+    const wide_mask outside_p = v11 | beyond(angle3, low1, high1) | beyond(angle2, low2, high2),
+        outside_m = v11 | beyond(angle4, low1, high1) | beyond(-angle2, low2, high2),
+        doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2) & (N2
+            < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
+            T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
-    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = q4_p;
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p;
+    q[3] = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
     kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = q4_m;
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
+    q[7] = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -490,51 +419,44 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r3 */
     const double t34 = T34 - L4 * T31;
 
     /* theta124 */
     const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
-    const double c124 = T11 * v2;
-    const double s124 = T21 * v2;
 
     /* theta2 */
-    const double t14 = T14 - L4 * T11;
-    const double t24 = T24 - L4 * T21;
-    const double N2 = t14 * t14 + t24 * t24;
-    const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
+    const double t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
+        w2 = sqrt((longest2 - N2) * (N2 - shortest2));
 
     /* theta1 */
     const double v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v6 = T33 - 1.0, v7 = T22 - c124, v8 = T21 - s124, v9 = T11 - c124;
-    const double v10 = s124 + T12;
+    const double v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
 
     /* joint values */
-    const int v12 = (t34 < low3) | (high3 < t34);
+    const int v10 = beyond(t34, low3, high3);
     const double q3 = t34 + (w2 - w2);
-    const int doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) & (((shortest2_apart <
-        N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 + (v9 * v9 + (T13 * T13
-        + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32)))))))) | (N2 <=
-        doubt_limit_squared2)));
+    const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
+        & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23
+        * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
         (e1 * t14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(v5 + w2 * (m2 * (e1 * t24)), all_four(T11),
-        0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q2 = e1 * angle2;
-    const four v11 = angle1 - (angle3 + q2);
-    const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
-    const four_mask outside = where_four(v12) | (((angle3 < low1) | (high1 < angle3)) | ((q2 < low2)
-        | (high2 < q2)));
+        0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7)),
+        angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four q2 = e1 * angle2, v9 = angle1 - (angle3 + q2),
+        q4 = v9 - only_four(half_turn < v9, m5) + only_four(v9 <= -half_turn, m5);
+    const four_mask outside = where_four(v10) | beyond(angle3, low1, high1) | beyond(q2, low2,
+        high2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -604,9 +526,9 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 static void solve(
     const double T[16], const double seed[4], double q[2][4], unsigned char status[2])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r3, type 1: U0[3, 4] */
     const double t34 = T34 - L4 * T31;
@@ -614,10 +536,8 @@ static void solve(
     /* theta124, type 3: U0[1, 2] and U0[2, 2] */
     const double w124 = sqrt(T21 * T21 + T11 * T11);
     const int free124 = w124 <= free_limit_squared;
-    const double v1 = 1.0 / (free124 ? 1.0 : w124);
-    const double v2 = seed[0] + seed[1] + seed[3];
-    const double c124 = free124 ? cos(v2) : T11 * v1;
-    const double s124 = free124 ? sin(v2) : T21 * v1;
+    const double v1 = 1.0 / (free124 ? 1.0 : w124), v2 = seed[0] + seed[1] + seed[3];
+    const double c124 = free124 ? cos(v2) : T11 * v1, s124 = free124 ? sin(v2) : T21 * v1;
     const double theta124 = atan2(s124, c124);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -633,14 +553,12 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_1 = L1 + L2 * c2;
-    const double v3 = t24 * X1_1;
-    const double v4 = t14 * X1_1;
+    const double v3 = t24 * X1_1, v4 = t14 * X1_1;
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(T33 - 1.0) <= pose_slack && (fabs(T32) <= pose_slack && (fabs(T31) <= pose_slack &&
-        (fabs(T23) <= pose_slack && (fabs(T22 - c124) <= pose_slack && (fabs(T21 - s124) <=
-        pose_slack && (fabs(T13) <= pose_slack && (fabs(T11 - c124) <= pose_slack && fabs(T12 +
-        s124) <= pose_slack)))))))))
+    if (!(fabs(T33 - 1.0) <= pose_slack && fabs(T31) <= pose_slack && fabs(T23) <= pose_slack &&
+        fabs(T21 - s124) <= pose_slack && fabs(T11 - c124) <= pose_slack && fabs(T13) <=
+        pose_slack))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -657,13 +575,12 @@ static void solve(
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+            s1 = free1 ? sin(seed[0]) : S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* is the pose one that the arm can take? */
-        const double c12 = c2 * c1 - s2 * s1;
-        const double s12 = c2 * s1 + s2 * c1;
+        const double c12 = c2 * c1 - s2 * s1, s12 = c2 * s1 + s2 * c1;
         if (!(fabs(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 && fabs(t24 - (L2 * s12 + L1 * s1)) <=
             pose_slack1))
             continue; /* the arm can't take this pose */
@@ -672,10 +589,7 @@ static void solve(
         const double q4 = wrap(theta124 - (q2 + q1));
         const int free1_ = free124 || free1;
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = t34;
-        q[row][3] = q4;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
         status[row] = (free1_ || free124 || free124) ? SCARA_FREE_JOINT : SCARA_OK;
     }
 }

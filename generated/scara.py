@@ -250,7 +250,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # r3, type 1: U0[3, 4]
     t34 = T34 - L4 * T31
@@ -283,10 +283,8 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(T33 - 1.0) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
-        and (abs(T23) <= pose_slack and (abs(T22 - c124) <= pose_slack and (abs(T21 - s124) <=
-        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c124) <= pose_slack and abs(T12 +
-        s124) <= pose_slack))))))))
+        not (abs(T33 - 1.0) <= pose_slack and abs(T31) <= pose_slack and abs(T23) <= pose_slack and
+        abs(T21 - s124) <= pose_slack and abs(T11 - c124) <= pose_slack and abs(T13) <= pose_slack)
     ):
         return  # the arm can't take this pose
 
@@ -416,7 +414,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # r3, type 1: U0[3, 4]
@@ -425,8 +423,6 @@ def _regular(pose, q, status):
     # theta124, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
     v2 = math.sqrt(v1) * (1.0 / v1)
-    c124 = T11 * v2
-    s124 = T21 * v2
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     t14 = T14 - L4 * T11
@@ -441,18 +437,16 @@ def _regular(pose, q, status):
 
     # is the pose one that the arm can take?
     v6 = T33 - 1.0
-    v7 = T22 - c124
-    v8 = T21 - s124
-    v9 = T11 - c124
-    v10 = s124 + T12
+    v7 = T21 - T21 * v2
+    v8 = T11 - T11 * v2
 
     # joint values
-    v13 = t34 < low3 or high3 < t34
+    v11 = t34 < low3 or high3 < t34
     q3_p = t34 + (w2 - w2)
     doubt1 = (
         (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2 <
-        longest2_apart)) or (v1 <= m1 or (m4 < v10 * v10 + (v9 * v9 + (T13 * T13 + (v8 * v8 + (v7 *
-        v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32))))))) or N2 <= doubt_limit_squared2))
+        longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (v6 * v6
+        + T31 * T31)))) or N2 <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -474,12 +468,12 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v11 = angle1 - (angle2 + angle3)
-    v12 = angle1 - (angle4 - angle2)
-    q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
-    q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
-    outside_p = v13 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-    outside_m = v13 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
+    v9 = angle1 - (angle2 + angle3)
+    v10 = angle1 - (angle4 - angle2)
+    q4_p = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
+    q4_m = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
+    outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+    outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
     # a joint is free, or branches meet
     if doubt1:
@@ -699,22 +693,17 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             t34 = T34 - L4 * T31
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
-            c124 = T11 * v2
-            s124 = T21 * v2
             t14 = T14 - L4 * T11
             t24 = T24 - L4 * T21
             N2 = t14 * t14 + t24 * t24
@@ -723,19 +712,16 @@ def _in_tiles(T, q, status):
             v4 = t24 * v3
             v5 = t14 * v3
             v6 = T33 - 1.0
-            v7 = T22 - c124
-            v8 = T21 - s124
-            v9 = T11 - c124
-            v10 = s124 + T12
-            v13 = t34 < low3 or high3 < t34
+            v7 = T21 - T21 * v2
+            v8 = T11 - T11 * v2
+            v11 = t34 < low3 or high3 < t34
             q3_p = t34 + (w2 - w2)
             doubt1 = (
                 (shortest2_reach <= N2 and N2 <= longest2_reach and not (shortest2_apart < N2 and N2
-                < longest2_apart)) or (v1 <= m1 or (m4 < v10 * v10 + (v9 * v9 + (T13 * T13 + (v8 *
-                v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32))))))) or N2 <=
-                doubt_limit_squared2))
+                < longest2_apart)) or v1 <= m1 or m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23
+                + (v6 * v6 + T31 * T31)))) or N2 <= doubt_limit_squared2
             )
-            work[272 + k] = v13
+            work[272 + k] = v11
             work[288 + k] = q3_p
             work[304 + k] = doubt1
             work[320 + k] = T21
@@ -749,23 +735,19 @@ def _in_tiles(T, q, status):
         for k in range(320, 384):
             work[k] = _atan2(work[k], work[k + 64])
         for k in range(0, 16):
-            v13 = work[272 + k] != 0.0
+            v11 = work[272 + k] != 0.0
             q3_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            v11 = angle1 - (angle2 + angle3)
-            v12 = angle1 - (angle4 - angle2)
-            q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
-            q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
-            outside_p = (
-                v13 or (angle3 < low1 or high1 < angle3 or (angle2 < low2 or high2 < angle2))
-            )
-            outside_m = (
-                v13 or (angle4 < low1 or high1 < angle4 or (-angle2 < low2 or high2 < -angle2))
-            )
+            v9 = angle1 - (angle2 + angle3)
+            v10 = angle1 - (angle4 - angle2)
+            q4_p = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
+            q4_m = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
+            outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
+            outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
             _448 = angle3
             work[448 + k] = _448
             _464 = angle2

@@ -95,6 +95,8 @@ HELPER wide irregularity_wide(const wide T[16])
         * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(none, outside) \
     ((none) ? (int)SCARA_F32_UNREACHABLE \
@@ -149,18 +151,12 @@ static const float weight[4] = { 1.0f, 1.0f, 1.5625f, 1.0f };
 
 void scara_f32_fk(const float q[4], float T[16])
 {
-    const float c1 = cosf(q[0]);
-    const float s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]);
-    const float s2 = sinf(q[1]);
-    const float x2_x = c1 * c2 - s1 * s2;
-    const float x2_y = s1 * c2 + c1 * s2;
-    const float c4 = cosf(q[3]);
-    const float s4 = sinf(q[3]);
-    const float T11_ = x2_x * c4 - x2_y * s4;
-    const float T21_ = x2_y * c4 + x2_x * s4;
-    const float T14_ = c1 * L1 + x2_x * L2 + T11_ * L4;
-    const float T24_ = s1 * L1 + x2_y * L2 + T21_ * L4;
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
+    const float x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
+    const float T11_ = x2_x * c4 - x2_y * s4, T21_ = x2_y * c4 + x2_x * s4,
+        T14_ = c1 * L1 + x2_x * L2 + T11_ * L4, T24_ = s1 * L1 + x2_y * L2 + T21_ * L4;
     T[0] = T11_; T[1] = -T21_; T[2] = 0.0f; T[3] = T14_;
     T[4] = T21_; T[5] = T11_; T[6] = 0.0f; T[7] = T24_;
     T[8] = 0.0f; T[9] = 0.0f; T[10] = 1.0f; T[11] = q[2];
@@ -170,24 +166,15 @@ void scara_f32_fk(const float q[4], float T[16])
 
 void scara_f32_jacobian(const float q[4], float J[24])
 {
-    const float c1 = cosf(q[0]);
-    const float s1 = sinf(q[0]);
-    const float p1_x = c1 * L1;
-    const float p1_y = s1 * L1;
-    const float c2 = cosf(q[1]);
-    const float s2 = sinf(q[1]);
-    const float x2_x = c1 * c2 - s1 * s2;
-    const float x2_y = s1 * c2 + c1 * s2;
-    const float p2_x = p1_x + x2_x * L2;
-    const float p2_y = p1_y + x2_y * L2;
-    const float c4 = cosf(q[3]);
-    const float s4 = sinf(q[3]);
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
+    const float p1_x = c1 * L1, p1_y = s1 * L1;
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
+    const float x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const float p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
     const float J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4;
     const float v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4;
-    const float J22 = J21 - p1_x;
-    const float J12 = p1_y - v1;
-    const float J24 = J21 - p2_x;
-    const float J14 = p2_y - v1;
+    const float J22 = J21 - p1_x, J12 = p1_y - v1, J24 = J21 - p2_x, J14 = p2_y - v1;
     J[0] = -v1; J[1] = J12; J[2] = 0.0f; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = 0.0f; J[7] = J24;
     J[8] = 0.0f; J[9] = 0.0f; J[10] = 1.0f; J[11] = 0.0f;
@@ -200,13 +187,16 @@ void scara_f32_jacobian(const float q[4], float J[24])
 static float misfit(const float T[16])
 {
     const float *x = T, *y = T + 4, *z = T + 8;
-    const float xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0f;
-    const float yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0f;
-    const float xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const float z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const float z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const float z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0f * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    float xx = -1.0f, yy = -1.0f, xy = 0.0f, zz = 0.0f;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const float off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0f * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -248,52 +238,44 @@ static int read_pose(const float given[16], float T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T11 = T[0], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r3 */
     const wide t34 = T34 - L4 * T31;
 
     /* theta124 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0f / v1);
-    const wide c124 = T11 * v2;
-    const wide s124 = T21 * v2;
-    const wide angle1 = atan2_wide(T21, T11);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0f / v1),
+        angle1 = atan2_wide(T21, T11);
 
     /* theta2 */
-    const wide t14 = T14 - L4 * T11;
-    const wide t24 = T24 - L4 * T21;
-    const wide N2 = t14 * t14 + t24 * t24;
-    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide angle2 = atan2_wide(w2, N2 - k1);
+    const wide t14 = T14 - L4 * T11, t24 = T24 - L4 * T21, N2 = t14 * t14 + t24 * t24,
+        w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)), angle2 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3;
-    const wide angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24));
-    const wide angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
+    const wide v3 = m3 + m2 * N2, v4 = t24 * v3, v5 = t14 * v3,
+        angle3 = atan2_wide(v4 - w2 * (m2 * t14), v5 + w2 * (m2 * t24)),
+        angle4 = atan2_wide(v4 - w2 * (m2 * -t14), v5 + w2 * (m2 * -t24));
 
     /* is the pose one that the arm can take? */
-    const wide v6 = T33 - 1.0f, v7 = T22 - c124, v8 = T21 - s124, v9 = T11 - c124, v10 = s124 + T12;
+    const wide v6 = T33 - 1.0f, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
 
     /* joint values */
-    const wide v11 = angle1 - (angle2 + angle3), v12 = angle1 - (angle4 - angle2);
-    const wide q4_p = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
-    const wide q4_m = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
-    const wide_mask v13 = (t34 < low3) | (high3 < t34);
+    const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
+    const wide_mask v11 = beyond(t34, low3, high3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask outside_p = v13 | (((angle3 < low1) | (high1 < angle3)) | ((angle2 < low2) |
-        (high2 < angle2)));
-    const wide_mask outside_m = v13 | (((angle4 < low1) | (high1 < angle4)) | ((-angle2 < low2) |
-        (high2 < -angle2)));
-    const wide_mask doubt1 = (((shortest2_reach <= N2) & (N2 <= longest2_reach)) &
-        (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 +
-        (v9 * v9 + (T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 *
-        T32)))))))) | (N2 <= doubt_limit_squared2)));
+    const wide_mask outside_p = v11 | beyond(angle3, low1, high1) | beyond(angle2, low2, high2),
+        outside_m = v11 | beyond(angle4, low1, high1) | beyond(-angle2, low2, high2),
+        doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2) & (N2
+            < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
+            T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
-    q[0] = angle3; q[1] = angle2; q[2] = q3_p; q[3] = q4_p;
+    q[0] = angle3; q[1] = angle2; q[2] = q3_p;
+    q[3] = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
     kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[4] = angle4; q[5] = -angle2; q[6] = q3_p; q[7] = q4_m;
+    q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
+    q[7] = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
     kind[1] = kind_of(q[4] != q[4], outside_m);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
@@ -316,9 +298,9 @@ HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[
 static void solve(
     const float T[16], const float seed[4], float q[2][4], unsigned char status[2])
 {
-    const float T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const float T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const float T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const float T11 = T[0], T13 = T[2], T14 = T[3];
+    const float T21 = T[4], T23 = T[6], T24 = T[7];
+    const float T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* r3, type 1: U0[3, 4] */
     const float t34 = T34 - L4 * T31;
@@ -326,10 +308,8 @@ static void solve(
     /* theta124, type 3: U0[1, 2] and U0[2, 2] */
     const float w124 = sqrtf(T21 * T21 + T11 * T11);
     const int free124 = w124 <= free_limit_squared;
-    const float v1 = 1.0f / (free124 ? 1.0f : w124);
-    const float v2 = seed[0] + seed[1] + seed[3];
-    const float c124 = free124 ? cosf(v2) : T11 * v1;
-    const float s124 = free124 ? sinf(v2) : T21 * v1;
+    const float v1 = 1.0f / (free124 ? 1.0f : w124), v2 = seed[0] + seed[1] + seed[3];
+    const float c124 = free124 ? cosf(v2) : T11 * v1, s124 = free124 ? sinf(v2) : T21 * v1;
     const float theta124 = atan2f(s124, c124);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -345,15 +325,12 @@ static void solve(
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
     const float X1_1 = L1 + L2 * c2;
-    const float v3 = t24 * X1_1;
-    const float v4 = t14 * X1_1;
+    const float v3 = t24 * X1_1, v4 = t14 * X1_1;
 
     /* is the pose one that the arm can take? */
-    if (!(fabsf(T33 - 1.0f) <= pose_slack && (fabsf(T32) <= pose_slack && (fabsf(T31) <= pose_slack
-        &&
-        (fabsf(T23) <= pose_slack && (fabsf(T22 - c124) <= pose_slack && (fabsf(T21 - s124) <=
-        pose_slack && (fabsf(T13) <= pose_slack && (fabsf(T11 - c124) <= pose_slack && fabsf(T12 +
-        s124) <= pose_slack)))))))))
+    if (!(fabsf(T33 - 1.0f) <= pose_slack && fabsf(T31) <= pose_slack && fabsf(T23) <= pose_slack &&
+        fabsf(T21 - s124) <= pose_slack && fabsf(T11 - c124) <= pose_slack && fabsf(T13) <=
+        pose_slack))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -370,13 +347,12 @@ static void solve(
         const float w1 = sqrtf(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const float factor1 = 1.0f / (free1 ? 1.0f : w1);
-        const float c1 = free1 ? cosf(seed[0]) : C1 * factor1;
-        const float s1 = free1 ? sinf(seed[0]) : S1 * factor1;
+        const float c1 = free1 ? cosf(seed[0]) : C1 * factor1,
+            s1 = free1 ? sinf(seed[0]) : S1 * factor1;
         const float q1 = atan2f(s1, c1);
 
         /* is the pose one that the arm can take? */
-        const float c12 = c2 * c1 - s2 * s1;
-        const float s12 = c2 * s1 + s2 * c1;
+        const float c12 = c2 * c1 - s2 * s1, s12 = c2 * s1 + s2 * c1;
         if (!(fabsf(t14 - (L2 * c12 + L1 * c1)) <= pose_slack1 && fabsf(t24 - (L2 * s12 + L1 * s1))
             <=
             pose_slack1))
@@ -386,10 +362,7 @@ static void solve(
         const float q4 = wrap(theta124 - (q2 + q1));
         const int free1_ = free124 || free1;
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = t34;
-        q[row][3] = q4;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
         status[row] = (free1_ || free124 || free124) ? SCARA_F32_FREE_JOINT : SCARA_F32_OK;
     }
 }

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -189,24 +154,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +222,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -325,18 +274,12 @@ static const double weight[4] = { 3.305785123966942, 1.0, 1.0, 1.0 };
 
 void scara_prrr_fk(const double q[4], double T[16])
 {
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = c2 * c3 - s2 * s3;
-    const double x3_y = s2 * c3 + c2 * s3;
-    const double T14_ = c2 * a2 + x3_x * a3;
-    const double T24_ = s2 * a2 + x3_y * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - x3_y * s4;
-    const double T12_ = x3_y * c4 + x3_x * s4;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = c2 * c3 - s2 * s3, x3_y = s2 * c3 + c2 * s3;
+    const double T14_ = c2 * a2 + x3_x * a3, T24_ = s2 * a2 + x3_y * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double T11_ = x3_x * c4 - x3_y * s4, T12_ = x3_y * c4 + x3_x * s4;
     T[0] = T11_; T[1] = T12_; T[2] = 0.0; T[3] = T14_;
     T[4] = T12_; T[5] = -T11_; T[6] = 0.0; T[7] = T24_;
     T[8] = 0.0; T[9] = 0.0; T[10] = -1.0; T[11] = q[0];
@@ -346,16 +289,12 @@ void scara_prrr_fk(const double q[4], double T[16])
 
 void scara_prrr_jacobian(const double q[4], double J[24])
 {
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double p2_x = c2 * a2;
-    const double p2_y = s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double p2_x = c2 * a2, p2_y = s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double J22 = p2_x + (c2 * c3 - s2 * s3) * a3;
     const double p3_y = p2_y + (s2 * c3 + c2 * s3) * a3;
-    const double J23 = J22 - p2_x;
-    const double J13 = p2_y - p3_y;
+    const double J23 = J22 - p2_x, J13 = p2_y - p3_y;
     J[0] = 0.0; J[1] = -p3_y; J[2] = J13; J[3] = 0.0;
     J[4] = 0.0; J[5] = J22; J[6] = J23; J[7] = 0.0;
     J[8] = 1.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
@@ -368,13 +307,16 @@ void scara_prrr_jacobian(const double q[4], double J[24])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -416,43 +358,38 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T11 = T[0], T13 = T[2], T14 = T[3];
+    const wide T21 = T[4], T23 = T[6], T24 = T[7];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta234 */
-    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1);
-    const wide c234 = T11 * v2;
-    const wide s234 = T21 * v2;
-    const wide angle1 = atan2_wide(T21, T11);
+    const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
+        angle1 = atan2_wide(T21, T11);
 
     /* theta3 */
-    const wide N3 = T14 * T14 + T24 * T24;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide angle2 = atan2_wide(w3, N3 - k1);
+    const wide N3 = T14 * T14 + T24 * T24, w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)),
+        angle2 = atan2_wide(w3, N3 - k1);
 
     /* theta2 */
-    const wide v3 = m3 + m2 * N3, v4 = T24 * v3, v5 = T14 * v3, v6 = w3 * (m2 * T14);
-    const wide v7 = w3 * (m2 * T24);
-    const wide angle3 = atan2_wide(v4 - v6, v5 + v7), angle4 = atan2_wide(v4 + v6, v5 - v7);
+    const wide v3 = m3 + m2 * N3, v4 = T24 * v3, v5 = T14 * v3, v6 = w3 * (m2 * T14),
+        v7 = w3 * (m2 * T24), angle3 = atan2_wide(v4 - v6, v5 + v7),
+        angle4 = atan2_wide(v4 + v6, v5 - v7);
 
     /* is the pose one that the arm can take? */
-    const wide v8 = 1.0 + T33, v9 = c234 + T22, v10 = T21 - s234, v11 = T11 - c234;
-    const wide v12 = T12 - s234;
+    const wide v8 = 1.0 + T33, v9 = T21 - T21 * v2, v10 = T11 - T11 * v2;
 
     /* joint values */
-    const wide v13 = angle1 - (angle2 + angle3), v14 = angle1 - (angle4 - angle2);
-    const wide q4_p = v13 - only_wide(half_turn < v13, m5) + only_wide(v13 <= -half_turn, m5);
-    const wide q4_m = v14 - only_wide(half_turn < v14, m5) + only_wide(v14 <= -half_turn, m5);
-    const wide q1_p = w3 - w3 + T34;
-    const wide_mask doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((m4 < v12 * v12 +
-        (v11 * v11 + (T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 *
-        T32)))))))) | (N3 <= doubt_limit_squared2)));
+    const wide v11 = angle1 - (angle2 + angle3), v12 = angle1 - (angle4 - angle2),
+        q1_p = w3 - w3 + T34;
+    const wide_mask doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v10 * v10 + (v9 * v9
+        + (T23 * T23 + (v8 * v8 + T31 * T31))))) | (N3 <= doubt_limit_squared2);
 
-    q[0] = q1_p; q[1] = angle3; q[2] = angle2; q[3] = q4_p;
+    q[0] = q1_p; q[1] = angle3; q[2] = angle2;
+    q[3] = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[4] = q1_p; q[5] = angle4; q[6] = -angle2; q[7] = q4_m;
+    q[4] = q1_p; q[5] = angle4; q[6] = -angle2;
+    q[7] = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
     kind[1] = kind_of(q[4] != q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -465,43 +402,37 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta234 */
     const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
-    const double c234 = T11 * v2;
-    const double s234 = T21 * v2;
 
     /* theta3 */
-    const double N3 = T14 * T14 + T24 * T24;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
+    const double N3 = T14 * T14 + T24 * T24, w3 = sqrt((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
     const double v3 = m3 + m2 * N3, v4 = T24 * v3, v5 = T14 * v3;
 
     /* is the pose one that the arm can take? */
-    const double v6 = 1.0 + T33, v7 = c234 + T22, v8 = T21 - s234, v9 = T11 - c234;
-    const double v10 = T12 - s234;
+    const double v6 = 1.0 + T33, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
 
     /* joint values */
     const double q1 = w3 - w3 + T34;
-    const int doubt1 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart <
-        N3) & (N3 < longest3_apart)) == 0)) | ((v1 <= m1) | ((m4 < v10 * v10 + (v9 * v9 + (T13 * T13
-        + (v8 * v8 + (v7 * v7 + (T23 * T23 + (T31 * T31 + (v6 * v6 + T32 * T32)))))))) | (N3 <=
-        doubt_limit_squared2)));
+    const int doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3)
+        & (N3 < longest3_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23
+        * T23 + (v6 * v6 + T31 * T31))))) | (N3 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w3 * (m2 *
         (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w3), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(v5 + w3 * (m2 * (e1 * T24)), all_four(T11),
-        0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four q3 = e1 * angle2;
-    const four v11 = angle1 - (angle3 + q3);
-    const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
+        0, 1, 6, 3), all_four(N3 - k1), 0, 1, 2, 7)),
+        angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
+        angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four q3 = e1 * angle2, v9 = angle1 - (angle3 + q3),
+        q4 = v9 - only_four(half_turn < v9, m5) + only_four(v9 <= -half_turn, m5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -569,17 +500,15 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 static void solve(
     const double T[16], const double seed[4], double q[2][4], unsigned char status[2])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T11 = T[0], T13 = T[2], T14 = T[3];
+    const double T21 = T[4], T23 = T[6], T24 = T[7];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta234, type 3: U0[1, 2] and U0[2, 2] */
     const double w234 = sqrt(T21 * T21 + T11 * T11);
     const int free234 = w234 <= free_limit_squared;
-    const double v1 = 1.0 / (free234 ? 1.0 : w234);
-    const double v2 = seed[1] + seed[2] + seed[3];
-    const double c234 = free234 ? cos(v2) : T11 * v1;
-    const double s234 = free234 ? sin(v2) : T21 * v1;
+    const double v1 = 1.0 / (free234 ? 1.0 : w234), v2 = seed[1] + seed[2] + seed[3];
+    const double c234 = free234 ? cos(v2) : T11 * v1, s234 = free234 ? sin(v2) : T21 * v1;
     const double theta234 = atan2(s234, c234);
 
     /* theta3, type 8: U0[1, 4] and U0[2, 4] */
@@ -593,14 +522,12 @@ static void solve(
 
     /* theta2, type 3: U0[2, 4] and U0[1, 4] */
     const double X1_2 = a2 + a3 * c3;
-    const double v3 = T24 * X1_2;
-    const double v4 = T14 * X1_2;
+    const double v3 = T24 * X1_2, v4 = T14 * X1_2;
 
     /* is the pose one that the arm can take? */
-    if (!(fabs(1.0 + T33) <= pose_slack && (fabs(T32) <= pose_slack && (fabs(T31) <= pose_slack &&
-        (fabs(T23) <= pose_slack && (fabs(T22 + c234) <= pose_slack && (fabs(T21 - s234) <=
-        pose_slack && (fabs(T13) <= pose_slack && (fabs(T11 - c234) <= pose_slack && fabs(T12 -
-        s234) <= pose_slack)))))))))
+    if (!(fabs(1.0 + T33) <= pose_slack && fabs(T31) <= pose_slack && fabs(T23) <= pose_slack &&
+        fabs(T21 - s234) <= pose_slack && fabs(T11 - c234) <= pose_slack && fabs(T13) <=
+        pose_slack))
         return; /* the arm can't take this pose */
 
     for (int i1 = 0; i1 < 2; i1++) { /* down, up */
@@ -617,13 +544,12 @@ static void solve(
         const double w2 = sqrt(S2 * S2 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-        const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+        const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+            s2 = free2 ? sin(seed[1]) : S2 * factor2;
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double c23 = c3 * c2 - s3 * s2;
-        const double s23 = c3 * s2 + s3 * c2;
+        const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
         if (!(fabs(T14 - (a3 * c23 + a2 * c2)) <= pose_slack1 && fabs(T24 - (a3 * s23 + a2 * s2)) <=
             pose_slack1))
             continue; /* the arm can't take this pose */
@@ -632,10 +558,7 @@ static void solve(
         const double q4 = wrap(theta234 - (q3 + q2));
         const int free2_ = free234 || free2;
         const int row = i1;
-        q[row][0] = T34;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
+        q[row][0] = T34; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
         status[row] = (free2_ || free234 || free234) ? SCARA_PRRR_FREE_JOINT : SCARA_PRRR_OK;
     }
 }

@@ -233,7 +233,7 @@ def jacobian(q):
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
 
     # theta234, type 3: U0[1, 2] and U0[2, 2]
     w234 = math.sqrt(T21 * T21 + T11 * T11)
@@ -261,10 +261,8 @@ def _solve(pose, seed, q, status):
 
     # is the pose one that the arm can take?
     if (
-        not (abs(1.0 + T33) <= pose_slack and (abs(T32) <= pose_slack and (abs(T31) <= pose_slack
-        and (abs(T23) <= pose_slack and (abs(T22 + c234) <= pose_slack and (abs(T21 - s234) <=
-        pose_slack and (abs(T13) <= pose_slack and (abs(T11 - c234) <= pose_slack and abs(T12 -
-        s234) <= pose_slack))))))))
+        not (abs(1.0 + T33) <= pose_slack and abs(T31) <= pose_slack and abs(T23) <= pose_slack and
+        abs(T21 - s234) <= pose_slack and abs(T11 - c234) <= pose_slack and abs(T13) <= pose_slack)
     ):
         return  # the arm can't take this pose
 
@@ -394,14 +392,12 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, _, T13, T14, T21, _, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(16), 16)
 
     # theta234, type 3: U0[1, 2] and U0[2, 2]
     v1 = T21 * T21 + T11 * T11
     v2 = math.sqrt(v1) * (1.0 / v1)
-    c234 = T11 * v2
-    s234 = T21 * v2
 
     # theta3, type 8: U0[1, 4] and U0[2, 4]
     N3 = T14 * T14 + T24 * T24
@@ -416,18 +412,15 @@ def _regular(pose, q, status):
 
     # is the pose one that the arm can take?
     v8 = 1.0 + T33
-    v9 = c234 + T22
-    v10 = T21 - s234
-    v11 = T11 - c234
-    v12 = T12 - s234
+    v9 = T21 - T21 * v2
+    v10 = T11 - T11 * v2
 
     # joint values
     q1_p = w3 - w3 + T34
     doubt1 = (
         (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10 * v10 +
-        (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N3 <=
-        doubt_limit_squared2))
+        longest3_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 * T23 + (v8 *
+        v8 + T31 * T31)))) or N3 <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -449,10 +442,10 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # joint values
-    v13 = angle1 - (angle2 + angle3)
-    v14 = angle1 - (angle4 - angle2)
-    q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
-    q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
+    v11 = angle1 - (angle2 + angle3)
+    v12 = angle1 - (angle4 - angle2)
+    q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+    q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -672,21 +665,16 @@ def _in_tiles(T, q, status):
             work[256 + k] = 0.0 if exact else 1.0
         for k in range(0, 16):
             T11 = work[0 + k]
-            T12 = work[16 + k]
             T13 = work[32 + k]
             T14 = work[48 + k]
             T21 = work[64 + k]
-            T22 = work[80 + k]
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = T21 * T21 + T11 * T11
             v2 = math.sqrt(v1) * (1.0 / v1)
-            c234 = T11 * v2
-            s234 = T21 * v2
             N3 = T14 * T14 + T24 * T24
             w3 = math.sqrt((longest3 - N3) * (N3 - shortest3))
             v3 = m3 + m2 * N3
@@ -695,16 +683,13 @@ def _in_tiles(T, q, status):
             v6 = w3 * (m2 * T14)
             v7 = w3 * (m2 * T24)
             v8 = 1.0 + T33
-            v9 = c234 + T22
-            v10 = T21 - s234
-            v11 = T11 - c234
-            v12 = T12 - s234
+            v9 = T21 - T21 * v2
+            v10 = T11 - T11 * v2
             q1_p = w3 - w3 + T34
             doubt1 = (
                 (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3
-                < longest3_apart)) or (v1 <= m1 or (m4 < v12 * v12 + (v11 * v11 + (T13 * T13 + (v10
-                * v10 + (v9 * v9 + (T23 * T23 + (T31 * T31 + (v8 * v8 + T32 * T32))))))) or N3 <=
-                doubt_limit_squared2))
+                < longest3_apart)) or v1 <= m1 or m4 < T13 * T13 + (v10 * v10 + (v9 * v9 + (T23 *
+                T23 + (v8 * v8 + T31 * T31)))) or N3 <= doubt_limit_squared2
             )
             work[272 + k] = q1_p
             work[288 + k] = doubt1
@@ -725,10 +710,10 @@ def _in_tiles(T, q, status):
             angle2 = work[320 + k]
             angle3 = work[336 + k]
             angle4 = work[352 + k]
-            v13 = angle1 - (angle2 + angle3)
-            v14 = angle1 - (angle4 - angle2)
-            q4_p = v13 - (m5 if half_turn < v13 else 0.0) + (m5 if v13 <= -half_turn else 0.0)
-            q4_m = v14 - (m5 if half_turn < v14 else 0.0) + (m5 if v14 <= -half_turn else 0.0)
+            v11 = angle1 - (angle2 + angle3)
+            v12 = angle1 - (angle4 - angle2)
+            q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
+            q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
             _432 = q1_p
             work[432 + k] = _432
             _448 = angle3

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -327,36 +286,23 @@ static const double weight[6] = { 1.0, 1.0, 0.5917159763313609, 1.0, 1.0, 1.0 };
 
 void scara_wrist_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double v1 = x2_y * s4;
     const double x4_x = x2_x * c4 + v1;
     const double v2 = x2_y * c4;
     const double x4_y = v2 + -x2_x * s4;
-    const double y5_x = v2 - x2_x * s4;
-    const double y5_y = -x2_x * c4 - v1;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5;
-    const double x5_y = x4_y * c5;
-    const double v3 = x4_x * s5;
-    const double v4 = x4_y * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T12_ = y5_x * c6 - x5_x * s6;
-    const double T22_ = y5_y * c6 - x5_y * s6;
-    const double T32_ = s5 * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 - v3 * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 - v4 * d6;
-    const double T34_ = d1 + q[2] - c5 * d6;
+    const double y5_x = v2 - x2_x * s4, y5_y = -x2_x * c4 - v1;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5, x5_y = x4_y * c5;
+    const double v3 = x4_x * s5, v4 = x4_y * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6, T32_ = s5 * s6,
+        T14_ = c1 * a1 + x2_x * a2 - v3 * d6, T24_ = s1 * a1 + x2_y * a2 - v4 * d6,
+        T34_ = d1 + q[2] - c5 * d6;
     T[0] = T11_; T[1] = T12_; T[2] = -v3; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -v4; T[7] = T24_;
     T[8] = -(s5 * c6); T[9] = T32_; T[10] = -c5; T[11] = T34_;
@@ -366,39 +312,25 @@ void scara_wrist_fk(const double q[6], double T[16])
 
 void scara_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2;
-    const double x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2;
     const double p3_z = d1 + q[2];
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double v1 = x2_y * s4;
-    const double v2 = x2_y * c4;
-    const double J45 = x2_x * s4 - v2;
-    const double J55 = v1 - -x2_x * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double v3 = (x2_x * c4 + v1) * s5;
-    const double v4 = (v2 + -x2_x * s4) * s5;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double v1 = x2_y * s4, v2 = x2_y * c4;
+    const double J45 = x2_x * s4 - v2, J55 = v1 - -x2_x * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double v3 = (x2_x * c4 + v1) * s5, v4 = (v2 + -x2_x * s4) * s5;
     const double J21 = p2_x - v3 * d6;
     const double p6_y = p2_y - v4 * d6;
-    const double J22 = J21 - p1_x;
-    const double J12 = p1_y - p6_y;
+    const double J22 = J21 - p1_x, J12 = p1_y - p6_y;
     const double v5 = J21 - p2_x;
     const double J14 = p6_y - p2_y;
     const double v6 = p3_z - c5 * d6 - p3_z;
-    const double J15 = J55 * v6;
-    const double J35 = J45 * J14 - J55 * v5;
-    const double J16 = c5 * J14 - v4 * v6;
-    const double J26 = v3 * v6 - c5 * v5;
-    const double J36 = v4 * v5 - v3 * J14;
+    const double J15 = J55 * v6, J35 = J45 * J14 - J55 * v5, J16 = c5 * J14 - v4 * v6,
+        J26 = v3 * v6 - c5 * v5, J36 = v4 * v5 - v3 * J14;
     J[0] = -p6_y; J[1] = J12; J[2] = 0.0; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = 0.0; J[9] = -v5; J[10] = -(J45 * v6); J[11] = J26;
     J[12] = 0.0; J[13] = 0.0; J[14] = 1.0; J[15] = 0.0; J[16] = J35; J[17] = J36;
@@ -411,13 +343,16 @@ void scara_wrist_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -464,17 +399,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide T33 = T[10], T34 = T[11];
 
     /* theta2 */
-    const wide wx = T14 - d6 * T13;
-    const wide wy = T24 - d6 * T23;
-    const wide N2 = wx * wx + wy * wy;
-    const wide w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2));
-    const wide v1 = w2 - w2;
-    const wide angle1 = atan2_wide(w2, N2 - k1);
+    const wide wx = T14 - d6 * T13, wy = T24 - d6 * T23, N2 = wx * wx + wy * wy,
+        w2 = sqrt_wide((longest2 - N2) * (N2 - shortest2)), v1 = w2 - w2,
+        angle1 = atan2_wide(w2, N2 - k1);
 
     /* theta1 */
-    const wide v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2;
-    const wide angle2 = atan2_wide(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy));
-    const wide angle3 = atan2_wide(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy));
+    const wide v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2,
+        angle2 = atan2_wide(v3 - w2 * (m1 * wx), v4 + w2 * (m1 * wy)),
+        angle3 = atan2_wide(v3 - w2 * (m1 * -wx), v4 + w2 * (m1 * -wy));
 
     /* theta12m4 */
     const wide v5 = T13 * T13 + T23 * T23, v6 = angle1 + angle2, v7 = angle3 - angle1;
@@ -483,31 +415,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     const wide angle4 = atan2_wide(sqrt_wide(v5), -T33);
 
     /* theta6 */
-    const wide s6 = T13 * T21 - T23 * T11;
-    const wide angle5 = atan2_wide(s6, T13 * T22 - T23 * T12);
+    const wide s6 = T13 * T21 - T23 * T11, angle5 = atan2_wide(s6, T13 * T22 - T23 * T12);
 
     /* joint values */
-    const wide angle6 = atan2_wide(-T23, -T13);
-    const wide v8 = angle6 - h1 * copysign_wide(all_wide(half_turn), -T23), v9 = v6 - angle6;
-    const wide v10 = v6 - v8, v11 = v7 - angle6, v12 = v7 - v8;
-    const wide q4_pp = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
-    const wide q4_pm = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
-    const wide q4_mp = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5);
-    const wide q4_mm = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5);
-    const wide q3_pp = v1 + (T34 - d6 * T33 - d1);
-    const wide q5_pp = v1 + angle4, q5_pm = v1 - angle4;
-    const wide q6_pp = v1 + angle5;
-    const wide q6_pm = v1 + (angle5 - copysign_wide(all_wide(half_turn), s6) * h1);
-    const wide_mask doubt1 = (N2 <= doubt_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2)
-        & (N2 <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
+    const wide angle6 = atan2_wide(-T23, -T13),
+        v8 = angle6 - h1 * copysign_wide(all_wide(half_turn), -T23), v9 = v6 - angle6,
+        v10 = v6 - v8, v11 = v7 - angle6, v12 = v7 - v8, q3_pp = v1 + (T34 - d6 * T33 - d1),
+        q5_pp = v1 + angle4, q5_pm = v1 - angle4, q6_pp = v1 + angle5,
+        q6_pm = v1 + (angle5 - copysign_wide(all_wide(half_turn), s6) * h1);
+    const wide_mask doubt1 = (N2 <= doubt_limit_squared2) | (v5 <= m3) | ((shortest2_reach <= N2) &
+        (N2 <= longest2_reach) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
 
-    q[0] = angle2; q[1] = angle1; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp; q[5] = q6_pp;
+    q[0] = angle2; q[1] = angle1; q[2] = q3_pp;
+    q[3] = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5); q[4] = q5_pp;
+    q[5] = q6_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = angle2; q[7] = angle1; q[8] = q3_pp; q[9] = q4_pm; q[10] = q5_pm; q[11] = q6_pm;
+    q[6] = angle2; q[7] = angle1; q[8] = q3_pp;
+    q[9] = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5); q[10] = q5_pm;
+    q[11] = q6_pm;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = angle3; q[13] = -angle1; q[14] = q3_pp; q[15] = q4_mp; q[16] = q5_pp; q[17] = q6_pp;
+    q[12] = angle3; q[13] = -angle1; q[14] = q3_pp;
+    q[15] = v11 - only_wide(half_turn < v11, m5) + only_wide(v11 <= -half_turn, m5); q[16] = q5_pp;
+    q[17] = q6_pp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = angle3; q[19] = -angle1; q[20] = q3_pp; q[21] = q4_mm; q[22] = q5_pm; q[23] = q6_pm;
+    q[18] = angle3; q[19] = -angle1; q[20] = q3_pp;
+    q[21] = v12 - only_wide(half_turn < v12, m5) + only_wide(v12 <= -half_turn, m5); q[22] = q5_pm;
+    q[23] = q6_pm;
     kind[3] = kind_of(q[18] != q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -527,11 +460,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double T33 = T[10], T34 = T[11];
 
     /* theta2 */
-    const double wx = T14 - d6 * T13;
-    const double wy = T24 - d6 * T23;
-    const double N2 = wx * wx + wy * wy;
-    const double w2 = sqrt((longest2 - N2) * (N2 - shortest2));
-    const double v1 = w2 - w2;
+    const double wx = T14 - d6 * T13, wy = T24 - d6 * T23, N2 = wx * wx + wy * wy,
+        w2 = sqrt((longest2 - N2) * (N2 - shortest2)), v1 = w2 - w2;
 
     /* theta1 */
     const double v2 = m2 + m1 * N2, v3 = wy * v2, v4 = wx * v2;
@@ -540,32 +470,28 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
     const double v5 = T13 * T13 + T23 * T23;
 
     /* theta6 */
-    const double s6 = T13 * T21 - T23 * T11;
-    const double v7 = copysign(half_turn, s6);
+    const double s6 = T13 * T21 - T23 * T11, v7 = copysign(half_turn, s6);
     const four v8 = m4 * (e2 - 1.0);
 
     /* joint values */
-    const double v9 = copysign(half_turn, -T23);
-    const double q3 = v1 + (T34 - d6 * T33 - d1);
-    const int doubt1 = (N2 <= doubt_limit_squared2) | ((v5 <= m3) | (((shortest2_reach <= N2) & (N2
-        <= longest2_reach)) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0)));
+    const double v9 = copysign(half_turn, -T23), q3 = v1 + (T34 - d6 * T33 - d1);
+    const int doubt1 = (N2 <= doubt_limit_squared2) | (v5 <= m3) | ((shortest2_reach <= N2) & (N2 <=
+        longest2_reach) & (((shortest2_apart < N2) & (N2 < longest2_apart)) == 0));
 
     const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v3 - w2 * (m1 *
         (e1 * wx)), all_four(w2), 0, 5, 2, 3), all_four(sqrt(v5)), 0, 1, 2, 7),
         __builtin_shufflevector(__builtin_shufflevector(v4 + w2 * (m1 * (e1 * wy)), all_four(N2 -
-        k1), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7));
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
-    const four packed2 = atan2_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12, -T13,
-        T13 * T22 - T23 * T12, T13 * T22 - T23 * T12 });
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0);
-    const four angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four q2 = e1 * angle1;
-    const four v6 = angle2 + q2, v10 = angle5 + v8 * v9, v11 = v6 - v10;
-    const four q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5);
-    const four q5 = v1 + e2 * angle3;
-    const four q6 = v1 + (angle4 + v7 * v8);
+        k1), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7)),
+        angle2 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3),
+        packed2 = atan2_four((four){ s6, -T23, s6, s6 }, (four){ T13 * T22 - T23 * T12, -T13, T13 *
+            T22 - T23 * T12, T13 * T22 - T23 * T12 }),
+        angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0),
+        angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four q2 = e1 * angle1, v6 = angle2 + q2, v10 = angle5 + v8 * v9, v11 = v6 - v10,
+        q4 = v11 - only_four(half_turn < v11, m5) + only_four(v11 <= -half_turn, m5),
+        q5 = v1 + e2 * angle3, q6 = v1 + (angle4 + v7 * v8);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -655,8 +581,7 @@ static void solve(
 
     /* theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4] */
     const double X1_1 = a1 + a2 * c2;
-    const double v1 = wy * X1_1;
-    const double v2 = wx * X1_1;
+    const double v1 = wy * X1_1, v2 = wx * X1_1;
 
     /* theta12m4, type 2: U4[3, 3] */
     const double w12m4 = sqrt(T13 * T13 + T23 * T23);
@@ -677,13 +602,12 @@ static void solve(
         const double w1 = sqrt(S1 * S1 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
+            s1 = free1 ? sin(seed[0]) : S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta12m4 */
-        const double v3 = q2 + q1;
-        const double v4 = v3 - seed[3];
+        const double v3 = q2 + q1, v4 = v3 - seed[3];
 
         for (int i2 = 0; i2 < 2; i2++) { /* left, right */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -698,18 +622,13 @@ static void solve(
             const double q5 = atan2(s5, -T33);
 
             /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-            const double c6 = T12 * s12m4 - T22 * c12m4;
-            const double s6 = T11 * s12m4 - T21 * c12m4;
+            const double c6 = T12 * s12m4 - T22 * c12m4, s6 = T11 * s12m4 - T21 * c12m4;
             const double q6 = atan2(s6, c6);
 
             /* joint values */
             const double q4 = wrap(v3 - atan2(s12m4, c12m4));
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = r3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free1 || free12m4) ? SCARA_WRIST_FREE_JOINT : SCARA_WRIST_OK;
         }

@@ -488,8 +488,8 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + (T34 - d6 * T33 - d1)
     doubt1 = (
-        N2 <= doubt_limit_squared2 or (v5 <= m3 or (shortest2_reach <= N2 and N2 <= longest2_reach
-        and not (shortest2_apart < N2 and N2 < longest2_apart)))
+        N2 <= doubt_limit_squared2 or v5 <= m3 or (shortest2_reach <= N2 and N2 <= longest2_reach
+        and not (shortest2_apart < N2 and N2 < longest2_apart))
     )
 
     # angles, side by side
@@ -794,8 +794,8 @@ def _in_tiles(T, q, status):
             s6 = T13 * T21 - T23 * T11
             q3_pp = v1 + (T34 - d6 * T33 - d1)
             doubt1 = (
-                N2 <= doubt_limit_squared2 or (v5 <= m3 or (shortest2_reach <= N2 and N2 <=
-                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart)))
+                N2 <= doubt_limit_squared2 or v5 <= m3 or (shortest2_reach <= N2 and N2 <=
+                longest2_reach and not (shortest2_apart < N2 and N2 < longest2_apart))
             )
             work[272 + k] = v1
             work[288 + k] = s6

@@ -89,56 +89,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -168,7 +133,7 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -180,16 +145,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -254,6 +209,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -268,20 +225,14 @@ HELPER void transpose(wide x[LANES])
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[6] = { 2, 3, 6, 7, 10, 11 };
+    double reached[16], sum = 0.0;
     scorbot_pointing_fk(q, reached);
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 1.050420168067227 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 1.050420168067227 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 1.050420168067227 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 6; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 1.050420168067227 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -293,6 +244,8 @@ static const double unit[4] = { 1.0, 1.0, 1.0, 1.0 };
 static const double measure[4] = {
     1.050420168067227, 1.050420168067227, 1.050420168067227, 1.050420168067227,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -321,15 +274,12 @@ static void look(struct descent *d, const double u[4])
         d->q[solved[j]] = unit[j] * u[j];
     scorbot_pointing_fk(d->q, P);
     scorbot_pointing_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 0.952;
-    for (int j = 0; j < 4; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 0.952;
-    for (int j = 0; j < 4; j++)
-        d->A[1][j] = measure[j] * J[5 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 0.952;
-    for (int j = 0; j < 4; j++)
-        d->A[2][j] = measure[j] * J[10 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 0.952;
+        for (int j = 0; j < 4; j++)
+            d->A[i][j] = measure[j] * J[5 * row + solved[j]];
+    }
     const double z[3] = { P[2], P[6], P[10] }, w[3] = { d->T[2], d->T[6], d->T[10] };
     const double axis[3] = { z[1] * w[2] - z[2] * w[1], z[2] * w[0] - z[0] * w[2],
         z[0] * w[1] - z[1] * w[0] };
@@ -343,6 +293,20 @@ static void look(struct descent *d, const double u[4])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[4], double to[4])
+{
+    for (int j = 0; j < 4; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -377,14 +341,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[4])
-{
-    for (int j = 0; j < 4; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
  * much
  * it misses the pose then. */
@@ -404,8 +360,7 @@ static double tightened(struct descent *d, double exact, double q[5], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 4; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -449,9 +404,8 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 0.952);
-    distance = fmax(distance, fabs(T[7]) / 0.952);
-    distance = fmax(distance, fabs(T[11]) / 0.952);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 0.952);
     const double exact = 1e-12 * distance;
     int moved[4] = { 0 };
     double miss[4], least = HUGE_VAL;
@@ -520,40 +474,23 @@ static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void scorbot_pointing_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double v3 = s2 * c3 + c2 * s3;
-    const double v4 = v1 * c3 + x2_x * s3;
-    const double v5 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
+    const double v3 = s2 * c3 + c2 * s3, v4 = v1 * c3 + x2_x * s3, v5 = v2 * c3 + x2_y * s3;
     const double y3_z = s2 * s3 - c2 * c3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double x4_x = x3_x * c4 - v4 * s4;
-    const double x4_y = x3_y * c4 - v5 * s4;
-    const double x4_z = y3_z * s4 - v3 * c4;
-    const double T13_ = v4 * c4 + x3_x * s4;
-    const double T23_ = v5 * c4 + x3_y * s4;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double x4_x = x3_x * c4 - v4 * s4, x4_y = x3_y * c4 - v5 * s4, x4_z = y3_z * s4 - v3 * c4;
+    const double T13_ = v4 * c4 + x3_x * s4, T23_ = v5 * c4 + x3_y * s4;
     const double v7 = y3_z * c4 + v3 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 - s1 * s5;
-    const double T21_ = x4_y * c5 + c1 * s5;
-    const double T31_ = x4_z * c5;
-    const double T22_ = c1 * c5 - x4_y * s5;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5;
-    const double T34_ = d1 - s2 * a2 - v3 * a3 - v7 * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x4_x * c5 - s1 * s5, T21_ = x4_y * c5 + c1 * s5, T31_ = x4_z * c5,
+        T22_ = c1 * c5 - x4_y * s5, T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5, T34_ = d1 - s2 * a2 - v3 * a3 - v7 * d5;
     T[0] = T11_; T[1] = -(s1 * c5 + x4_x * s5); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = -(x4_z * s5); T[10] = -v7; T[11] = T34_;
@@ -563,49 +500,30 @@ void scorbot_pointing_fk(const double q[5], double T[16])
 
 void scorbot_pointing_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
     const double v3 = s2 * c3 + c2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z - v3 * a3;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z - v3 * a3;
     const double v4 = q[3] + offset4;
-    const double c4 = cos(v4);
-    const double s4 = sin(v4);
-    const double J45 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4;
-    const double J55 = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4;
+    const double c4 = cos(v4), s4 = sin(v4);
+    const double J45 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4,
+        J55 = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4;
     const double v5 = (s2 * s3 - c2 * c3) * c4 + v3 * s4;
     const double J21 = p3_x + J45 * d5;
-    const double p5_y = p3_y + J55 * d5;
-    const double p5_z = p3_z - v5 * d5;
+    const double p5_y = p3_y + J55 * d5, p5_z = p3_z - v5 * d5;
     const double v6 = p5_z - d1;
-    const double J12 = c1 * v6;
-    const double J22 = s1 * v6;
+    const double J12 = c1 * v6, J22 = s1 * v6;
     const double v7 = p5_z - p2_z;
-    const double J13 = c1 * v7;
-    const double J23 = s1 * v7;
-    const double v8 = J21 - p3_x;
-    const double v9 = p5_y - p3_y;
-    const double v10 = p5_z - p3_z;
-    const double J14 = c1 * v10;
-    const double J24 = s1 * v10;
-    const double J15 = J55 * v10 + v5 * v9;
-    const double J35 = J45 * v9 - J55 * v8;
+    const double J13 = c1 * v7, J23 = s1 * v7;
+    const double v8 = J21 - p3_x, v9 = p5_y - p3_y, v10 = p5_z - p3_z;
+    const double J14 = c1 * v10, J24 = s1 * v10, J15 = J55 * v10 + v5 * v9,
+        J35 = J45 * v9 - J55 * v8;
     J[0] = -p5_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15;
     J[5] = J21; J[6] = J22; J[7] = J23; J[8] = J24; J[9] = -(v5 * v8 + J45 * v10);
     J[10] = 0.0; J[11] = -(s1 * (p5_y - p1_y) + c1 * (J21 - p1_x));
@@ -646,118 +564,93 @@ HELPER wide_mask solve_wide(
     const wide T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
-    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const wide w1 = sqrt_wide(v4);
-    const wide v5 = 1.0 / v4;
-    const wide factor1 = w1 * v5;
-    const wide v6 = v2 * factor1, v7 = v3 * factor1;
-    const wide angle1 = atan2_wide(-v3, -v2);
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
+        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
+        v5 = 1.0 / v4, factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1,
+        angle1 = atan2_wide(-v3, -v2);
 
     /* theta234 */
-    const wide v8 = w1 * (v5 * (T13 * v2 + T23 * v3)), v9 = T33 * T33 + v8 * v8;
-    const wide w234 = sqrt_wide(v9);
-    const wide v10 = 1.0 / v9, v11 = w234 * v10;
-    const wide angle2 = atan2_wide(-v8, T33);
+    const wide v8 = w1 * (v5 * (T13 * v2 + T23 * v3)), v9 = T33 * T33 + v8 * v8,
+        w234 = sqrt_wide(v9), v10 = 1.0 / v9, v11 = w234 * v10, angle2 = atan2_wide(-v8, T33);
 
     /* theta3 */
-    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = v11 * v12;
-    const wide Z1_3 = v13 - v14;
-    const wide v15 = d5 * v8, v16 = T14 * v6 + T24 * v7, v17 = a1 + v16, v18 = a1 - v16;
-    const wide v19 = v11 * v15, v20 = v19 - v17, v21 = w234 * (v10 * v15);
-    const wide Z2_3_p = v21 - v17;
-    const wide v22 = v18 + v21, v23 = Z1_3 * Z1_3;
-    const wide N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + v22 * v22;
-    const wide K3_p = N3_p - k1, K3_m = N3_m - k1;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v24 = w3_p - w3_p, v25 = w3_m - w3_m;
-    const wide s3_p = k2 * w3_p, s3_m = k2 * w3_m;
-    const wide c3_p = k2 * K3_p, c3_m = k2 * K3_m;
-    const wide angle3 = atan2_wide(w3_p, K3_p), angle4 = atan2_wide(w3_m, K3_m);
+    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = v11 * v12, Z1_3 = v13 - v14, v15 = d5 * v8,
+        v16 = T14 * v6 + T24 * v7, v17 = a1 + v16, v18 = a1 - v16, v19 = v11 * v15, v20 = v19 - v17,
+        v21 = w234 * (v10 * v15), Z2_3_p = v21 - v17, v22 = v18 + v21, v23 = Z1_3 * Z1_3,
+        N3_p = v23 + Z2_3_p * Z2_3_p, N3_m = v23 + v22 * v22, K3_p = N3_p - k1, K3_m = N3_m - k1,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v24 = w3_p - w3_p,
+        v25 = w3_m - w3_m, s3_p = k2 * w3_p, s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m,
+        angle3 = atan2_wide(w3_p, K3_p), angle4 = atan2_wide(w3_m, K3_m);
 
     /* theta2 */
-    const wide v26 = v12 * v13, v27 = v10 * (v12 * v12 + v15 * v15), v28 = v13 * v13;
-    const wide Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17)));
-    const wide Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18)));
-    const wide v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m5 * v20);
-    const wide v32 = v29 + w3_p * (m5 * -v20), v33 = w3_m * (m5 * (v18 + v19)), v34 = v30 - v33;
-    const wide v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m5 * Z1_3;
-    const wide v39 = m5 * -Z1_3;
-    const wide C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39;
-    const wide v40 = v37 + w3_m * v38, v41 = v37 + w3_m * v39, v42 = v31 * v31 + C2_pp * C2_pp;
-    const wide v43 = v32 * v32 + C2_pm * C2_pm, v44 = v34 * v34 + v40 * v40;
-    const wide v45 = v35 * v35 + v41 * v41;
-    const wide w2_pp = sqrt_wide(v42), w2_pm = sqrt_wide(v43), w2_mp = sqrt_wide(v44);
-    const wide w2_mm = sqrt_wide(v45);
-    const wide v46 = 1.0 / v42, v47 = 1.0 / v43, v48 = 1.0 / v44, v49 = 1.0 / v45;
-    const wide factor2_pp = w2_pp * v46, factor2_pm = w2_pm * v47, factor2_mp = w2_mp * v48;
-    const wide factor2_mm = w2_mm * v49;
-    const wide angle5 = atan2_wide(-v31, C2_pp), angle6 = atan2_wide(-v32, C2_pm);
-    const wide angle7 = atan2_wide(-v34, -v40), angle8 = atan2_wide(-v35, -v41);
+    const wide v26 = v12 * v13, v27 = v10 * (v12 * v12 + v15 * v15), v28 = v13 * v13,
+        Y1_2_p = m5 * (v27 + (v28 + v17 * v17)) - w234 * (m4 * (v10 * (v26 + v15 * v17))),
+        Y1_2_m = m5 * (v27 + (v28 + v18 * v18)) - w234 * (m4 * (v10 * (v26 - v15 * v18))),
+        v29 = Z1_3 * Y1_2_p, v30 = Z1_3 * Y1_2_m, v31 = v29 + w3_p * (m5 * v20),
+        v32 = v29 + w3_p * (m5 * -v20), v33 = w3_m * (m5 * (v18 + v19)), v34 = v30 - v33,
+        v35 = v30 + v33, v36 = Z2_3_p * Y1_2_p, v37 = v22 * Y1_2_m, v38 = m5 * Z1_3,
+        v39 = m5 * -Z1_3, C2_pp = v36 - w3_p * v38, C2_pm = v36 - w3_p * v39,
+        v40 = v37 + w3_m * v38, v41 = v37 + w3_m * v39, v42 = v31 * v31 + C2_pp * C2_pp,
+        v43 = v32 * v32 + C2_pm * C2_pm, v44 = v34 * v34 + v40 * v40, v45 = v35 * v35 + v41 * v41,
+        w2_pp = sqrt_wide(v42), w2_pm = sqrt_wide(v43), w2_mp = sqrt_wide(v44),
+        w2_mm = sqrt_wide(v45), v46 = 1.0 / v42, v47 = 1.0 / v43, v48 = 1.0 / v44, v49 = 1.0 / v45,
+        factor2_pp = w2_pp * v46, factor2_pm = w2_pm * v47, factor2_mp = w2_mp * v48,
+        factor2_mm = w2_mm * v49, angle5 = atan2_wide(-v31, C2_pp),
+        angle6 = atan2_wide(-v32, C2_pm), angle7 = atan2_wide(-v34, -v40),
+        angle8 = atan2_wide(-v35, -v41);
 
     /* is the pose one that the arm can take? */
-    const wide v50 = a1 - v19, v51 = a1 + v19;
-    const wide v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp));
-    const wide v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm));
-    const wide v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40));
-    const wide v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41));
-    const wide v56 = d1 + v14, v57 = T33 - T33 * v11, v58 = T13 - v11 * (v6 * v8);
-    const wide v59 = T23 - v11 * (v7 * v8);
-    const wide v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp *
-        (a2 * v31)));
-    const wide v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm *
-        (a2 * v32)));
-    const wide v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2
-        * v34)));
-    const wide v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2
-        * v35))), v64 = T14 + v6 * v52, v65 = T14 + v6 * v53, v66 = T14 - v6 * v54;
-    const wide v67 = T14 - v6 * v55, v68 = T24 + v7 * v52, v69 = T24 + v7 * v53;
-    const wide v70 = T24 - v7 * v54, v71 = T24 - v7 * v55;
-    const wide v72 = v68 * v68 + (v60 * v60 + v64 * v64), v73 = v69 * v69 + (v61 * v61 + v65 * v65);
-    const wide v74 = v70 * v70 + (v62 * v62 + v66 * v66), v75 = v71 * v71 + (v63 * v63 + v67 * v67);
-    const double v76 = NAN;
-    const wide v77 = pick_wide(v72 <= m8, all_wide(0.0), all_wide(v76));
-    const wide v78 = pick_wide(v73 <= m8, all_wide(0.0), all_wide(v76));
-    const wide v79 = pick_wide(v74 <= m8, all_wide(0.0), all_wide(v76));
-    const wide v80 = pick_wide(v75 <= m8, all_wide(0.0), all_wide(v76));
+    const wide v50 = a1 - v19, v51 = a1 + v19,
+        v52 = v50 + w2_pp * (v46 * (a3 * (c3_p * C2_pp + s3_p * v31) + a2 * C2_pp)),
+        v53 = v50 + w2_pm * (v47 * (a3 * (c3_p * C2_pm - s3_p * v32) + a2 * C2_pm)),
+        v54 = v51 + w2_mp * (v48 * (a3 * (s3_m * v34 - c3_m * v40) - a2 * v40)),
+        v55 = v51 - w2_mm * (v49 * (a3 * (c3_m * v41 + s3_m * v35) + a2 * v41)), v56 = d1 + v14,
+        v57 = T33 - T33 * v11, v58 = T13 - v11 * (v6 * v8), v59 = T23 - v11 * (v7 * v8),
+        v60 = T34 + (factor2_pp * (a3 * (s3_p * C2_pp - c3_p * v31)) - (v56 + factor2_pp * (a2 *
+            v31))),
+        v61 = T34 - (factor2_pm * (a3 * (s3_p * C2_pm + c3_p * v32)) + (v56 + factor2_pm * (a2 *
+            v32))),
+        v62 = T34 - (factor2_mp * (a3 * (s3_m * v40 + c3_m * v34)) + (v56 + factor2_mp * (a2 *
+            v34))),
+        v63 = T34 + (factor2_mm * (a3 * (s3_m * v41 - c3_m * v35)) - (v56 + factor2_mm * (a2 *
+            v35))), v64 = T14 + v6 * v52, v65 = T14 + v6 * v53, v66 = T14 - v6 * v54,
+        v67 = T14 - v6 * v55, v68 = T24 + v7 * v52, v69 = T24 + v7 * v53, v70 = T24 - v7 * v54,
+        v71 = T24 - v7 * v55, v72 = v68 * v68 + (v60 * v60 + v64 * v64),
+        v73 = v69 * v69 + (v61 * v61 + v65 * v65), v74 = v70 * v70 + (v62 * v62 + v66 * v66),
+        v75 = v71 * v71 + (v63 * v63 + v67 * v67);
 
     /* joint values */
-    const wide v81 = angle2 - (angle3 + angle5) - offset4;
-    const wide v82 = angle2 - (angle6 - angle3) - offset4;
-    const wide v83 = offset4 + (angle2 + (angle4 + angle7));
-    const wide v84 = offset4 + (angle2 + (angle8 - angle4));
-    const wide v85 = v81 - only_wide(half_turn < v81, m10) + only_wide(v81 <= -half_turn, m10);
-    const wide v86 = v82 - only_wide(half_turn < v82, m10) + only_wide(v82 <= -half_turn, m10);
-    const wide v87 = only_wide(-v83 <= -half_turn, m10) - (v83 + only_wide(half_turn < -v83, m10));
-    const wide v88 = only_wide(-v84 <= -half_turn, m10) - (v84 + only_wide(half_turn < -v84, m10));
-    const wide v89 = angle1 + v24;
-    const wide v90 = v25 + (angle1 - copysign_wide(all_wide(half_turn), -v3) * h1);
-    const wide q1_pp = v77 + v89, q1_pm = v78 + v89, q1_mp = v79 + v90, q1_mm = v80 + v90;
-    const wide q2_pp = angle5 + v77, q2_pm = angle6 + v78, q2_mp = angle7 + v79;
-    const wide q2_mm = angle8 + v80;
-    const wide q3_pp = angle3 + v77, q3_pm = v78 - angle3, q3_mp = angle4 + v79;
-    const wide q3_mm = v80 - angle4;
-    const wide q4_pp = v77 + (v85 + only_wide(v85 <= -half_turn, m10));
-    const wide q4_pm = v78 + (v86 + only_wide(v86 <= -half_turn, m10));
-    const wide q4_mp = v79 + (v87 + only_wide(v87 <= -half_turn, m10));
-    const wide q4_mm = v80 + (v88 + only_wide(v88 <= -half_turn, m10));
-    const wide v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
-    const wide q5_pp = v77 + v91, q5_pm = v78 + v91, q5_mp = v79 + v92, q5_mm = v80 + v92;
-    const wide_mask doubt1 = (v9 <= m3) | ((v4 <= m1) | (((m8 < v75) & (v75 <= m9)) | ((v45 <= m6) |
-        (((m8 < v74) & (v74 <= m9)) | ((v44 <= m6) | (((m8 < v73) & (v73 <= m9)) | ((v43 <= m6) |
-        (((m8 < v72) & (v72 <= m9)) | ((v42 <= m6) | ((m7 < v59 * v59 + (v57 * v57 + v58 * v58)) |
-        ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) & (((shortest3_apart < N3_p) &
-        (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) &
-        (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)))))))))))));
+    const wide v76 = angle2 - (angle3 + angle5) - offset4,
+        v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
+        v79 = offset4 + (angle2 + (angle8 - angle4)),
+        v80 = v76 - only_wide(half_turn < v76, m10) + only_wide(v76 <= -half_turn, m10),
+        v81 = v77 - only_wide(half_turn < v77, m10) + only_wide(v77 <= -half_turn, m10),
+        v82 = only_wide(-v78 <= -half_turn, m10) - (v78 + only_wide(half_turn < -v78, m10)),
+        v83 = only_wide(-v79 <= -half_turn, m10) - (v79 + only_wide(half_turn < -v79, m10));
+    const double v84 = NAN;
+    const wide v85 = only_wide((v72 <= m8) == 0, v84), v86 = only_wide((v73 <= m8) == 0, v84),
+        v87 = only_wide((v74 <= m8) == 0, v84), v88 = only_wide((v75 <= m8) == 0, v84),
+        v89 = angle1 + v24, v90 = v25 + (angle1 - copysign_wide(all_wide(half_turn), -v3) * h1),
+        v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
+    const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m8 < v75) & (v75 <= m9)) | (v45 <= m6) |
+        ((m8 < v74) & (v74 <= m9)) | (v44 <= m6) | ((m8 < v73) & (v73 <= m9)) | (v43 <= m6) | ((m8 <
+        v72) & (v72 <= m9)) | (v42 <= m6) | (m7 < v59 * v59 + (v57 * v57 + v58 * v58)) |
+        ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) & (N3_p <
+        longest3_apart)) == 0)) | ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) &
+        (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
 
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
+    q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
+    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, m10)); q[4] = v85 + v91;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
+    q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3;
+    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, m10)); q[9] = v86 + v91;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
+    q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87;
+    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, m10)); q[14] = v87 + v92;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
+    q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4;
+    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, m10)); q[19] = v88 + v92;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -778,79 +671,61 @@ HELPER int solve_regular(
     const double T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const double w1 = sqrt(v4);
-    const double v5 = 1.0 / v4;
-    const double factor1 = w1 * v5;
-    const double v6 = v2 * factor1, v7 = v3 * factor1, v8 = copysign(half_turn, -v3);
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1, v8 = copysign(half_turn, -v3);
 
     /* theta234 */
-    const double v9 = w1 * (v5 * (T13 * v2 + T23 * v3)), v10 = T33 * T33 + v9 * v9;
-    const double w234 = sqrt(v10);
-    const double v11 = 1.0 / v10, v12 = w234 * v11;
+    const double v9 = w1 * (v5 * (T13 * v2 + T23 * v3)), v10 = T33 * T33 + v9 * v9,
+        w234 = sqrt(v10), v11 = 1.0 / v10, v12 = w234 * v11;
 
     /* theta3 */
-    const double v13 = d5 * T33, v14 = T34 - d1, v15 = v12 * v13;
-    const double Z1_3 = v14 - v15;
-    const double v16 = d5 * v9, v17 = T14 * v6 + T24 * v7;
+    const double v13 = d5 * T33, v14 = T34 - d1, v15 = v12 * v13, Z1_3 = v14 - v15, v16 = d5 * v9,
+        v17 = T14 * v6 + T24 * v7;
     const four v18 = a1 + e1 * v17;
     const double v19 = v12 * v16;
-    const four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16;
-    const four Z2_3 = w234 * (v11 * v22) - v18;
+    const four v20 = e1 * v19, v21 = v20 - v18, v22 = e1 * v16, Z2_3 = w234 * (v11 * v22) - v18;
     const double v23 = Z1_3 * Z1_3;
-    const four N3 = v23 + Z2_3 * Z2_3;
-    const four K3 = N3 - k1;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v24 = w3 - w3;
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0);
-    const four s3 = k2 * w3;
-    const four c3 = k2 * K3;
+    const four N3 = v23 + Z2_3 * Z2_3, K3 = N3 - k1,
+        w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)), v24 = w3 - w3;
+    const four_mask doubt2 = (shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0);
+    const four s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
     const double v25 = v13 * v14, v26 = v11 * (v13 * v13 + v16 * v16), v27 = v14 * v14;
-    const four Y1_2 = m5 * (v26 + (v27 + v18 * v18)) - w234 * (m4 * (v11 * (v25 + v18 * v22)));
-    const four v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m5 * (e2 * v21)), v30 = Z2_3 * Y1_2;
-    const four v31 = m5 * (e2 * Z1_3);
-    const four C2 = v30 - w3 * v31;
-    const four v32 = v29 * v29 + C2 * C2;
-    const four w2 = sqrt_four(v32);
-    const four v33 = 1.0 / v32;
-    const four factor2 = w2 * v33;
+    const four Y1_2 = m5 * (v26 + (v27 + v18 * v18)) - w234 * (m4 * (v11 * (v25 + v18 * v22))),
+        v28 = Z1_3 * Y1_2, v29 = v28 + w3 * (m5 * (e2 * v21)), v30 = Z2_3 * Y1_2,
+        v31 = m5 * (e2 * Z1_3), C2 = v30 - w3 * v31, v32 = v29 * v29 + C2 * C2, w2 = sqrt_four(v32),
+        v33 = 1.0 / v32, factor2 = w2 * v33;
 
     /* is the pose one that the arm can take? */
-    const four v34 = a1 - v20;
-    const four v35 = v34 + w2 * (v33 * (a3 * (c3 * C2 + e2 * (s3 * v29)) + a2 * C2));
-    const double v36 = d1 + v15, v37 = T33 - T33 * v12, v38 = T13 - v12 * (v6 * v9);
-    const double v39 = T23 - v12 * (v7 * v9);
+    const four v34 = a1 - v20,
+        v35 = v34 + w2 * (v33 * (a3 * (c3 * C2 + e2 * (s3 * v29)) + a2 * C2));
+    const double v36 = d1 + v15, v37 = T33 - T33 * v12, v38 = T13 - v12 * (v6 * v9),
+        v39 = T23 - v12 * (v7 * v9);
     const four v40 = T34 + (factor2 * (a3 * (e2 * (s3 * C2) - c3 * v29)) - (v36 + factor2 * (a2 *
-        v29))), v41 = T14 + e1 * (v6 * v35), v42 = T24 + e1 * (v7 * v35);
-    const four v43 = v42 * v42 + (v40 * v40 + v41 * v41);
-    const double v44 = NAN;
-    const four v45 = pick_four(v43 <= m8, all_four(0.0), all_four(v44));
+        v29))), v41 = T14 + e1 * (v6 * v35), v42 = T24 + e1 * (v7 * v35),
+        v43 = v42 * v42 + (v40 * v40 + v41 * v41);
 
     /* joint values */
-    const four v51 = v24 + free_joints[0];
-    const four q5 = v45 + v51;
+    const double v48 = NAN;
+    const four v49 = only_four((v43 <= m8) == 0, v48), v51 = v24 + free_joints[0], q5 = v49 + v51;
     const four_mask doubt3 = (v32 <= m6) | ((m8 < v43) & (v43 <= m9));
-    const int doubt1 = (v10 <= m3) | ((m7 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1));
+    const int doubt1 = (v10 <= m3) | (m7 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1);
 
-    const four angle4 = atan2_four(-v29, C2);
-    const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
-        all_four(-v3), 0, 5, 2, 3), all_four(-v9), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-v2), 0, 5, 2, 3),
-        all_four(T33), 0, 1, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four v46 = e2 * angle3, v47 = e1 * angle2, v48 = v47 - (angle4 + v46) - offset4;
-    const four v49 = v48 - only_four(half_turn < v48, m10) + only_four(v48 <= -half_turn, m10);
-    const four v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0)));
-    const four q1 = v45 + v50;
-    const four q2 = angle4 + v45;
-    const four q3 = v45 + v46;
-    const four q4 = v45 + (v49 + only_four(v49 <= -half_turn, m10));
+    const four angle4 = atan2_four(-v29, C2),
+        packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3, all_four(-v3), 0,
+            5, 2, 3), all_four(-v9), 0, 1, 2, 7),
+            __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-v2), 0, 5, 2, 3),
+            all_four(T33), 0, 1, 2, 7)),
+        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
+        angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four v44 = e2 * angle3, v45 = e1 * angle2, v46 = v45 - (angle4 + v44) - offset4,
+        v47 = v46 - only_four(half_turn < v46, m10) + only_four(v46 <= -half_turn, m10),
+        v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50, q2 = angle4 + v49,
+        q3 = v44 + v49, q4 = v49 + (v47 + only_four(v47 <= -half_turn, m10));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -926,6 +801,13 @@ HELPER int solve_regular(
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[5], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -937,16 +819,14 @@ static void solve(
     const double T33 = T[10], T34 = T[11];
 
     /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
-    const double v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1;
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1;
     const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v4 = T33 * T33;
-    const double v6 = seed[1] + seed[2] + (seed[3] + offset4);
+    const double v4 = T33 * T33, v6 = seed[1] + seed[2] + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v8 = T34 - d1;
@@ -956,8 +836,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(v2 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : -(v3 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : -(v2 * factor1),
+            s1 = free1 ? sin(seed[0]) : -(v3 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta234 */
@@ -965,8 +845,7 @@ static void solve(
         const double w234 = sqrt(Z2_234 * Z2_234 + v4);
         const int free234 = w234 <= free_limit_squared;
         const double v5 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v6) : T33 * v5;
-        const double s234 = free234 ? sin(v6) : Z2_234 * v5;
+        const double c234 = free234 ? cos(v6) : T33 * v5, s234 = free234 ? sin(v6) : Z2_234 * v5;
         const double theta234 = atan2(s234, c234);
 
         /* theta3 */
@@ -979,22 +858,10 @@ static void solve(
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) {
-                status[2 * i1] = LOST + 1;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 2;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 3;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 4;
-                q[2 * i1][0] = D3;
-            }
+            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -1002,14 +869,12 @@ static void solve(
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v11 = Z1_3 * Y1_2;
-        const double v13 = Z2_3 * Y1_2;
+        const double v11 = Z1_3 * Y1_2, v13 = Z2_3 * Y1_2;
 
         /* is the pose one that the arm can take? */
-        const double v14 = a1 + v9;
-        const double v16 = d1 + v7;
-        if (!(fabs(T33 - c234) <= doubtful_slack && (fabs(T13 - c1 * s234) <= doubtful_slack &&
-            fabs(T23 - s1 * s234) <= doubtful_slack)))
+        const double v14 = a1 + v9, v16 = d1 + v7;
+        if (!(fabs(T33 - c234) <= doubtful_slack && fabs(T13 - c1 * s234) <= doubtful_slack &&
+            fabs(T23 - s1 * s234) <= doubtful_slack))
             continue; /* the arm can't take this pose */
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
@@ -1020,32 +885,27 @@ static void solve(
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
-            const double v10 = a3 * s3;
-            const double v12 = Z2_3 * v10 + v11;
+            const double v10 = a3 * s3, v12 = Z2_3 * v10 + v11;
             const double C2 = v13 - Z1_3 * v10;
             const double w2 = sqrt(v12 * v12 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(v12 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(v12 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double v15 = a3 * c23 + (a2 * c2 + v14);
-            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= doubtful_slack1 && (fabs(T14 - c1 *
-                v15) <= doubtful_slack1 && fabs(T24 - s1 * v15) <= doubtful_slack1)))
+            if (!(fabs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= doubtful_slack1 && fabs(T14 - c1 *
+                v15) <= doubtful_slack1 && fabs(T24 - s1 * v15) <= doubtful_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
             const double q4 = wrap(theta234 - (q3 + q2) - offset4);
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
             q[row][4] = free_joints[0];
             status[row] = (free1 || free2_ || free234 || free234) ? SCORBOT_POINTING_FREE_JOINT :
                 SCORBOT_POINTING_OK;
@@ -1074,6 +934,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == SCORBOT_POINTING_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != SCORBOT_POINTING_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -1087,7 +954,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -1136,16 +1007,23 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[5], unsigned char *status)
+static void choose_again(
+    const double T[16], const double free_joints[1], const double seed[5], int row, double q[4][5],
+    unsigned char status[4])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = SCORBOT_POINTING_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
+    lost.free_joints = free_joints;
     for (int i = 0; i < 5; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : SCORBOT_POINTING_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1183,18 +1061,9 @@ APART int ik_carefully(
     if (!valid)
         return -SCORBOT_POINTING_INVALID_POSE;
     solve(pose, free_joints, seed, q, status);
-    for (int row = 0; row < 4; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.free_joints = free_joints;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 5; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
-    }
+    for (int row = 0; row < 4; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, free_joints, seed, row, q, status);
     tighten(pose, q, status);
     for (int row = 0; row < 4; row++) {
         if (status[row] == SCORBOT_POINTING_UNREACHABLE)

@@ -340,7 +340,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 9e17520938ebe0a0"
+_KEY = "scorbot_pointing c0941686a199467d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -503,6 +503,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(4):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -527,21 +542,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(4):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner
@@ -621,21 +621,18 @@ def _tighten(pose, q, status):
     distance = max(distance, abs(pose[7]) / 0.952)
     distance = max(distance, abs(pose[11]) / 0.952)
     exact = 1e-12 * distance
-    worst = 0.0
+    worst, miss = 0.0, carray(_room(4), 4)
     for row in range(4):
-        if status[row] != UNREACHABLE:
-            worst = max(worst, _missed_by(pose, q[row]))
+        miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
+        worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, miss = np.empty((3, 4)), np.empty((4, 5)), np.empty(4)
-    held = np.empty(4, np.bool_)
+    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(4, np.bool_)
     for i in range(3):
         for j in range(4):
             T[i, j] = pose[4 * i + j]
     for row in range(4):
         held[row] = status[row] != UNREACHABLE
-        miss[row] = _missed_by(pose, q[row])
-        _take(rows[row], q[row])
     _tighten_rows(T, exact, miss, rows, held)
     for row in range(4):
         if not held[row]:
@@ -721,8 +718,8 @@ def _solve(pose, q_free, seed, q, status):
         v14 = a1 + v9
         v16 = d1 + v7
         if (
-            not (abs(T33 - c234) <= doubtful_slack and (abs(T13 - c1 * s234) <= doubtful_slack and
-            abs(T23 - s1 * s234) <= doubtful_slack))
+            not (abs(T33 - c234) <= doubtful_slack and abs(T13 - c1 * s234) <= doubtful_slack and
+            abs(T23 - s1 * s234) <= doubtful_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -750,8 +747,8 @@ def _solve(pose, q_free, seed, q, status):
             s23 = c3 * s2 + s3 * c2
             v15 = a3 * c23 + (a2 * c2 + v14)
             if (
-                not (abs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= doubtful_slack1 and (abs(T14 - c1 *
-                v15) <= doubtful_slack1 and abs(T24 - s1 * v15) <= doubtful_slack1))
+                not (abs(T34 + (a3 * s23 + (a2 * s2 - v16))) <= doubtful_slack1 and abs(T14 - c1 *
+                v15) <= doubtful_slack1 and abs(T24 - s1 * v15) <= doubtful_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -799,6 +796,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, q_free, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -829,7 +832,12 @@ def _summit(pose, q_free, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, q_free, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, q_free, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -895,7 +903,8 @@ def _choose_again(pose, q_free, given, row, q, status):
         moved = _serving_digits(pose, q_free, seed, lost, trial, result)
     else:
         moved = _serving(pose, q_free, seed, lost, trial, result)
-    served = _attempt(pose, q_free, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, q_free, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(5):
         q[row, i] = trial[row, i] if served else math.nan
@@ -909,11 +918,11 @@ def _whole(pose, q_free, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, q_free, seed, q, status)
-    count = 0
     for row in range(4):
         if status[row] >= _LOST:
             _choose_again(pose, q_free, seed, row, q, status)
     _tighten(pose, q, status)
+    count = 0
     for row in range(4):
         if status[row] == UNREACHABLE:
             continue
@@ -1047,26 +1056,26 @@ def _regular(pose, q_free, q, status):
     v73 = v69 * v69 + (v61 * v61 + v65 * v65)
     v74 = v70 * v70 + (v62 * v62 + v66 * v66)
     v75 = v71 * v71 + (v63 * v63 + v67 * v67)
-    v76 = math.sqrt(-1.0)
-    v77 = 0.0 if v72 <= m8 else v76
-    v78 = 0.0 if v73 <= m8 else v76
-    v79 = 0.0 if v74 <= m8 else v76
-    v80 = 0.0 if v75 <= m8 else v76
 
     # joint values
+    v84 = math.sqrt(-1.0)
+    v85 = 0.0 if v72 <= m8 else v84
+    v86 = 0.0 if v73 <= m8 else v84
+    v87 = 0.0 if v74 <= m8 else v84
+    v88 = 0.0 if v75 <= m8 else v84
     v91 = v24 + q_free[0]
     v92 = v25 + q_free[0]
-    q5_pp = v77 + v91
-    q5_pm = v78 + v91
-    q5_mp = v79 + v92
-    q5_mm = v80 + v92
+    q5_pp = v85 + v91
+    q5_pm = v86 + v91
+    q5_mp = v87 + v92
+    q5_mm = v88 + v92
     doubt1 = (
-        v9 <= m3 or (v4 <= m1 or ((m8 < v75 and v75 <= m9) or (v45 <= m6 or ((m8 < v74 and v74 <=
-        m9) or (v44 <= m6 or ((m8 < v73 and v73 <= m9) or (v43 <= m6 or ((m8 < v72 and v72 <= m9) or
-        (v42 <= m6 or (m7 < v59 * v59 + (v57 * v57 + v58 * v58) or ((shortest3_reach <= N3_p and
-        N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
+        v9 <= m3 or v4 <= m1 or (m8 < v75 and v75 <= m9) or v45 <= m6 or (m8 < v74 and v74 <= m9) or
+        v44 <= m6 or (m8 < v73 and v73 <= m9) or v43 <= m6 or (m8 < v72 and v72 <= m9) or v42 <= m6
+        or m7 < v59 * v59 + (v57 * v57 + v58 * v58) or (shortest3_reach <= N3_p and N3_p <=
+        longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
         (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m
-        < longest3_apart)))))))))))))
+        < longest3_apart))
     )
 
     # angles, side by side
@@ -1098,32 +1107,32 @@ def _regular(pose, q_free, q, status):
     angle8 = room[7]
 
     # joint values
-    v81 = angle2 - (angle3 + angle5) - offset4
-    v82 = angle2 - (angle6 - angle3) - offset4
-    v83 = offset4 + (angle2 + (angle4 + angle7))
-    v84 = offset4 + (angle2 + (angle8 - angle4))
-    v85 = v81 - (m10 if half_turn < v81 else 0.0) + (m10 if v81 <= -half_turn else 0.0)
-    v86 = v82 - (m10 if half_turn < v82 else 0.0) + (m10 if v82 <= -half_turn else 0.0)
-    v87 = (m10 if -v83 <= -half_turn else 0.0) - (v83 + (m10 if half_turn < -v83 else 0.0))
-    v88 = (m10 if -v84 <= -half_turn else 0.0) - (v84 + (m10 if half_turn < -v84 else 0.0))
+    v76 = angle2 - (angle3 + angle5) - offset4
+    v77 = angle2 - (angle6 - angle3) - offset4
+    v78 = offset4 + (angle2 + (angle4 + angle7))
+    v79 = offset4 + (angle2 + (angle8 - angle4))
+    v80 = v76 - (m10 if half_turn < v76 else 0.0) + (m10 if v76 <= -half_turn else 0.0)
+    v81 = v77 - (m10 if half_turn < v77 else 0.0) + (m10 if v77 <= -half_turn else 0.0)
+    v82 = (m10 if -v78 <= -half_turn else 0.0) - (v78 + (m10 if half_turn < -v78 else 0.0))
+    v83 = (m10 if -v79 <= -half_turn else 0.0) - (v79 + (m10 if half_turn < -v79 else 0.0))
     v89 = angle1 + v24
     v90 = v25 + (angle1 - math.copysign(half_turn, -v3) * h1)
-    q1_pp = v77 + v89
-    q1_pm = v78 + v89
-    q1_mp = v79 + v90
-    q1_mm = v80 + v90
-    q2_pp = angle5 + v77
-    q2_pm = angle6 + v78
-    q2_mp = angle7 + v79
-    q2_mm = angle8 + v80
-    q3_pp = angle3 + v77
-    q3_pm = v78 - angle3
-    q3_mp = angle4 + v79
-    q3_mm = v80 - angle4
-    q4_pp = v77 + (v85 + (m10 if v85 <= -half_turn else 0.0))
-    q4_pm = v78 + (v86 + (m10 if v86 <= -half_turn else 0.0))
-    q4_mp = v79 + (v87 + (m10 if v87 <= -half_turn else 0.0))
-    q4_mm = v80 + (v88 + (m10 if v88 <= -half_turn else 0.0))
+    q1_pp = v85 + v89
+    q1_pm = v86 + v89
+    q1_mp = v87 + v90
+    q1_mm = v88 + v90
+    q2_pp = angle5 + v85
+    q2_pm = angle6 + v86
+    q2_mp = angle7 + v87
+    q2_mm = angle8 + v88
+    q3_pp = angle3 + v85
+    q3_pm = v86 - angle3
+    q3_mp = angle4 + v87
+    q3_mm = v88 - angle4
+    q4_pp = v85 + (v80 + (m10 if v80 <= -half_turn else 0.0))
+    q4_pm = v86 + (v81 + (m10 if v81 <= -half_turn else 0.0))
+    q4_mp = v87 + (v82 + (m10 if v82 <= -half_turn else 0.0))
+    q4_mm = v88 + (v83 + (m10 if v83 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1480,32 +1489,32 @@ def _in_tiles(T, q_free, q, status):
             v73 = v69 * v69 + (v61 * v61 + v65 * v65)
             v74 = v70 * v70 + (v62 * v62 + v66 * v66)
             v75 = v71 * v71 + (v63 * v63 + v67 * v67)
-            v76 = math.sqrt(-1.0)
-            v77 = 0.0 if v72 <= m8 else v76
-            v78 = 0.0 if v73 <= m8 else v76
-            v79 = 0.0 if v74 <= m8 else v76
-            v80 = 0.0 if v75 <= m8 else v76
+            v84 = math.sqrt(-1.0)
+            v85 = 0.0 if v72 <= m8 else v84
+            v86 = 0.0 if v73 <= m8 else v84
+            v87 = 0.0 if v74 <= m8 else v84
+            v88 = 0.0 if v75 <= m8 else v84
             v91 = v24 + given1
             v92 = v25 + given1
-            q5_pp = v77 + v91
-            q5_pm = v78 + v91
-            q5_mp = v79 + v92
-            q5_mm = v80 + v92
+            q5_pp = v85 + v91
+            q5_pm = v86 + v91
+            q5_mp = v87 + v92
+            q5_mm = v88 + v92
             doubt1 = (
-                v9 <= m3 or (v4 <= m1 or ((m8 < v75 and v75 <= m9) or (v45 <= m6 or ((m8 < v74 and
-                v74 <= m9) or (v44 <= m6 or ((m8 < v73 and v73 <= m9) or (v43 <= m6 or ((m8 < v72
-                and v72 <= m9) or (v42 <= m6 or (m7 < v59 * v59 + (v57 * v57 + v58 * v58) or
-                ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
-                and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)))))))))))))
+                v9 <= m3 or v4 <= m1 or (m8 < v75 and v75 <= m9) or v45 <= m6 or (m8 < v74 and v74
+                <= m9) or v44 <= m6 or (m8 < v73 and v73 <= m9) or v43 <= m6 or (m8 < v72 and v72 <=
+                m9) or v42 <= m6 or m7 < v59 * v59 + (v57 * v57 + v58 * v58) or (shortest3_reach <=
+                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart))
             )
             work[288 + k] = v3
             work[304 + k] = v24
             work[320 + k] = v25
-            work[336 + k] = v77
-            work[352 + k] = v78
-            work[368 + k] = v79
-            work[384 + k] = v80
+            work[336 + k] = v85
+            work[352 + k] = v86
+            work[368 + k] = v87
+            work[384 + k] = v88
             work[400 + k] = q5_pp
             work[416 + k] = q5_pm
             work[432 + k] = q5_mp
@@ -1533,10 +1542,10 @@ def _in_tiles(T, q_free, q, status):
             v3 = work[288 + k]
             v24 = work[304 + k]
             v25 = work[320 + k]
-            v77 = work[336 + k]
-            v78 = work[352 + k]
-            v79 = work[368 + k]
-            v80 = work[384 + k]
+            v85 = work[336 + k]
+            v86 = work[352 + k]
+            v87 = work[368 + k]
+            v88 = work[384 + k]
             q5_pp = work[400 + k]
             q5_pm = work[416 + k]
             q5_mp = work[432 + k]
@@ -1550,32 +1559,32 @@ def _in_tiles(T, q_free, q, status):
             angle6 = work[560 + k]
             angle7 = work[576 + k]
             angle8 = work[592 + k]
-            v81 = angle2 - (angle3 + angle5) - offset4
-            v82 = angle2 - (angle6 - angle3) - offset4
-            v83 = offset4 + (angle2 + (angle4 + angle7))
-            v84 = offset4 + (angle2 + (angle8 - angle4))
-            v85 = v81 - (m10 if half_turn < v81 else 0.0) + (m10 if v81 <= -half_turn else 0.0)
-            v86 = v82 - (m10 if half_turn < v82 else 0.0) + (m10 if v82 <= -half_turn else 0.0)
-            v87 = (m10 if -v83 <= -half_turn else 0.0) - (v83 + (m10 if half_turn < -v83 else 0.0))
-            v88 = (m10 if -v84 <= -half_turn else 0.0) - (v84 + (m10 if half_turn < -v84 else 0.0))
+            v76 = angle2 - (angle3 + angle5) - offset4
+            v77 = angle2 - (angle6 - angle3) - offset4
+            v78 = offset4 + (angle2 + (angle4 + angle7))
+            v79 = offset4 + (angle2 + (angle8 - angle4))
+            v80 = v76 - (m10 if half_turn < v76 else 0.0) + (m10 if v76 <= -half_turn else 0.0)
+            v81 = v77 - (m10 if half_turn < v77 else 0.0) + (m10 if v77 <= -half_turn else 0.0)
+            v82 = (m10 if -v78 <= -half_turn else 0.0) - (v78 + (m10 if half_turn < -v78 else 0.0))
+            v83 = (m10 if -v79 <= -half_turn else 0.0) - (v79 + (m10 if half_turn < -v79 else 0.0))
             v89 = angle1 + v24
             v90 = v25 + (angle1 - math.copysign(half_turn, -v3) * h1)
-            q1_pp = v77 + v89
-            q1_pm = v78 + v89
-            q1_mp = v79 + v90
-            q1_mm = v80 + v90
-            q2_pp = angle5 + v77
-            q2_pm = angle6 + v78
-            q2_mp = angle7 + v79
-            q2_mm = angle8 + v80
-            q3_pp = angle3 + v77
-            q3_pm = v78 - angle3
-            q3_mp = angle4 + v79
-            q3_mm = v80 - angle4
-            q4_pp = v77 + (v85 + (m10 if v85 <= -half_turn else 0.0))
-            q4_pm = v78 + (v86 + (m10 if v86 <= -half_turn else 0.0))
-            q4_mp = v79 + (v87 + (m10 if v87 <= -half_turn else 0.0))
-            q4_mm = v80 + (v88 + (m10 if v88 <= -half_turn else 0.0))
+            q1_pp = v85 + v89
+            q1_pm = v86 + v89
+            q1_mp = v87 + v90
+            q1_mm = v88 + v90
+            q2_pp = angle5 + v85
+            q2_pm = angle6 + v86
+            q2_mp = angle7 + v87
+            q2_mm = angle8 + v88
+            q3_pp = angle3 + v85
+            q3_pm = v86 - angle3
+            q3_mp = angle4 + v87
+            q3_mm = v88 - angle4
+            q4_pp = v85 + (v80 + (m10 if v80 <= -half_turn else 0.0))
+            q4_pm = v86 + (v81 + (m10 if v81 <= -half_turn else 0.0))
+            q4_mp = v87 + (v82 + (m10 if v82 <= -half_turn else 0.0))
+            q4_mm = v88 + (v83 + (m10 if v83 <= -half_turn else 0.0))
             _736 = q1_pp
             work[736 + k] = _736
             _752 = q2_pp

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -160,20 +125,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -245,6 +197,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -273,14 +227,10 @@ static const double weight[3] = { 1.0, 1.0, 4.0 };
 
 void spherical_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double T11_ = c1 * c2;
-    const double T21_ = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double T11_ = c1 * c2, T21_ = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
     const double T34_ = d1 + c2 * q[2];
     T[0] = T11_; T[1] = -s1; T[2] = -v1; T[3] = -(v1 * q[2]);
     T[4] = T21_; T[5] = c1; T[6] = -v2; T[7] = -(v2 * q[2]);
@@ -291,13 +241,9 @@ void spherical_fk(const double q[3], double T[16])
 
 void spherical_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double v3 = v1 * q[2];
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double v1 = c1 * s2, v2 = s1 * s2, v3 = v1 * q[2];
     const double J11 = v2 * q[2];
     const double v4 = d1 + c2 * q[2] - d1;
     J[0] = J11; J[1] = -(c1 * v4); J[2] = -v1;
@@ -327,16 +273,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide angle1 = atan2_wide(T24, T14);
-    const wide q1_mp = angle1 - copysign_wide(all_wide(half_turn), T24) * h1;
+    const wide v1 = T14 * T14 + T24 * T24, angle1 = atan2_wide(T24, T14),
+        q1_mp = angle1 - copysign_wide(all_wide(half_turn), T24) * h1;
 
     /* theta2, r3 */
-    const wide Y2_2 = T34 - d1;
-    const wide v2 = v1 + Y2_2 * Y2_2;
-    const wide q3_pp = sqrt_wide(v2);
-    const wide angle2 = atan2_wide(-sqrt_wide(v1), Y2_2);
-    const wide q2_pm = angle2 - h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v1));
+    const wide Y2_2 = T34 - d1, v2 = v1 + Y2_2 * Y2_2, q3_pp = sqrt_wide(v2),
+        angle2 = atan2_wide(-sqrt_wide(v1), Y2_2),
+        q2_pm = angle2 - h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v1));
 
     /* joint values */
     const wide_mask doubt1 = (v1 <= m1) | (v2 <= m1);
@@ -370,21 +313,18 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double v1 = T14 * T14 + T24 * T24, v2 = copysign(half_turn, T24);
 
     /* theta2, r3 */
-    const double Y2_2 = T34 - d1;
-    const double v3 = v1 + Y2_2 * Y2_2;
-    const double w3 = sqrt(v3);
-    const double v4 = copysign(half_turn, -sqrt(v1));
+    const double Y2_2 = T34 - d1, v3 = v1 + Y2_2 * Y2_2, w3 = sqrt(v3),
+        v4 = copysign(half_turn, -sqrt(v1));
 
     /* joint values */
     const four q3 = e2 * w3;
     const int doubt1 = (v1 <= m1) | (v3 <= m1);
 
     const four packed1 = atan2_four((four){ T24, -sqrt(v1), T24, T24 }, (four){ T14, Y2_2, T14, T14
-        });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four q1 = angle1 + v2 * (m2 * (e1 - 1.0));
-    const four q2_ = angle2 + v4 * (m2 * (e2 - 1.0)), q2 = e1 * q2_;
+        }), angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four q1 = angle1 + v2 * (m2 * (e1 - 1.0)), q2_ = angle2 + v4 * (m2 * (e2 - 1.0)),
+        q2 = e1 * q2_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -471,8 +411,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : T14 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : T24 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : T14 * factor1,
+            s1 = free1 ? sin(seed[0]) : T24 * factor1;
         const double q1 = atan2(s1, c1);
         const double root1 = w1 * e1;
 
@@ -486,14 +426,12 @@ static void solve(
             /* theta2, r3 */
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
-            const double c2 = free2 ? cos(seed[1]) : Y2_2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : Y2_2 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = r3;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
             status[row] = (free1 || free2) ? SPHERICAL_FREE_JOINT : SPHERICAL_OK;
         }
     }

@@ -83,56 +83,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -161,20 +126,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -246,6 +198,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -281,17 +235,10 @@ static const double weight[3] = { 1.0, 1.0, 44.44444444444444 };
 
 void spherical_offset_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double T11_ = c1 * c2;
-    const double T21_ = s1 * c2;
-    const double T13_ = c1 * s2;
-    const double T23_ = s1 * s2;
-    const double T14_ = T13_ * q[2] - s1 * d2;
-    const double T24_ = c1 * d2 + T23_ * q[2];
-    const double T34_ = c2 * q[2];
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double T11_ = c1 * c2, T21_ = s1 * c2, T13_ = c1 * s2, T23_ = s1 * s2,
+        T14_ = T13_ * q[2] - s1 * d2, T24_ = c1 * d2 + T23_ * q[2], T34_ = c2 * q[2];
     T[0] = T11_; T[1] = -s1; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = c1; T[6] = T23_; T[7] = T24_;
     T[8] = -s2; T[9] = 0.0; T[10] = c2; T[11] = T34_;
@@ -301,17 +248,11 @@ void spherical_offset_fk(const double q[3], double T[16])
 
 void spherical_offset_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double J13 = c1 * s2;
-    const double J23 = s1 * s2;
-    const double J21 = J13 * q[2] - s1 * d2;
-    const double p3_y = c1 * d2 + J23 * q[2];
-    const double p3_z = c2 * q[2];
-    const double J12 = c1 * p3_z;
-    const double J22 = s1 * p3_z;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double J13 = c1 * s2, J23 = s1 * s2, J21 = J13 * q[2] - s1 * d2;
+    const double p3_y = c1 * d2 + J23 * q[2], p3_z = c2 * q[2];
+    const double J12 = c1 * p3_z, J22 = s1 * p3_z;
     J[0] = -p3_y; J[1] = J12; J[2] = J13;
     J[3] = J21; J[4] = J22; J[5] = J23;
     J[6] = 0.0; J[7] = -(s1 * p3_y + c1 * J21); J[8] = c2;
@@ -339,21 +280,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide T34 = T[11];
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
-    const wide angle1 = atan2_wide(-(v2 + v5), v3 - v4), angle2 = atan2_wide(v5 - v2, v3 + v4);
+    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
+        v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1,
+        angle1 = atan2_wide(-(v2 + v5), v3 - v4), angle2 = atan2_wide(v5 - v2, v3 + v4);
 
     /* theta2, r3 */
-    const wide v6 = D1 + T34 * T34;
-    const wide w3 = sqrt_wide(v6);
-    const wide angle3 = atan2_wide(-w1, T34);
-    const wide q2_pm = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
+    const wide v6 = D1 + T34 * T34, w3 = sqrt_wide(v6), angle3 = atan2_wide(-w1, T34),
+        q2_pm = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* joint values */
     const wide q3_pp = v1 + w3, q3_pm = v1 - w3;
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((v6 <= m1) | (N1 <= doubt_limit_squared2));
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (v6 <= m1) | (N1 <= doubt_limit_squared2);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_pp;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -381,24 +318,20 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
     const double T34 = T[11];
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
+        v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta2, r3 */
-    const double v6 = D1 + T34 * T34;
-    const double w3 = sqrt(v6);
-    const double v7 = copysign(half_turn, -w1);
+    const double v6 = D1 + T34 * T34, w3 = sqrt(v6), v7 = copysign(half_turn, -w1);
 
     /* joint values */
     const four q3 = v1 + e2 * w3;
-    const int doubt1 = (fabs(D1) <= k2) | ((v6 <= m1) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= k2) | (v6 <= m1) | (N1 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(-(v2 + e1 * v5), all_four(-w1), 0, 5, 2,
-        3), __builtin_shufflevector(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3));
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+        3), __builtin_shufflevector(v3 - e1 * v4, all_four(T34), 0, 5, 2, 3)),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
     const four q2_ = angle2 + v7 * (m2 * (e2 - 1.0)), q2 = e1 * q2_;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
@@ -480,8 +413,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
-    const double v1 = T14 * d2;
-    const double v2 = T24 * d2;
+    const double v1 = T14 * d2, v2 = T24 * d2;
 
     /* theta2, r3, type 4: U1[1, 4] and U1[2, 4] */
     const double v3 = T34 * T34;
@@ -491,8 +423,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T14 * root1);
-        const double s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T24 * root1));
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T14 * root1),
+            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T24 * root1));
         const double q1 = atan2(s1, c1);
 
         /* theta2, r3 */
@@ -505,14 +437,12 @@ static void solve(
             /* theta2, r3 */
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
-            const double c2 = free2 ? cos(seed[1]) : T34 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : T34 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = r3;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
             status[row] = (free1 || free2) ? SPHERICAL_OFFSET_FREE_JOINT : SPHERICAL_OFFSET_OK;
         }
     }

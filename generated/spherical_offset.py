@@ -349,7 +349,7 @@ def _regular(pose, q, status):
     # joint values
     q3_pp = v1 + w3
     q3_pm = v1 - w3
-    doubt1 = abs(D1) <= k2 or (v6 <= m1 or N1 <= doubt_limit_squared2)
+    doubt1 = abs(D1) <= k2 or v6 <= m1 or N1 <= doubt_limit_squared2
 
     # angles, side by side
     room[0] = -(v2 + v5)
@@ -598,7 +598,7 @@ def _in_tiles(T, q, status):
             w3 = math.sqrt(v6)
             q3_pp = v1 + w3
             q3_pm = v1 - w3
-            doubt1 = abs(D1) <= k2 or (v6 <= m1 or N1 <= doubt_limit_squared2)
+            doubt1 = abs(D1) <= k2 or v6 <= m1 or N1 <= doubt_limit_squared2
             work[272 + k] = w1
             work[288 + k] = q3_pp
             work[304 + k] = q3_pm

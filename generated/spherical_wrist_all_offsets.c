@@ -84,56 +84,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -173,7 +138,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -195,14 +160,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -271,6 +228,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -338,48 +297,30 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
     const double v3 = s2 * c3 + c2 * s3;
-    const double z3_x = v1 * c3 + x2_x * s3;
-    const double z3_y = v2 * c3 + x2_y * s3;
+    const double z3_x = v1 * c3 + x2_x * s3, z3_y = v2 * c3 + x2_y * s3;
     const double y4_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double v4 = v3 * c4;
-    const double v5 = s1 * c4 + x3_x * s4;
-    const double z4_y = c1 * c4 - x3_y * s4;
-    const double z4_z = v3 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - z3_x * s5;
-    const double x5_y = x4_y * c5 - z3_y * s5;
-    const double x5_z = y4_z * s5 - v4 * c5;
-    const double T13_ = z3_x * c5 + x4_x * s5;
-    const double T23_ = z3_y * c5 + x4_y * s5;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4;
+    const double v4 = v3 * c4, v5 = s1 * c4 + x3_x * s4;
+    const double z4_y = c1 * c4 - x3_y * s4, z4_z = v3 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - z3_x * s5, x5_y = x4_y * c5 - z3_y * s5,
+        x5_z = y4_z * s5 - v4 * c5;
+    const double T13_ = z3_x * c5 + x4_x * s5, T23_ = z3_y * c5 + x4_y * s5;
     const double v6 = y4_z * c5 + v4 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - v5 * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = z4_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 + z3_x * d4 + T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3 - c1 * d3 + z3_y * d4 + T23_ * d6;
-    const double T34_ = d1 - s2 * a2 - v3 * a3 + -y4_z * d4 - v6 * d6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - v5 * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T22_ = z4_y * c6 - x5_y * s6, T32_ = z4_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 + z3_x * d4 + T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3 - c1 * d3 + z3_y * d4 + T23_ * d6,
+        T34_ = d1 - s2 * a2 - v3 * a3 + -y4_z * d4 - v6 * d6;
     T[0] = T11_; T[1] = -(v5 * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -v6; T[11] = T34_;
@@ -389,65 +330,40 @@ void spherical_wrist_all_offsets_fk(const double q[6], double T[16])
 
 void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_z = d1 - s2 * a2;
-    const double p2_x = p1_x + x2_x * a2 - s1 * d2;
-    const double p2_y = p1_y + x2_y * a2 + c1 * d2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_z = d1 - s2 * a2, p2_x = p1_x + x2_x * a2 - s1 * d2,
+        p2_y = p1_y + x2_y * a2 + c1 * d2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3;
     const double v3 = s2 * c3 + c2 * s3;
-    const double J44 = v1 * c3 + x2_x * s3;
-    const double J54 = v2 * c3 + x2_y * s3;
+    const double J44 = v1 * c3 + x2_x * s3, J54 = v2 * c3 + x2_y * s3;
     const double y4_z = s2 * s3 - c2 * c3;
-    const double p3_z = p2_z - v3 * a3;
-    const double p3_x = p2_x + x3_x * a3 + s1 * d3;
-    const double p3_y = p2_y + x3_y * a3 - c1 * d3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
+    const double p3_z = p2_z - v3 * a3, p3_x = p2_x + x3_x * a3 + s1 * d3,
+        p3_y = p2_y + x3_y * a3 - c1 * d3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double v4 = s1 * c4 + x3_x * s4;
-    const double J55 = c1 * c4 - x3_y * s4;
-    const double J65 = v3 * s4;
-    const double p4_x = p3_x + J44 * d4;
-    const double p4_y = p3_y + J54 * d4;
-    const double p4_z = p3_z + -y4_z * d4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = J44 * c5 + (x3_x * c4 - s1 * s4) * s5;
-    const double J56 = J54 * c5 + (x3_y * c4 + c1 * s4) * s5;
+    const double J55 = c1 * c4 - x3_y * s4, J65 = v3 * s4;
+    const double p4_x = p3_x + J44 * d4, p4_y = p3_y + J54 * d4, p4_z = p3_z + -y4_z * d4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = J44 * c5 + (x3_x * c4 - s1 * s4) * s5,
+        J56 = J54 * c5 + (x3_y * c4 + c1 * s4) * s5;
     const double v5 = y4_z * c5 + v3 * c4 * s5;
     const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z - v5 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z - v5 * d6;
     const double v6 = p6_z - d1;
-    const double J12 = c1 * v6;
-    const double J22 = s1 * v6;
+    const double J12 = c1 * v6, J22 = s1 * v6;
     const double v7 = p6_z - p2_z;
-    const double J13 = c1 * v7;
-    const double J23 = s1 * v7;
-    const double v8 = J21 - p3_x;
-    const double v9 = p6_y - p3_y;
-    const double v10 = p6_z - p3_z;
-    const double J14 = J54 * v10 - -y4_z * v9;
-    const double J24 = -y4_z * v8 - J44 * v10;
-    const double J34 = J44 * v9 - J54 * v8;
-    const double v11 = J21 - p4_x;
-    const double v12 = p6_y - p4_y;
-    const double v13 = p6_z - p4_z;
-    const double J15 = J55 * v13 - J65 * v12;
-    const double J25 = J65 * v11 + v4 * v13;
-    const double J16 = J56 * v13 + v5 * v12;
-    const double J36 = J46 * v12 - J56 * v11;
+    const double J13 = c1 * v7, J23 = s1 * v7;
+    const double v8 = J21 - p3_x, v9 = p6_y - p3_y, v10 = p6_z - p3_z;
+    const double J14 = J54 * v10 - -y4_z * v9, J24 = -y4_z * v8 - J44 * v10,
+        J34 = J44 * v9 - J54 * v8;
+    const double v11 = J21 - p4_x, v12 = p6_y - p4_y, v13 = p6_z - p4_z;
+    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 + v4 * v13,
+        J16 = J56 * v13 + v5 * v12, J36 = J46 * v12 - J56 * v11;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = -(v5 * v11 + J46 * v13);
     J[12] = 0.0; J[13] = -(s1 * (p6_y - p1_y) + c1 * (J21 - p1_x));
@@ -462,13 +378,16 @@ void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -515,128 +434,107 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide wx = T14 - d6 * T13;
-    const wide Y1 = d6 * T23 - T24;
-    const wide N1 = wx * wx + Y1 * Y1;
-    const wide D1 = N1 - k2;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (k1 * Y1), v2 = v1 + w1 * (wx * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -wx), v4 = inverse1 * (k1 * wx);
-    const wide s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
+    const wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
+        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1),
+        v2 = v1 + w1 * (wx * inverse1), v3 = v1 + w1 * (inverse1 * -wx), v4 = inverse1 * (k1 * wx),
+        s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3;
-    const wide N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle1 = atan2_wide(w3_p, N3_p - k7), angle2 = atan2_wide(w3_m, N3_m - k7);
-    const wide q3__pp = angle1 - turn1;
-    const wide v8 = turn1 + angle1;
-    const wide q3__mp = angle2 - turn1;
-    const wide v9 = turn1 + angle2;
+    const wide Z1_3 = T34 - d6 * T33 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
+        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
+        angle1 = atan2_wide(w3_p, N3_p - k7), angle2 = atan2_wide(w3_m, N3_m - k7),
+        q3__pp = angle1 - turn1, v8 = turn1 + angle1, q3__mp = angle2 - turn1, v9 = turn1 + angle2;
 
     /* theta2 */
-    const wide v10 = Z1_3 * (m2 + m1 * N3_p), v11 = Z1_3 * (m2 + m1 * N3_m);
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
-    const wide v12 = v5 * (m1 + m2 * factor2_p), v13 = v6 * (m1 + m2 * factor2_m);
-    const wide v14 = w3_p * (m1 * v5);
-    const wide angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 *
-        factor2_p))));
-    const wide angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 *
-        factor2_p))));
-    const wide angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 *
-        (Z1_3 * factor2_m))));
-    const wide angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 *
-        (-Z1_3 * factor2_m))));
+    const wide v10 = Z1_3 * (m2 + m1 * N3_p), v11 = Z1_3 * (m2 + m1 * N3_m), factor2_p = 1.0 / N3_p,
+        factor2_m = 1.0 / N3_m, v12 = v5 * (m1 + m2 * factor2_p), v13 = v6 * (m1 + m2 * factor2_m),
+        v14 = w3_p * (m1 * v5),
+        angle3 = atan2_wide(-(factor2_p * (v10 - v14)), -(v12 + w3_p * (m1 * (Z1_3 * factor2_p)))),
+        angle4 = atan2_wide(-(factor2_p * (v10 + v14)), -(v12 + w3_p * (m1 * (-Z1_3 * factor2_p)))),
+        angle5 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * v6))), -(v13 + w3_m * (m1 * (Z1_3 *
+            factor2_m)))),
+        angle6 = atan2_wide(-(factor2_m * (v11 - w3_m * (m1 * -v6))), -(v13 + w3_m * (m1 * (-Z1_3 *
+            factor2_m))));
 
     /* theta4 */
-    const wide v15 = m3 * Z1_3, v16 = m4 - m5 * factor2_p, v17 = m4 - m5 * factor2_m;
-    const wide v18 = m6 * factor2_p - m3, v19 = m6 * factor2_m - m3, v20 = Z1_3 * v16 + v5 * v18;
-    const wide v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m4 * v5));
-    const wide c23_pp = v20 + v22, c23_pm = v20 - v22;
-    const wide v23 = w3_m * (factor2_m * (v15 + m4 * v6));
-    const wide c23_mp = v21 + v23, c23_mm = v21 - v23;
-    const wide v24 = m4 * Z1_3, v25 = v24 - m3 * v5, v26 = v24 - m3 * v6;
-    const wide v27 = Z1_3 * v18 + v5 * -v16, v28 = Z1_3 * v19 + v6 * -v17;
-    const wide s23_pp = v27 + w3_p * (factor2_p * v25), s23_pm = v27 + w3_p * (factor2_p * -v25);
-    const wide s23_mp = v28 + w3_m * (factor2_m * v26), s23_mm = v28 + w3_m * (factor2_m * -v26);
-    const wide v29 = T23 * s1_p - T13 * v2, v30 = T23 * s1_m - T13 * v3;
-    const wide X4_pp = c23_pp * v29 - T33 * s23_pp, X4_pm = c23_pm * v29 - T33 * s23_pm;
-    const wide X4_mp = c23_mp * v30 - T33 * s23_mp, X4_mm = c23_mm * v30 - T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v2, Y4_m = T13 * s1_m + T23 * v3;
-    const wide v31 = Y4_p * Y4_p, v32 = Y4_m * Y4_m, v33 = v31 + X4_pp * X4_pp;
-    const wide v34 = v31 + X4_pm * X4_pm, v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm;
-    const wide angle7 = atan2_wide(Y4_p, -X4_pp), angle8 = atan2_wide(Y4_p, -X4_pm);
-    const wide angle9 = atan2_wide(Y4_m, -X4_mp), angle10 = atan2_wide(Y4_m, -X4_mm);
-    const wide v37 = copysign_wide(all_wide(half_turn), Y4_p) * h1;
-    const wide v38 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
-    const wide q4_ppm = angle7 - v37, q4_pmm = angle8 - v37, q4_mpm = angle9 - v38;
-    const wide q4_mmm = angle10 - v38;
+    const wide v15 = m3 * Z1_3, v16 = m4 - m5 * factor2_p, v17 = m4 - m5 * factor2_m,
+        v18 = m6 * factor2_p - m3, v19 = m6 * factor2_m - m3, v20 = Z1_3 * v16 + v5 * v18,
+        v21 = Z1_3 * v17 + v6 * v19, v22 = w3_p * (factor2_p * (v15 + m4 * v5)), c23_pp = v20 + v22,
+        c23_pm = v20 - v22, v23 = w3_m * (factor2_m * (v15 + m4 * v6)), c23_mp = v21 + v23,
+        c23_mm = v21 - v23, v24 = m4 * Z1_3, v25 = v24 - m3 * v5, v26 = v24 - m3 * v6,
+        v27 = Z1_3 * v18 + v5 * -v16, v28 = Z1_3 * v19 + v6 * -v17,
+        s23_pp = v27 + w3_p * (factor2_p * v25), s23_pm = v27 + w3_p * (factor2_p * -v25),
+        s23_mp = v28 + w3_m * (factor2_m * v26), s23_mm = v28 + w3_m * (factor2_m * -v26),
+        v29 = T23 * s1_p - T13 * v2, v30 = T23 * s1_m - T13 * v3,
+        X4_pp = c23_pp * v29 - T33 * s23_pp, X4_pm = c23_pm * v29 - T33 * s23_pm,
+        X4_mp = c23_mp * v30 - T33 * s23_mp, X4_mm = c23_mm * v30 - T33 * s23_mm,
+        Y4_p = T13 * s1_p + T23 * v2, Y4_m = T13 * s1_m + T23 * v3, v31 = Y4_p * Y4_p,
+        v32 = Y4_m * Y4_m, v33 = v31 + X4_pp * X4_pp, v34 = v31 + X4_pm * X4_pm,
+        v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm, angle7 = atan2_wide(Y4_p, -X4_pp),
+        angle8 = atan2_wide(Y4_p, -X4_pm), angle9 = atan2_wide(Y4_m, -X4_mp),
+        angle10 = atan2_wide(Y4_m, -X4_mm), v37 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
+        v38 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
 
     /* theta5 */
-    const wide angle11 = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29);
-    const wide angle12 = atan2_wide(-sqrt_wide(v34), T33 * c23_pm + s23_pm * v29);
-    const wide angle13 = atan2_wide(-sqrt_wide(v35), T33 * c23_mp + s23_mp * v30);
-    const wide angle14 = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
+    const wide angle11 = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29),
+        angle12 = atan2_wide(-sqrt_wide(v34), T33 * c23_pm + s23_pm * v29),
+        angle13 = atan2_wide(-sqrt_wide(v35), T33 * c23_mp + s23_mp * v30),
+        angle14 = atan2_wide(-sqrt_wide(v36), T33 * c23_mm + s23_mm * v30);
 
     /* theta6 */
-    const wide v39 = s1_p * T12 + v2 * T22, v40 = s1_m * T12 + v3 * T22;
-    const wide v41 = s1_p * T22 - v2 * T12, v42 = s1_m * T22 - v3 * T12;
-    const wide v43 = s1_p * T11 + v2 * T21, v44 = s1_m * T11 + v3 * T21;
-    const wide v45 = s1_p * T21 - v2 * T11, v46 = s1_m * T21 - v3 * T11;
-    const wide angle15 = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp
-        * v39 + Y4_p * (c23_pp * v41 - s23_pp * T32)));
-    const wide angle16 = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm
-        * v39 + Y4_p * (c23_pm * v41 - s23_pm * T32)));
-    const wide angle17 = atan2_wide(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)), -(-X4_mp
-        * v40 + Y4_m * (c23_mp * v42 - s23_mp * T32)));
-    const wide angle18 = atan2_wide(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)), -(-X4_mm
-        * v40 + Y4_m * (c23_mm * v42 - s23_mm * T32)));
-    const wide q6_ppm = angle15 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pp * v43 + Y4_p *
-        (c23_pp * v45 - s23_pp * T31)));
-    const wide q6_pmm = angle16 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pm * v43 + Y4_p *
-        (c23_pm * v45 - s23_pm * T31)));
-    const wide q6_mpm = angle17 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mp * v44 + Y4_m *
-        (c23_mp * v46 - s23_mp * T31)));
-    const wide q6_mmm = angle18 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mm * v44 + Y4_m *
-        (c23_mm * v46 - s23_mm * T31)));
+    const wide v39 = s1_p * T12 + v2 * T22, v40 = s1_m * T12 + v3 * T22,
+        v41 = s1_p * T22 - v2 * T12, v42 = s1_m * T22 - v3 * T12, v43 = s1_p * T11 + v2 * T21,
+        v44 = s1_m * T11 + v3 * T21, v45 = s1_p * T21 - v2 * T11, v46 = s1_m * T21 - v3 * T11,
+        angle15 = atan2_wide(-(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)), -(-X4_pp * v39
+            + Y4_p * (c23_pp * v41 - s23_pp * T32))),
+        angle16 = atan2_wide(-(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)), -(-X4_pm * v39
+            + Y4_p * (c23_pm * v41 - s23_pm * T32))),
+        angle17 = atan2_wide(-(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)), -(-X4_mp * v40
+            + Y4_m * (c23_mp * v42 - s23_mp * T32))),
+        angle18 = atan2_wide(-(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)), -(-X4_mm * v40
+            + Y4_m * (c23_mm * v42 - s23_mm * T32)));
 
     /* joint values */
-    const wide q3_ppp = q3__pp - only_wide(half_turn < q3__pp, m9);
-    const wide q3_mpp = q3__mp - only_wide(half_turn < q3__mp, m9);
-    const wide angle19 = atan2_wide(s1_p, -v2);
-    const wide q1_ppp = angle19 + (w3_p - w3_p);
-    const wide angle20 = atan2_wide(s1_m, -v3);
-    const wide q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((abs_wide(D1) <= k3) | ((N1
-        <= doubt_limit_squared2) | ((v36 <= m7) | ((v35 <= m7) | ((v33 <= m7) | (v34 <= m7)))))))));
+    const wide q3_ppp = q3__pp - only_wide(half_turn < q3__pp, m9),
+        q3_mpp = q3__mp - only_wide(half_turn < q3__mp, m9), angle19 = atan2_wide(s1_p, -v2),
+        q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
+        q1_mpp = angle20 + (w3_m - w3_m);
+    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+        longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (abs_wide(D1) <= k3) | (N1 <=
+        doubt_limit_squared2) | (v36 <= m7) | (v35 <= m7) | (v33 <= m7) | (v34 <= m7);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = angle3; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle11; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle3; q[8] = q3_ppp; q[9] = angle7 - v37; q[10] = -angle11;
+    q[11] = angle15 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pp * v43 + Y4_p * (c23_pp * v45
+        - s23_pp * T31)));
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = angle4; q[14] = -(v8 + only_wide(half_turn < -v8, m9)); q[15] = angle8;
     q[16] = angle12; q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = angle4; q[20] = -(v8 + only_wide(half_turn < -v8, m9)); q[21] = q4_pmm;
-    q[22] = -angle12; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = -(v8 + only_wide(half_turn < -v8, m9));
+    q[21] = angle8 - v37; q[22] = -angle12;
+    q[23] = angle16 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pm * v43 + Y4_p * (c23_pm * v45
+        - s23_pm * T31)));
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = q3_mpp; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = angle5; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = -angle13;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle5; q[32] = q3_mpp; q[33] = angle9 - v38; q[34] = -angle13;
+    q[35] = angle17 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mp * v44 + Y4_m * (c23_mp * v46
+        - s23_mp * T31)));
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = angle6; q[38] = -(v9 + only_wide(half_turn < -v9, m9)); q[39] = angle10;
     q[40] = angle14; q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = angle6; q[44] = -(v9 + only_wide(half_turn < -v9, m9)); q[45] = q4_mmm;
-    q[46] = -angle14; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = -(v9 + only_wide(half_turn < -v9, m9));
+    q[45] = angle10 - v38; q[46] = -angle14;
+    q[47] = angle18 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mm * v44 + Y4_m * (c23_mm * v46
+        - s23_mm * T31)));
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -655,13 +553,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double wx = T14 - d6 * T13;
-    const double Y1 = d6 * T23 - T24;
-    const double N1 = wx * wx + Y1 * Y1;
-    const double D1 = N1 - k2;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = inverse1 * (k1 * Y1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (k1 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * wx));
     const double v3 = inverse1 * (k1 * wx);
     const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -670,53 +563,43 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four v6 = Z1_3 * (m2 + m1 * N3), v7 = e2 * Z1_3;
-    const four factor2 = 1.0 / N3;
-    const four v8 = v4 * (m1 + m2 * factor2);
+    const four v6 = Z1_3 * (m2 + m1 * N3), v7 = e2 * Z1_3, factor2 = 1.0 / N3,
+        v8 = v4 * (m1 + m2 * factor2);
 
     /* theta4 */
     const double v9 = m3 * Z1_3;
-    const four v10 = v9 + m4 * v4, v11 = m4 - m5 * factor2, v12 = m6 * factor2 - m3;
-    const four v13 = Z1_3 * v11 + v4 * v12;
-    const four c23 = v13 + w3 * (factor2 * (e2 * v10));
+    const four v10 = v9 + m4 * v4, v11 = m4 - m5 * factor2, v12 = m6 * factor2 - m3,
+        v13 = Z1_3 * v11 + v4 * v12, c23 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m4 * Z1_3;
-    const four v15 = v14 - m3 * v4, v16 = Z1_3 * v12 + v4 * -v11;
-    const four s23 = v16 + w3 * (factor2 * (e2 * v15));
-    const four v17 = T23 * s1 - T13 * v2;
-    const four X4 = c23 * v17 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v2;
-    const four v18 = Y4 * Y4, v19 = v18 + X4 * X4;
+    const four v15 = v14 - m3 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+        s23 = v16 + w3 * (factor2 * (e2 * v15)), v17 = T23 * s1 - T13 * v2,
+        X4 = c23 * v17 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v18 = Y4 * Y4, v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m7;
     const four v20 = copysign_four(all_four(half_turn), Y4) * h1;
 
     /* theta6 */
-    const four v21 = s1 * T12 + v2 * T22, v22 = s1 * T22 - v2 * T12, v23 = s1 * T11 + v2 * T21;
-    const four v24 = s1 * T21 - v2 * T11;
+    const four v21 = s1 * T12 + v2 * T22, v22 = s1 * T22 - v2 * T12, v23 = s1 * T11 + v2 * T21,
+        v24 = s1 * T21 - v2 * T11;
 
     /* joint values */
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k3);
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
     const four angle2 = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
-        * factor2)))), angle3 = atan2_four(Y4, -X4);
-    const four angle4 = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
-    const four angle5 = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 *
-        (c23 * v22 - s23 * T32)));
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, s1, 0, 5, 2, 7),
-        __builtin_shufflevector(N3 - k7, -v2, 0, 5, 2, 7));
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four q3_ = e2 * angle1 - turn1;
-    const four q4_m = angle3 - v20;
-    const four q6_m = angle5 - h1 * copysign_four(all_four(half_turn), -(-X4 * v23 + Y4 * (c23 * v24
-        - s23 * T31)));
-    const four q3_p = q3_ - only_four(half_turn < q3_, m9);
-    const four q1_p = angle6 + (w3 - w3);
+        * factor2)))), angle3 = atan2_four(Y4, -X4),
+        angle4 = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17),
+        angle5 = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 * (c23 *
+            v22 - s23 * T32))),
+        packed5 = atan2_four(__builtin_shufflevector(w3, s1, 0, 5, 2, 7), __builtin_shufflevector(N3
+            - k7, -v2, 0, 5, 2, 7)), angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v20,
+        q6_m = angle5 - h1 * copysign_four(all_four(half_turn), -(-X4 * v23 + Y4 * (c23 * v24 - s23
+            * T31))), q3_p = q3_ - only_four(half_turn < q3_, m9), q1_p = angle6 + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -802,8 +685,7 @@ static void solve(
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
-    const double v1 = wx * k1;
-    const double v2 = Y1 * k1;
+    const double v1 = wx * k1, v2 = Y1 * k1;
 
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
@@ -815,8 +697,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + wx * root1));
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v1);
+        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + wx * root1)),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -827,8 +709,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v5 = k5 * K3;
-        const double v6 = k6 * K3;
+        const double v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v8 = T13 * c1 + T23 * s1;
@@ -836,18 +717,15 @@ static void solve(
         const double v9 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v10 = T12 * s1 - T22 * c1;
-        const double v11 = T12 * c1 + T22 * s1;
-        const double v13 = T11 * s1 - T21 * c1;
-        const double v14 = T11 * c1 + T21 * s1;
+        const double v10 = T12 * s1 - T22 * c1, v11 = T12 * c1 + T22 * s1,
+            v13 = T11 * s1 - T21 * c1, v14 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v5 + k6 * root3) * k8;
-            const double c3 = k8 * (v6 - k5 * root3);
+            const double s3 = (v5 + k6 * root3) * k8, c3 = k8 * (v6 - k5 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
@@ -858,13 +736,12 @@ static void solve(
             const double w2 = sqrt(v7 * v7 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(v7 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
             const double X4 = c23 * v8 - T33 * s23;
             const double w4 = sqrt(X4 * X4 + v9);
             const int free4 = w4 <= free_limit;
@@ -874,16 +751,15 @@ static void solve(
             const double c5 = T33 * c23 + s23 * v8;
 
             /* theta6 */
-            const double v12 = c23 * v11 - T32 * s23;
-            const double v15 = c23 * v14 - T31 * s23;
+            const double v12 = c23 * v11 - T32 * s23, v15 = c23 * v14 - T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
@@ -892,11 +768,7 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v13 + s4 * v15), -(c4 * v10 + s4 * v12));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT :
                     SPHERICAL_WRIST_ALL_OFFSETS_OK;

@@ -646,11 +646,11 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v36 <= m7 or
-        (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v36 <= m7 or v35 <= m7
+        or v33 <= m7 or v34 <= m7
     )
 
     # angles, side by side
@@ -1108,11 +1108,11 @@ def _in_tiles(T, q, status):
             v45 = s1_p * T21 - v2 * T11
             v46 = s1_m * T21 - v3 * T11
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (abs(D1) <= k3 or (N1 <=
-                doubt_limit_squared2 or (v36 <= m7 or (v35 <= m7 or (v33 <= m7 or v34 <= m7))))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or abs(D1) <= k3 or N1 <=
+                doubt_limit_squared2 or v36 <= m7 or v35 <= m7 or v33 <= m7 or v34 <= m7
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m

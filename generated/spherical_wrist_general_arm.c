@@ -118,32 +118,14 @@ static void circle_roots(double a0, double a1, double b1, double a2, double b2, 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
-    double reached[16], sum = 0.0, off;
+    static const int named[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
+    double reached[16], sum = 0.0;
     spherical_wrist_general_arm_fk(q, reached);
-    off = 1.0 * (reached[0] - pose[0]);
-    sum += off * off;
-    off = 1.0 * (reached[1] - pose[1]);
-    sum += off * off;
-    off = 1.0 * (reached[2] - pose[2]);
-    sum += off * off;
-    off = 0.6097560975609756 * (reached[3] - pose[3]);
-    sum += off * off;
-    off = 1.0 * (reached[4] - pose[4]);
-    sum += off * off;
-    off = 1.0 * (reached[5] - pose[5]);
-    sum += off * off;
-    off = 1.0 * (reached[6] - pose[6]);
-    sum += off * off;
-    off = 0.6097560975609756 * (reached[7] - pose[7]);
-    sum += off * off;
-    off = 1.0 * (reached[8] - pose[8]);
-    sum += off * off;
-    off = 1.0 * (reached[9] - pose[9]);
-    sum += off * off;
-    off = 1.0 * (reached[10] - pose[10]);
-    sum += off * off;
-    off = 0.6097560975609756 * (reached[11] - pose[11]);
-    sum += off * off;
+    for (int k = 0; k < 9; k++) {
+        const int i = named[k];
+        const double off = (reached[i] - pose[i]) * (i % 4 == 3 ? 0.6097560975609756 : 1.0);
+        sum += off * off;
+    }
     return sqrt(sum);
 }
 
@@ -156,6 +138,8 @@ static const double measure[6] = {
     0.6097560975609756, 0.6097560975609756, 0.6097560975609756, 0.6097560975609756,
     0.6097560975609756, 0.6097560975609756,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -184,15 +168,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     spherical_wrist_general_arm_fk(d->q, P);
     spherical_wrist_general_arm_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.64;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.64;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.64;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.64;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -207,6 +188,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -241,14 +236,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
  * it misses the pose then. */
 static double tightened(struct descent *d, double exact, double q[6], int *moved)
@@ -267,8 +254,7 @@ static double tightened(struct descent *d, double exact, double q[6], int *moved
         if (d->length < least) {
             least = d->length;
             *moved = k > 0;
-            for (int j = 0; j < 6; j++)
-                best[j] = u[j];
+            copy(u, best);
         }
         if (slow || least <= exact)
             break;
@@ -306,9 +292,8 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
     double distance = 1.0; /* arm sizes */
-    distance = fmax(distance, fabs(T[3]) / 1.64);
-    distance = fmax(distance, fabs(T[7]) / 1.64);
-    distance = fmax(distance, fabs(T[11]) / 1.64);
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.64);
     const double exact = 1e-12 * distance;
     int moved[8] = { 0 };
     for (int row = 0; row < 8; row++)
@@ -384,68 +369,43 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double z1_x = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = sa1 * c2;
-    const double y2_x = z1_x * sa2 - v3 * ca2;
-    const double y2_y = v4 * ca2 - v2 * sa2;
-    const double y2_z = v5 * ca2 + f2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2;
+    const double y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2;
     const double z2_x = v3 * sa2 + z1_x * ca2;
     const double v6 = v4 * sa2 + v2 * ca2;
     const double z2_z = f3 - v5 * sa2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3;
-    const double v8 = y2_y * c3 - x2_y * s3;
-    const double v9 = y2_z * c3 - x2_z * s3;
-    const double y3_x = v7 * ca3 - z2_x * sa3;
-    const double y3_y = v8 * ca3 + v6 * sa3;
-    const double y3_z = v9 * ca3 - z2_z * sa3;
-    const double z3_x = v7 * sa3 + z2_x * ca3;
-    const double z3_y = v8 * sa3 - v6 * ca3;
-    const double z3_z = v9 * sa3 + z2_z * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4;
-    const double x4_y = x3_y * c4 + y3_y * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double y5_x = y3_x * c4 - x3_x * s4;
-    const double y5_y = y3_y * c4 - x3_y * s4;
-    const double y5_z = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = z3_x * c5 - x4_x * s5;
-    const double T23_ = z3_y * c5 - x4_y * s5;
-    const double T33_ = z3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6;
-    const double T21_ = x5_y * c6 + y5_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T12_ = y5_x * c6 - x5_x * s6;
-    const double T22_ = y5_y * c6 - x5_y * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ *
-        d6;
-    const double T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6;
-    const double T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
+    const double y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
+        y3_z = v9 * ca3 - z2_z * sa3;
+    const double z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
+        z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double y5_x = y3_x * c4 - x3_x * s4, y5_y = y3_y * c4 - x3_y * s4,
+        y5_z = y3_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
+        T33_ = z3_z * c5 - x4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
+        T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6,
+        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -455,89 +415,50 @@ void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 
 void spherical_wrist_general_arm_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = s1 * ca1;
     const double y1_y = c1 * ca1;
     const double J42 = s1 * sa1;
     const double v2 = c1 * sa1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = sa1 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2;
-    const double p2_y = p1_y + x2_y * a2 - v2 * d2;
-    const double p2_z = d1 + x2_z * a2 + g1;
-    const double y2_x = J42 * sa2 - v3 * ca2;
-    const double y2_y = v4 * ca2 - v2 * sa2;
-    const double y2_z = v5 * ca2 + g2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2;
+    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
+        p2_z = d1 + x2_z * a2 + g1;
+    const double y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g2;
     const double J43 = v3 * sa2 + J42 * ca2;
     const double v6 = v4 * sa2 + v2 * ca2;
     const double J63 = g3 - v5 * sa2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3;
-    const double v8 = y2_y * c3 - x2_y * s3;
-    const double v9 = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + x3_x * a3 + J43 * d3;
-    const double p3_y = p2_y + x3_y * a3 - v6 * d3;
-    const double p3_z = p2_z + x3_z * a3 + J63 * d3;
-    const double y3_x = v7 * ca3 - J43 * sa3;
-    const double y3_y = v8 * ca3 + v6 * sa3;
-    const double y3_z = v9 * ca3 - J63 * sa3;
-    const double J44 = v7 * sa3 + J43 * ca3;
-    const double J54 = v8 * sa3 - v6 * ca3;
-    const double J64 = v9 * sa3 + J63 * ca3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double p4_x = p3_x + J44 * d4;
-    const double p4_y = p3_y + J54 * d4;
-    const double p4_z = p3_z + J64 * d4;
-    const double J45 = x3_x * s4 - y3_x * c4;
-    const double J55 = x3_y * s4 - y3_y * c4;
-    const double J65 = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5;
-    const double J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5;
-    const double J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5;
-    const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z + J66 * d6;
-    const double v10 = J21 - p1_x;
-    const double v11 = p6_y - p1_y;
-    const double v12 = p6_z - d1;
-    const double J22 = ca1 * v10 - J42 * v12;
-    const double J32 = J42 * v11 + v2 * v10;
-    const double v13 = J21 - p2_x;
-    const double v14 = p6_y - p2_y;
-    const double v15 = p6_z - p2_z;
-    const double J23 = J63 * v13 - J43 * v15;
-    const double J33 = J43 * v14 + v6 * v13;
-    const double v16 = J21 - p3_x;
-    const double v17 = p6_y - p3_y;
-    const double v18 = p6_z - p3_z;
-    const double J14 = J54 * v18 - J64 * v17;
-    const double J24 = J64 * v16 - J44 * v18;
-    const double J34 = J44 * v17 - J54 * v16;
-    const double v19 = J21 - p4_x;
-    const double v20 = p6_y - p4_y;
-    const double v21 = p6_z - p4_z;
-    const double J15 = J55 * v21 - J65 * v20;
-    const double J25 = J65 * v19 - J45 * v21;
-    const double J35 = J45 * v20 - J55 * v19;
-    const double J16 = J56 * v21 - J66 * v20;
-    const double J26 = J66 * v19 - J46 * v21;
-    const double J36 = J46 * v20 - J56 * v19;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3;
+    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
+    const double p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 - v6 * d3,
+        p3_z = p2_z + x3_z * a3 + J63 * d3;
+    const double y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3,
+        y3_z = v9 * ca3 - J63 * sa3;
+    const double J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double p4_x = p3_x + J44 * d4, p4_y = p3_y + J54 * d4, p4_z = p3_z + J64 * d4;
+    const double J45 = x3_x * s4 - y3_x * c4, J55 = x3_y * s4 - y3_y * c4,
+        J65 = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5,
+        J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5,
+        J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5, J21 = p4_x + J46 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6;
+    const double v10 = J21 - p1_x, v11 = p6_y - p1_y, v12 = p6_z - d1;
+    const double J22 = ca1 * v10 - J42 * v12, J32 = J42 * v11 + v2 * v10;
+    const double v13 = J21 - p2_x, v14 = p6_y - p2_y, v15 = p6_z - p2_z;
+    const double J23 = J63 * v13 - J43 * v15, J33 = J43 * v14 + v6 * v13;
+    const double v16 = J21 - p3_x, v17 = p6_y - p3_y, v18 = p6_z - p3_z;
+    const double J14 = J54 * v18 - J64 * v17, J24 = J64 * v16 - J44 * v18,
+        J34 = J44 * v17 - J54 * v16;
+    const double v19 = J21 - p4_x, v20 = p6_y - p4_y, v21 = p6_z - p4_z;
+    const double J15 = J55 * v21 - J65 * v20, J25 = J65 * v19 - J45 * v21,
+        J35 = J45 * v20 - J55 * v19, J16 = J56 * v21 - J66 * v20, J26 = J66 * v19 - J46 * v21,
+        J36 = J46 * v20 - J56 * v19;
     J[0] = -p6_y; J[1] = -(v2 * v12 + ca1 * v11); J[2] = -(v6 * v15 + J63 * v14); J[3] = J14;
     J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -551,13 +472,16 @@ void spherical_wrist_general_arm_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -609,60 +533,38 @@ static void solve(
     const double wy = T24 - d6 * T23;
     const double R1c1 = wy * sa1;
     const double wx = T14 - d6 * T13;
-    const double v2 = sa1 * wx;
-    const double v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8));
+    const double v2 = sa1 * wx, v3 = wx * wx + (wy * wy + (wz * (wz - k7) + k8));
     const double R2c1 = 2.0 * (wx * a1);
     const double R2s1 = 2.0 * (wy * a1);
-    const double v4 = k4 * v3 + k5 * -v1;
-    const double v5 = k4 * R2c1 - k5 * R1c1;
-    const double v6 = k4 * R2s1 + k5 * v2;
-    const double v7 = k3 * -v1 + k2 * v3;
-    const double v8 = k3 * R1c1 - k2 * R2c1;
-    const double v9 = k3 * v2 + k2 * R2s1;
-    const double v10 = v5 * v5;
-    const double v11 = v6 * v6;
-    const double v12 = 2.0 * v4;
-    const double v13 = v8 * v8;
-    const double v14 = v9 * v9;
-    const double v15 = 2.0 * v7;
+    const double v4 = k4 * v3 + k5 * -v1, v5 = k4 * R2c1 - k5 * R1c1, v6 = k4 * R2s1 + k5 * v2,
+        v7 = k3 * -v1 + k2 * v3, v8 = k3 * R1c1 - k2 * R2c1, v9 = k3 * v2 + k2 * R2s1,
+        v10 = v5 * v5, v11 = v6 * v6, v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7;
     double x1_roots[4];
     circle_roots(v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10, v8 * v15 - v5 *
         v12, -(v6 * v12 + v9 * v15), k9 * (v10 - v11) + k9 * (v13 - v14), v5 * v6 - v8 * v9,
         x1_roots);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v16 = ca1 * wy;
-    const double v17 = ca1 * wx;
-    const double v18 = sa1 * (wz - d1);
+    const double v16 = ca1 * wy, v17 = ca1 * wx, v18 = sa1 * (wz - d1);
 
     /* theta4, type 2: U4[3, 3] */
-    const double v20 = ca1 * T23;
-    const double v21 = ca1 * T13;
-    const double v22 = T33 * sa1;
-    const double v26 = T23 * sa1;
-    const double v27 = sa1 * T13;
-    const double v28 = T33 * ca1;
+    const double v20 = ca1 * T23, v21 = ca1 * T13, v22 = T33 * sa1, v26 = T23 * sa1,
+        v27 = sa1 * T13, v28 = T33 * ca1;
 
     /* theta6, type 3: U1[3, 1] and U1[3, 2] */
-    const double v39 = T21 * sa1;
-    const double v40 = sa1 * T11;
-    const double v41 = T31 * ca1;
-    const double v42 = T22 * sa1;
-    const double v43 = sa1 * T12;
-    const double v44 = T32 * ca1;
+    const double v39 = T21 * sa1, v40 = sa1 * T11, v41 = T31 * ca1, v42 = T22 * sa1,
+        v43 = sa1 * T12, v44 = T32 * ca1;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
         /* theta1 */
         if (!(x1 <= 4.0)) continue; /* out of reach */
-        const double c1 = cos(x1);
-        const double s1 = sin(x1);
+        const double c1 = cos(x1), s1 = sin(x1);
 
         /* theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1 */
         const double Z1_3 = v1 + (v2 * s1 - R1c1 * c1);
         const double Z2_3 = v3 - (R2c1 * c1 + R2s1 * s1);
-        const double s3 = (k3 * Z1_3 - k2 * Z2_3) * k11;
-        const double c3 = (k4 * Z2_3 - k5 * Z1_3) * k11;
+        const double s3 = (k3 * Z1_3 - k2 * Z2_3) * k11, c3 = (k4 * Z2_3 - k5 * Z1_3) * k11;
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
@@ -675,24 +577,17 @@ static void solve(
         const double w2 = sqrt(S2 * S2 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-        const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+        const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+            s2 = free2 ? sin(seed[1]) : S2 * factor2;
         const double q2 = atan2(s2, c2);
 
         /* theta4 */
-        const double v19 = T13 * c1 + T23 * s1;
-        const double v23 = s1 * v21 - c1 * v20 - v22;
-        const double v24 = ca2 * v23;
-        const double v25 = ca2 * v19;
-        const double v29 = s1 * v27 - c1 * v26 + v28;
-        const double v30 = c2 * (c3 * v19 - s3 * v24) - s2 * (c3 * v23 + s3 * v25) + sa2 * (s3 *
-            v29);
-        const double v31 = sa2 * v23;
-        const double v32 = sa2 * v19;
-        const double v33 = sa2 * v29;
-        const double v34 = ca2 * v29;
-        const double v35 = c2 * (c3 * (ca3 * v24) + s3 * (ca3 * v19) + sa3 * v31) + s2 * (c3 * (ca3
-            * v25) - s3 * (ca3 * v23) + sa3 * v32) + (sa3 * v34 - c3 * (ca3 * v33));
+        const double v19 = T13 * c1 + T23 * s1, v23 = s1 * v21 - c1 * v20 - v22, v24 = ca2 * v23,
+            v25 = ca2 * v19, v29 = s1 * v27 - c1 * v26 + v28,
+            v30 = c2 * (c3 * v19 - s3 * v24) - s2 * (c3 * v23 + s3 * v25) + sa2 * (s3 * v29),
+            v31 = sa2 * v23, v32 = sa2 * v19, v33 = sa2 * v29, v34 = ca2 * v29,
+            v35 = c2 * (c3 * (ca3 * v24) + s3 * (ca3 * v19) + sa3 * v31) + s2 * (c3 * (ca3 * v25) -
+                s3 * (ca3 * v23) + sa3 * v32) + (sa3 * v34 - c3 * (ca3 * v33));
         const double w4 = sqrt(v30 * v30 + v35 * v35);
         const int free4 = w4 <= free_limit;
         const double divisor4 = free4 ? 1.0 : w4;
@@ -702,9 +597,7 @@ static void solve(
             - ca3 * v31) + s2 * (c3 * (sa3 * v25) - s3 * (sa3 * v23) - ca3 * v32));
 
         /* theta6 */
-        const double v36 = c3 * k17 - k13;
-        const double v37 = sa2 * s3;
-        const double v38 = k1 * c3 + k18;
+        const double v36 = c3 * k17 - k13, v37 = sa2 * s3, v38 = k1 * c3 + k18;
         const double Z1_6 = s1 * v40 - c1 * v39 + v41;
         const double Z2_6 = s1 * v43 - c1 * v42 + v44;
 
@@ -713,8 +606,8 @@ static void solve(
             /* theta4 */
             if (e2 < 0.0 && free4) continue; /* both signs give the same */
             const double factor4 = e2 / divisor4;
-            const double c4 = free4 ? cos(seed[3]) : v30 * factor4;
-            const double s4 = free4 ? sin(seed[3]) : -(v35 * factor4);
+            const double c4 = free4 ? cos(seed[3]) : v30 * factor4,
+                s4 = free4 ? sin(seed[3]) : -(v35 * factor4);
             const double q4 = atan2(s4, c4);
             const double root4 = w4 * e2;
 
@@ -729,15 +622,11 @@ static void solve(
             const double w6 = sqrt(S6 * S6 + C6 * C6);
             const int free6 = w6 <= free_limit_squared;
             const double factor6 = 1.0 / (free6 ? 1.0 : w6);
-            const double c6 = free6 ? cos(seed[5]) : C6 * factor6;
-            const double s6 = free6 ? sin(seed[5]) : S6 * factor6;
+            const double c6 = free6 ? cos(seed[5]) : C6 * factor6,
+                s6 = free6 ? sin(seed[5]) : S6 * factor6;
             const double q6 = atan2(s6, c6);
             const int row = 2 * i1 + i2;
-            q[row][0] = x1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = x1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free2 || free4 || free6) ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT :
                 SPHERICAL_WRIST_GENERAL_ARM_OK;

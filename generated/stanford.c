@@ -81,56 +81,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -170,7 +135,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -192,14 +157,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -268,6 +225,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -329,40 +288,25 @@ static const double weight[6] = { 1.0, 1.0, 2.9091104583131893, 1.0, 1.0, 1.0 };
 
 void stanford_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z2_x = c1 * s2;
-    const double z2_y = s1 * s2;
-    const double T34_ = d1 + c2 * q[2];
-    const double T14_ = z2_x * q[2] - s1 * d2 + s1 * a3;
-    const double T24_ = c1 * d2 + z2_y * q[2] - c1 * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = s1 * c4 + x2_x * s4;
-    const double x4_y = x2_y * s4 - c1 * c4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double T34_ = d1 + c2 * q[2], T14_ = z2_x * q[2] - s1 * d2 + s1 * a3,
+        T24_ = c1 * d2 + z2_y * q[2] - c1 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = s1 * c4 + x2_x * s4, x4_y = x2_y * s4 - c1 * c4;
     const double v1 = s2 * s4;
-    const double z4_x = x2_x * c4 - s1 * s4;
-    const double z4_y = x2_y * c4 + c1 * s4;
+    const double z4_x = x2_x * c4 - s1 * s4, z4_y = x2_y * c4 + c1 * s4;
     const double v2 = s2 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - z2_x * s5;
-    const double x5_y = x4_y * c5 - z2_y * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - z2_x * s5, x5_y = x4_y * c5 - z2_y * s5;
     const double v3 = v1 * c5 + c2 * s5;
-    const double T13_ = z2_x * c5 + x4_x * s5;
-    const double T23_ = z2_y * c5 + x4_y * s5;
-    const double T33_ = c2 * c5 - v1 * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = v3 * s6 - v2 * c6;
+    const double T13_ = z2_x * c5 + x4_x * s5, T23_ = z2_y * c5 + x4_y * s5,
+        T33_ = c2 * c5 - v1 * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6, T32_ = v3 * s6 - v2 * c6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = -(v3 * c6 + v2 * s6); T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -372,28 +316,18 @@ void stanford_fk(const double q[6], double T[16])
 
 void stanford_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J13 = c1 * s2;
-    const double J23 = s1 * s2;
-    const double J21 = J13 * q[2] - s1 * d2 + s1 * a3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J13 = c1 * s2, J23 = s1 * s2, J21 = J13 * q[2] - s1 * d2 + s1 * a3;
     const double p3_y = c1 * d2 + J23 * q[2] - c1 * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = x2_x * c4 - s1 * s4;
-    const double J55 = x2_y * c4 + c1 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J46 = J13 * c5 + (s1 * c4 + x2_x * s4) * s5;
-    const double J56 = J23 * c5 + (x2_y * s4 - c1 * c4) * s5;
-    const double J66 = c2 * c5 - s2 * s4 * s5;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = x2_x * c4 - s1 * s4, J55 = x2_y * c4 + c1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J46 = J13 * c5 + (s1 * c4 + x2_x * s4) * s5,
+        J56 = J23 * c5 + (x2_y * s4 - c1 * c4) * s5, J66 = c2 * c5 - s2 * s4 * s5;
     const double v1 = d1 + c2 * q[2] - d1;
-    const double J12 = c1 * v1;
-    const double J22 = s1 * v1;
+    const double J12 = c1 * v1, J22 = s1 * v1;
     J[0] = -p3_y; J[1] = J12; J[2] = J13; J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = -(s1 * p3_y + c1 * J21); J[14] = c2; J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
@@ -406,13 +340,16 @@ void stanford_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -459,86 +396,67 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide N1 = T14 * T14 + T24 * T24;
-    const wide D1 = N1 - k2;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3, v5 = w1 * (T14 * inverse1);
-    const wide c1_p = v4 - v5, c1_m = v4 + v5;
-    const wide v6 = inverse1 * v2, v7 = w1 * (T24 * inverse1), v8 = v6 + v7, v9 = v6 - v7;
-    const wide angle1 = atan2_wide(-v8, c1_p), angle2 = atan2_wide(-v9, c1_m);
+    const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k2, w1 = sqrt_wide(D1), v1 = w1 - w1,
+        inverse1 = 1.0 / N1, v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3,
+        v5 = w1 * (T14 * inverse1), c1_p = v4 - v5, c1_m = v4 + v5, v6 = inverse1 * v2,
+        v7 = w1 * (T24 * inverse1), v8 = v6 + v7, v9 = v6 - v7, angle1 = atan2_wide(-v8, c1_p),
+        angle2 = atan2_wide(-v9, c1_m);
 
     /* theta2, r3 */
-    const wide Y2_2 = T34 - d1;
-    const wide v10 = D1 + Y2_2 * Y2_2;
-    const wide w3 = sqrt_wide(v10);
-    const wide factor2 = w3 * (1.0 / v10);
-    const wide angle3 = atan2_wide(-w1, Y2_2);
-    const wide q2_pmp = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
+    const wide Y2_2 = T34 - d1, v10 = D1 + Y2_2 * Y2_2, w3 = sqrt_wide(v10),
+        factor2 = w3 * (1.0 / v10), angle3 = atan2_wide(-w1, Y2_2),
+        q2_pmp = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
 
     /* theta4 */
-    const wide c4_p = v8 * T13 + c1_p * T23, c4_m = v9 * T13 + c1_m * T23;
-    const wide v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33;
-    const wide v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
-    const wide Y4_p = v12 + w1 * v11, Y4_m = v12 + w1 * -v11;
-    const wide v13 = factor2 * Y4_p, v14 = factor2 * Y4_m;
-    const wide v15 = c4_p * c4_p + factor2 * (Y4_p * v13);
-    const wide v16 = c4_m * c4_m + factor2 * (Y4_m * v14);
-    const wide angle4 = atan2_wide(v13, c4_p), angle5 = atan2_wide(v14, c4_m);
-    const wide q4_ppm = angle4 - h1 * copysign_wide(all_wide(half_turn), v13);
-    const wide q4_mpm = angle5 - h1 * copysign_wide(all_wide(half_turn), v14);
+    const wide c4_p = v8 * T13 + c1_p * T23, c4_m = v9 * T13 + c1_m * T23,
+        v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33,
+        v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13)), Y4_p = v12 + w1 * v11,
+        Y4_m = v12 + w1 * -v11, v13 = factor2 * Y4_p, v14 = factor2 * Y4_m,
+        v15 = c4_p * c4_p + factor2 * (Y4_p * v13), v16 = c4_m * c4_m + factor2 * (Y4_m * v14),
+        angle4 = atan2_wide(v13, c4_p), angle5 = atan2_wide(v14, c4_m),
+        q4_ppm = angle4 - h1 * copysign_wide(all_wide(half_turn), v13),
+        q4_mpm = angle5 - h1 * copysign_wide(all_wide(half_turn), v14);
 
     /* theta5 */
-    const wide v17 = Y2_2 * T33;
-    const wide angle6 = atan2_wide(-sqrt_wide(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23)));
-    const wide angle7 = atan2_wide(-sqrt_wide(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23)));
-    const wide q5_pmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v15)) - angle6;
-    const wide q5_mmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v16)) - angle7;
+    const wide v17 = Y2_2 * T33,
+        angle6 = atan2_wide(-sqrt_wide(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))),
+        angle7 = atan2_wide(-sqrt_wide(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))),
+        q5_pmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v15)) - angle6,
+        q5_mmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v16)) - angle7;
 
     /* theta6 */
-    const wide v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22));
-    const wide v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22));
-    const wide v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21));
-    const wide v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
-    const wide s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11);
-    const wide s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11);
-    const wide angle8 = atan2_wide(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12));
-    const wide angle9 = atan2_wide(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12));
-    const wide q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), s6_p);
-    const wide q6_mpm = angle9 - h1 * copysign_wide(all_wide(half_turn), s6_m);
+    const wide v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22)),
+        v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22)),
+        v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21)),
+        v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21)),
+        s6_p = c4_p * (v21 + w1 * v20) + Y4_p * (c1_p * T21 + v8 * T11),
+        s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11),
+        angle8 = atan2_wide(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)),
+        angle9 = atan2_wide(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)),
+        q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), s6_p),
+        q6_mpm = angle9 - h1 * copysign_wide(all_wide(half_turn), s6_m);
 
     /* joint values */
-    const wide_mask v22 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v23 = (angle2 < low1) | (high1 < angle2), v24 = (w3 < low3) | (high3 < w3);
-    const wide_mask v25 = (-w3 < low3) | (high3 < -w3);
+    const wide_mask v22 = beyond(angle1, low1, high1), v23 = beyond(angle2, low1, high1),
+        v24 = beyond(w3, low3, high3), v25 = beyond(-w3, low3, high3);
     const wide q3_ppp = v1 + w3, q3_pmp = v1 - w3;
-    const wide_mask v26 = v24 | (v22 | ((angle3 < low2) | (high2 < angle3)));
-    const wide_mask v27 = v25 | (v22 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v28 = v24 | (v23 | ((-angle3 < low2) | (high2 < -angle3)));
-    const wide_mask v29 = v25 | (v23 | ((-q2_pmp < low2) | (high2 < -q2_pmp)));
-    const wide_mask v30 = (angle8 < low6) | (high6 < angle8);
-    const wide_mask outside_ppp = v30 | (((angle6 < low5) | (high5 < angle6)) | (v26 | ((angle4 <
-        low4) | (high4 < angle4))));
-    const wide_mask v31 = (q6_ppm < low6) | (high6 < q6_ppm);
-    const wide_mask outside_ppm = v31 | (((-angle6 < low5) | (high5 < -angle6)) | (v26 | ((q4_ppm <
-        low4) | (high4 < q4_ppm))));
-    const wide_mask outside_pmp = v31 | (((q5_pmp < low5) | (high5 < q5_pmp)) | (v27 | ((-angle4 <
-        low4) | (high4 < -angle4))));
-    const wide_mask outside_pmm = v30 | (((-q5_pmp < low5) | (high5 < -q5_pmp)) | (v27 | ((-q4_ppm <
-        low4) | (high4 < -q4_ppm))));
-    const wide_mask v32 = (angle9 < low6) | (high6 < angle9);
-    const wide_mask outside_mpp = v32 | (((angle7 < low5) | (high5 < angle7)) | (v28 | ((angle5 <
-        low4) | (high4 < angle5))));
-    const wide_mask v33 = (q6_mpm < low6) | (high6 < q6_mpm);
-    const wide_mask outside_mpm = v33 | (((-angle7 < low5) | (high5 < -angle7)) | (v28 | ((q4_mpm <
-        low4) | (high4 < q4_mpm))));
-    const wide_mask outside_mmp = v33 | (((q5_mmp < low5) | (high5 < q5_mmp)) | (v29 | ((-angle5 <
-        low4) | (high4 < -angle5))));
-    const wide_mask outside_mmm = v32 | (((-q5_mmp < low5) | (high5 < -q5_mmp)) | (v29 | ((-q4_mpm <
-        low4) | (high4 < -q4_mpm))));
-    const wide_mask doubt1 = (abs_wide(D1) <= k3) | ((N1 <= doubt_limit_squared2) | ((v10 <= m1) |
-        ((v15 <= m3) | (v16 <= m3))));
+    const wide_mask v26 = v24 | v22 | beyond(angle3, low2, high2),
+        v27 = v25 | v22 | beyond(q2_pmp, low2, high2),
+        v28 = v24 | v23 | beyond(-angle3, low2, high2),
+        v29 = v25 | v23 | beyond(-q2_pmp, low2, high2), v30 = beyond(angle8, low6, high6),
+        outside_ppp = v30 | beyond(angle6, low5, high5) | v26 | beyond(angle4, low4, high4),
+        v31 = beyond(q6_ppm, low6, high6),
+        outside_ppm = v31 | beyond(-angle6, low5, high5) | v26 | beyond(q4_ppm, low4, high4),
+        outside_pmp = v31 | beyond(q5_pmp, low5, high5) | v27 | beyond(-angle4, low4, high4),
+        outside_pmm = v30 | beyond(-q5_pmp, low5, high5) | v27 | beyond(-q4_ppm, low4, high4),
+        v32 = beyond(angle9, low6, high6),
+        outside_mpp = v32 | beyond(angle7, low5, high5) | v28 | beyond(angle5, low4, high4),
+        v33 = beyond(q6_mpm, low6, high6),
+        outside_mpm = v33 | beyond(-angle7, low5, high5) | v28 | beyond(q4_mpm, low4, high4),
+        outside_mmp = v33 | beyond(q5_mmp, low5, high5) | v29 | beyond(-angle5, low4, high4),
+        outside_mmm = v32 | beyond(-q5_mmp, low5, high5) | v29 | beyond(-q4_mpm, low4, high4),
+        doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v10 <= m1) | (v15 <= m3) |
+            (v16 <= m3);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
@@ -578,30 +496,22 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k2;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3;
+    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1,
+        inverse1 = 1.0 / N1, v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3;
     const four c1 = v4 - w1 * (inverse1 * (e1 * T14));
     const double v5 = inverse1 * v2;
     const four v6 = v5 + w1 * (inverse1 * (e1 * T24));
 
     /* theta2, r3 */
-    const double Y2_2 = T34 - d1;
-    const double v7 = D1 + Y2_2 * Y2_2;
-    const double w3 = sqrt(v7);
-    const double factor2 = w3 * (1.0 / v7);
-    const double v8 = copysign(half_turn, -w1);
+    const double Y2_2 = T34 - d1, v7 = D1 + Y2_2 * Y2_2, w3 = sqrt(v7), factor2 = w3 * (1.0 / v7),
+        v8 = copysign(half_turn, -w1);
     const four v9 = e2 - 1.0, v10 = m2 * v9;
 
     /* theta4 */
     const four c4 = v6 * T13 + c1 * T23;
-    const double v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33;
-    const double v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
-    const four Y4 = v12 + w1 * (e1 * v11);
-    const four v13 = factor2 * Y4, v14 = c4 * c4 + factor2 * (Y4 * v13);
+    const double v11 = inverse1 * (Y2_2 * (T14 * T13 + T24 * T23)) - T33,
+        v12 = inverse1 * (Y2_2 * (v2 * T23 - v3 * T13));
+    const four Y4 = v12 + w1 * (e1 * v11), v13 = factor2 * Y4, v14 = c4 * c4 + factor2 * (Y4 * v13);
     const four_mask doubt2 = v14 <= m3;
 
     /* theta5 */
@@ -609,42 +519,39 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v16 = copysign_four(all_four(half_turn), -sqrt_four(v14)), v17 = m2 * -v9;
 
     /* theta6 */
-    const double v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22));
-    const double v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22));
-    const double v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21));
-    const double v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
-    const four s6 = c4 * (v21 + w1 * (e1 * v20)) + Y4 * (c1 * T21 + v6 * T11);
-    const four v22 = copysign_four(all_four(half_turn), s6), v23 = m2 * (e2 + 1.0);
+    const double v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22)),
+        v19 = inverse1 * (Y2_2 * (v3 * T12 - v2 * T22)),
+        v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21)),
+        v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
+    const four s6 = c4 * (v21 + w1 * (e1 * v20)) + Y4 * (c1 * T21 + v6 * T11),
+        v22 = copysign_four(all_four(half_turn), s6), v23 = m2 * (e2 + 1.0);
 
     /* joint values */
     const four v24 = e2 * w3;
-    const four_mask v26 = (v24 < low3) | (high3 < v24);
+    const four_mask v26 = beyond(v24, low3, high3);
     const four q3_p = v1 + v24;
-    const int doubt1 = (fabs(D1) <= k3) | ((v7 <= m1) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= k3) | (v7 <= m1) | (N1 <= doubt_limit_squared2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v6, v13, 0, 5, 2, 7),
-        __builtin_shufflevector(c1, c4, 0, 5, 2, 7));
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3);
-    const four packed2 = atan2_four(__builtin_shufflevector(-sqrt_four(v14), s6, 0, 5, 2, 7),
-        __builtin_shufflevector(factor2 * (v15 - e1 * (w1 * (c1 * T13 - v6 * T23))), c4 * (v19 + w1
-        * (e1 * v18)) + Y4 * (c1 * T22 + v6 * T12), 0, 5, 2, 7));
-    const four angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3);
-    const four packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 });
-    const four angle2 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four q2_ = angle2 + v8 * v10;
-    const four q4__m = angle3 - copysign_four(all_four(half_turn), v13) * h1;
-    const four q5_p = e2 * angle4 + v16 * v17;
-    const four q6_p = angle5 + v10 * v22, q6_m = angle5 - v22 * v23;
-    const four q2_p = e1 * q2_;
-    const four q4_p = e2 * angle3, q4_m = e2 * q4__m;
-    const four_mask v25 = (angle1 < low1) | (high1 < angle1);
-    const four_mask v27 = v26 | (v25 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = ((q6_p < low6) | (high6 < q6_p)) | (((q5_p < low5) | (high5 < q5_p))
-        | (v27 | ((q4_p < low4) | (high4 < q4_p))));
-    const four_mask outside_m = ((q6_m < low6) | (high6 < q6_m)) | (((-q5_p < low5) | (high5 <
-        -q5_p)) | (v27 | ((q4_m < low4) | (high4 < q4_m))));
+        __builtin_shufflevector(c1, c4, 0, 5, 2, 7)),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2),
+        angle3 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3),
+        packed2 = atan2_four(__builtin_shufflevector(-sqrt_four(v14), s6, 0, 5, 2, 7),
+            __builtin_shufflevector(factor2 * (v15 - e1 * (w1 * (c1 * T13 - v6 * T23))), c4 * (v19 +
+            w1 * (e1 * v18)) + Y4 * (c1 * T22 + v6 * T12), 0, 5, 2, 7)),
+        angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
+        angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3),
+        packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 }),
+        angle2 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four q2_ = angle2 + v8 * v10,
+        q4__m = angle3 - copysign_four(all_four(half_turn), v13) * h1,
+        q5_p = e2 * angle4 + v16 * v17, q6_p = angle5 + v10 * v22, q6_m = angle5 - v22 * v23,
+        q2_p = e1 * q2_, q4_p = e2 * angle3, q4_m = e2 * q4__m;
+    const four_mask v25 = beyond(angle1, low1, high1), v27 = v26 | v25 | beyond(q2_p, low2, high2),
+        outside_p = beyond(q6_p, low6, high6) | beyond(q5_p, low5, high5) | v27 | beyond(q4_p, low4,
+            high4),
+        outside_m = beyond(q6_m, low6, high6) | beyond(-q5_p, low5, high5) | v27 | beyond(q4_m,
+            low4, high4);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -731,8 +638,7 @@ static void solve(
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
-    const double v1 = T14 * k1;
-    const double v2 = T24 * k1;
+    const double v1 = T14 * k1, v2 = T24 * k1;
 
     /* theta2, r3, type 4: U1[1, 4] and U1[2, 4] */
     const double Y2_2 = T34 - d1;
@@ -743,8 +649,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T14 * root1);
-        const double s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T24 * root1));
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T14 * root1),
+            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T24 * root1));
         const double q1 = atan2(s1, c1);
 
         /* theta2, r3 */
@@ -754,22 +660,19 @@ static void solve(
 
         /* theta4, type 2: U4[3, 3] */
         const double X4 = T13 * s1 - T23 * c1;
-        const double v4 = T13 * c1 + T23 * s1;
-        const double v5 = X4 * X4;
+        const double v4 = T13 * c1 + T23 * s1, v5 = X4 * X4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v6 = T12 * c1 + T22 * s1;
-        const double v8 = T22 * c1 - T12 * s1;
-        const double v9 = T11 * c1 + T21 * s1;
-        const double v11 = T21 * c1 - T11 * s1;
+        const double v6 = T12 * c1 + T22 * s1, v8 = T22 * c1 - T12 * s1, v9 = T11 * c1 + T21 * s1,
+            v11 = T21 * c1 - T11 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* forward, backward */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta2, r3 */
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
-            const double c2 = free2 ? cos(seed[1]) : Y2_2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+            const double c2 = free2 ? cos(seed[1]) : Y2_2 * factor2,
+                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
 
@@ -783,31 +686,25 @@ static void solve(
             const double c5 = T33 * c2 + s2 * v4;
 
             /* theta6 */
-            const double v7 = c2 * v6 - T32 * s2;
-            const double v10 = c2 * v9 - T31 * s2;
+            const double v7 = c2 * v6 - T32 * s2, v10 = c2 * v9 - T31 * s2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
                 /* theta6 */
-                const double c6 = c4 * v7 + s4 * v8;
-                const double s6 = c4 * v10 + s4 * v11;
+                const double c6 = c4 * v7 + s4 * v8, s6 = c4 * v10 + s4 * v11;
                 const double q6 = atan2(s6, c6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = r3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? STANFORD_FREE_JOINT : STANFORD_OK;
             }

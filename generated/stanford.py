@@ -527,9 +527,7 @@ def _regular(pose, q, status):
     v25 = -w3 < low3 or high3 < -w3
     q3_ppp = v1 + w3
     q3_pmp = v1 - w3
-    doubt1 = (
-        abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v10 <= m1 or (v15 <= m3 or v16 <= m3)))
-    )
+    doubt1 = abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v10 <= m1 or v15 <= m3 or v16 <= m3
 
     # angles, side by side
     room[0] = -v8
@@ -582,37 +580,25 @@ def _regular(pose, q, status):
     # joint values
     v22 = angle1 < low1 or high1 < angle1
     v23 = angle2 < low1 or high1 < angle2
-    v26 = v24 or (v22 or (angle3 < low2 or high2 < angle3))
-    v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
-    v28 = v24 or (v23 or (-angle3 < low2 or high2 < -angle3))
-    v29 = v25 or (v23 or (-q2_pmp < low2 or high2 < -q2_pmp))
+    v26 = v24 or v22 or angle3 < low2 or high2 < angle3
+    v27 = v25 or v22 or q2_pmp < low2 or high2 < q2_pmp
+    v28 = v24 or v23 or -angle3 < low2 or high2 < -angle3
+    v29 = v25 or v23 or -q2_pmp < low2 or high2 < -q2_pmp
     v30 = angle8 < low6 or high6 < angle8
-    outside_ppp = (
-        v30 or (angle6 < low5 or high5 < angle6 or (v26 or (angle4 < low4 or high4 < angle4)))
-    )
+    outside_ppp = v30 or angle6 < low5 or high5 < angle6 or v26 or angle4 < low4 or high4 < angle4
     v31 = q6_ppm < low6 or high6 < q6_ppm
-    outside_ppm = (
-        v31 or (-angle6 < low5 or high5 < -angle6 or (v26 or (q4_ppm < low4 or high4 < q4_ppm)))
-    )
-    outside_pmp = (
-        v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle4 < low4 or high4 < -angle4)))
-    )
+    outside_ppm = v31 or -angle6 < low5 or high5 < -angle6 or v26 or q4_ppm < low4 or high4 < q4_ppm
+    outside_pmp = v31 or q5_pmp < low5 or high5 < q5_pmp or v27 or -angle4 < low4 or high4 < -angle4
     outside_pmm = (
-        v30 or (-q5_pmp < low5 or high5 < -q5_pmp or (v27 or (-q4_ppm < low4 or high4 < -q4_ppm)))
+        v30 or -q5_pmp < low5 or high5 < -q5_pmp or v27 or -q4_ppm < low4 or high4 < -q4_ppm
     )
     v32 = angle9 < low6 or high6 < angle9
-    outside_mpp = (
-        v32 or (angle7 < low5 or high5 < angle7 or (v28 or (angle5 < low4 or high4 < angle5)))
-    )
+    outside_mpp = v32 or angle7 < low5 or high5 < angle7 or v28 or angle5 < low4 or high4 < angle5
     v33 = q6_mpm < low6 or high6 < q6_mpm
-    outside_mpm = (
-        v33 or (-angle7 < low5 or high5 < -angle7 or (v28 or (q4_mpm < low4 or high4 < q4_mpm)))
-    )
-    outside_mmp = (
-        v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle5 < low4 or high4 < -angle5)))
-    )
+    outside_mpm = v33 or -angle7 < low5 or high5 < -angle7 or v28 or q4_mpm < low4 or high4 < q4_mpm
+    outside_mmp = v33 or q5_mmp < low5 or high5 < q5_mmp or v29 or -angle5 < low4 or high4 < -angle5
     outside_mmm = (
-        v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 < -q4_mpm)))
+        v32 or -q5_mmp < low5 or high5 < -q5_mmp or v29 or -q4_mpm < low4 or high4 < -q4_mpm
     )
 
     # a joint is free, or branches meet
@@ -937,8 +923,7 @@ def _in_tiles(T, q, status):
             q3_ppp = v1 + w3
             q3_pmp = v1 - w3
             doubt1 = (
-                abs(D1) <= k3 or (N1 <= doubt_limit_squared2 or (v10 <= m1 or (v15 <= m3 or v16 <=
-                m3)))
+                abs(D1) <= k3 or N1 <= doubt_limit_squared2 or v10 <= m1 or v15 <= m3 or v16 <= m3
             )
             work[272 + k] = w1
             work[288 + k] = v13
@@ -1003,45 +988,37 @@ def _in_tiles(T, q, status):
             q6_mpm = angle9 - h1 * math.copysign(half_turn, s6_m)
             v22 = angle1 < low1 or high1 < angle1
             v23 = angle2 < low1 or high1 < angle2
-            v26 = v24 or (v22 or (angle3 < low2 or high2 < angle3))
-            v27 = v25 or (v22 or (q2_pmp < low2 or high2 < q2_pmp))
-            v28 = v24 or (v23 or (-angle3 < low2 or high2 < -angle3))
-            v29 = v25 or (v23 or (-q2_pmp < low2 or high2 < -q2_pmp))
+            v26 = v24 or v22 or angle3 < low2 or high2 < angle3
+            v27 = v25 or v22 or q2_pmp < low2 or high2 < q2_pmp
+            v28 = v24 or v23 or -angle3 < low2 or high2 < -angle3
+            v29 = v25 or v23 or -q2_pmp < low2 or high2 < -q2_pmp
             v30 = angle8 < low6 or high6 < angle8
             outside_ppp = (
-                v30 or (angle6 < low5 or high5 < angle6 or (v26 or (angle4 < low4 or high4 <
-                angle4)))
+                v30 or angle6 < low5 or high5 < angle6 or v26 or angle4 < low4 or high4 < angle4
             )
             v31 = q6_ppm < low6 or high6 < q6_ppm
             outside_ppm = (
-                v31 or (-angle6 < low5 or high5 < -angle6 or (v26 or (q4_ppm < low4 or high4 <
-                q4_ppm)))
+                v31 or -angle6 < low5 or high5 < -angle6 or v26 or q4_ppm < low4 or high4 < q4_ppm
             )
             outside_pmp = (
-                v31 or (q5_pmp < low5 or high5 < q5_pmp or (v27 or (-angle4 < low4 or high4 <
-                -angle4)))
+                v31 or q5_pmp < low5 or high5 < q5_pmp or v27 or -angle4 < low4 or high4 < -angle4
             )
             outside_pmm = (
-                v30 or (-q5_pmp < low5 or high5 < -q5_pmp or (v27 or (-q4_ppm < low4 or high4 <
-                -q4_ppm)))
+                v30 or -q5_pmp < low5 or high5 < -q5_pmp or v27 or -q4_ppm < low4 or high4 < -q4_ppm
             )
             v32 = angle9 < low6 or high6 < angle9
             outside_mpp = (
-                v32 or (angle7 < low5 or high5 < angle7 or (v28 or (angle5 < low4 or high4 <
-                angle5)))
+                v32 or angle7 < low5 or high5 < angle7 or v28 or angle5 < low4 or high4 < angle5
             )
             v33 = q6_mpm < low6 or high6 < q6_mpm
             outside_mpm = (
-                v33 or (-angle7 < low5 or high5 < -angle7 or (v28 or (q4_mpm < low4 or high4 <
-                q4_mpm)))
+                v33 or -angle7 < low5 or high5 < -angle7 or v28 or q4_mpm < low4 or high4 < q4_mpm
             )
             outside_mmp = (
-                v33 or (q5_mmp < low5 or high5 < q5_mmp or (v29 or (-angle5 < low4 or high4 <
-                -angle5)))
+                v33 or q5_mmp < low5 or high5 < q5_mmp or v29 or -angle5 < low4 or high4 < -angle5
             )
             outside_mmm = (
-                v32 or (-q5_mmp < low5 or high5 < -q5_mmp or (v29 or (-q4_mpm < low4 or high4 <
-                -q4_mpm)))
+                v32 or -q5_mmp < low5 or high5 < -q5_mmp or v29 or -q4_mpm < low4 or high4 < -q4_mpm
             )
             _752 = angle1
             work[752 + k] = _752

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,7 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -193,14 +158,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -269,6 +226,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -315,45 +274,27 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void staubli_rx90_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double T14_ = x2_x * a2 - v3 * d4;
-    const double T24_ = x2_y * a2 - v4 * d4;
-    const double T34_ = s2 * a2 + y3_z * d4;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
+    const double T14_ = x2_x * a2 - v3 * d4, T24_ = x2_y * a2 - v4 * d4, T34_ = s2 * a2 + y3_z * d4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
     const double z5_x = s1 * c4 + x3_x * s4;
     const double y4_y = c1 * c4 - x3_y * s4;
     const double z5_z = x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v3 * s5;
-    const double x5_y = x4_y * c5 - v4 * s5;
-    const double x5_z = x4_z * c5 + y3_z * s5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 - v3 * s5, x5_y = x4_y * c5 - v4 * s5,
+        x5_z = x4_z * c5 + y3_z * s5;
     const double T33_ = y3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - z5_x * s6;
-    const double T21_ = x5_y * c6 + y4_y * s6;
-    const double T31_ = x5_z * c6 - z5_z * s6;
-    const double T22_ = y4_y * c6 - x5_y * s6;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - z5_x * s6, T21_ = x5_y * c6 + y4_y * s6,
+        T31_ = x5_z * c6 - z5_z * s6, T22_ = y4_y * c6 - x5_y * s6;
     T[0] = T11_; T[1] = -(z5_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
     T[8] = T31_; T[9] = -(z5_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
@@ -363,37 +304,20 @@ void staubli_rx90_fk(const double q[6], double T[16])
 
 void staubli_rx90_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p3_x = x2_x * a2;
-    const double p3_y = x2_y * a2;
-    const double p3_z = s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
-    const double J64 = c2 * c3 - s2 * s3;
-    const double J21 = p3_x - v3 * d4;
-    const double p4_y = p3_y - v4 * d4;
-    const double p4_z = p3_z + J64 * d4;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double J55 = x3_y * s4 - c1 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J66 = J64 * c5 - x3_z * c4 * s5;
-    const double J32 = s1 * p4_y + c1 * J21;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p3_x = x2_x * a2, p3_y = x2_y * a2, p3_z = s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
+    const double J64 = c2 * c3 - s2 * s3, J21 = p3_x - v3 * d4;
+    const double p4_y = p3_y - v4 * d4, p4_z = p3_z + J64 * d4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, J55 = x3_y * s4 - c1 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J66 = J64 * c5 - x3_z * c4 * s5, J32 = s1 * p4_y + c1 * J21;
     const double v5 = p4_z - p3_z;
     const double J33 = s1 * (p4_y - p3_y) + c1 * (J21 - p3_x);
     J[0] = -p4_y; J[1] = -(c1 * p4_z); J[2] = -(c1 * v5); J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
@@ -410,13 +334,16 @@ void staubli_rx90_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -463,119 +390,93 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = T14 * T14 + T24 * T24;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(-T24, -T14);
+    const wide v1 = T14 * T14 + T24 * T24, w1 = sqrt_wide(v1), v2 = 1.0 / v1,
+        angle1 = atan2_wide(-T24, -T14);
 
     /* theta3 */
-    const wide N3 = v1 + T34 * T34;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4, v6 = k1 * w3;
-    const wide c3 = k2 * v6;
-    const wide angle2 = atan2_wide(-v4, v6);
-    const wide q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
+    const wide N3 = v1 + T34 * T34, w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)),
+        v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4, v6 = k1 * w3, c3 = k2 * v6,
+        angle2 = atan2_wide(-v4, v6),
+        q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
 
     /* theta2 */
-    const wide X1_2 = a2 + d4 * v5;
-    const wide Y1_2 = d4 * c3;
-    const wide v7 = T34 * X1_2, v8 = w1 * Y1_2, v9 = v7 + v8, v10 = v7 - v8, v11 = m3 * (T34 * N3);
-    const wide v12 = w3 * (m3 * w1);
-    const wide S2_pp = v11 + v12, S2_pm = v11 - v12;
-    const wide v13 = w1 * X1_2, v14 = T34 * Y1_2, v15 = v14 - v13, v16 = v13 + v14;
-    const wide v17 = w3 * (m3 * T34), v18 = m3 * (w1 * N3);
-    const wide C2_pp = v17 - v18, C2_mp = v17 + v18;
-    const wide v19 = S2_pp * S2_pp, v20 = v19 + C2_pp * C2_pp, v21 = S2_pm * S2_pm + C2_mp * C2_mp;
-    const wide v22 = v19 + -C2_pp * -C2_pp;
-    const wide w2_pp = sqrt_wide(v20), w2_pm = sqrt_wide(v21), w2_mm = sqrt_wide(v22);
-    const wide v23 = 1.0 / v20, v24 = 1.0 / v21, v25 = 1.0 / v22;
-    const wide angle3 = atan2_wide(S2_pp, C2_pp), angle4 = atan2_wide(S2_pm, -C2_mp);
-    const wide angle5 = atan2_wide(S2_pm, C2_mp), angle6 = atan2_wide(S2_pp, -C2_pp);
+    const wide X1_2 = a2 + d4 * v5, Y1_2 = d4 * c3, v7 = T34 * X1_2, v8 = w1 * Y1_2, v9 = v7 + v8,
+        v10 = v7 - v8, v11 = m3 * (T34 * N3), v12 = w3 * (m3 * w1), S2_pp = v11 + v12,
+        S2_pm = v11 - v12, v13 = w1 * X1_2, v14 = T34 * Y1_2, v15 = v14 - v13, v16 = v13 + v14,
+        v17 = w3 * (m3 * T34), v18 = m3 * (w1 * N3), C2_pp = v17 - v18, C2_mp = v17 + v18,
+        v19 = S2_pp * S2_pp, v20 = v19 + C2_pp * C2_pp, v21 = S2_pm * S2_pm + C2_mp * C2_mp,
+        v22 = v19 + -C2_pp * -C2_pp, w2_pp = sqrt_wide(v20), w2_pm = sqrt_wide(v21),
+        w2_mm = sqrt_wide(v22), v23 = 1.0 / v20, v24 = 1.0 / v21, v25 = 1.0 / v22,
+        angle3 = atan2_wide(S2_pp, C2_pp), angle4 = atan2_wide(S2_pm, -C2_mp),
+        angle5 = atan2_wide(S2_pm, C2_mp), angle6 = atan2_wide(S2_pp, -C2_pp);
 
     /* theta4 */
-    const wide v26 = v5 * v9;
-    const wide c23_pp = w2_pp * (v23 * (c3 * v15 + v26));
-    const wide c23_pm = w2_pm * (v24 * (c3 * v16 + v5 * v10));
-    const wide c23_mm = w2_mm * (v25 * (v26 - c3 * -v15));
-    const wide v27 = c3 * v9;
-    const wide s23_pp = w2_pp * (v23 * (v27 - v5 * v15));
-    const wide v28 = v5 * v16 - c3 * v10;
-    const wide s23_pm = w2_pm * (v24 * v28), s23_mp = w2_pm * (v24 * -v28);
-    const wide v29 = w2_mm * (v25 * (v27 + v5 * -v15)), v30 = w1 * (v2 * (T14 * T13 + T24 * T23));
-    const wide X4_pp = s23_pp * T33 - c23_pp * v30;
-    const wide v31 = c23_pm * v30;
-    const wide X4_pm = s23_pm * T33 - v31, X4_mp = v31 + s23_mp * T33;
-    const wide X4_mm = c23_mm * v30 - v29 * T33;
-    const wide Y4 = w1 * (v2 * (T14 * T23 - T24 * T13));
-    const wide v32 = Y4 * Y4, v33 = v32 + X4_pp * X4_pp, v34 = v32 + X4_pm * X4_pm;
-    const wide v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm;
-    const wide w4_pp = sqrt_wide(v33), w4_pm = sqrt_wide(v34), w4_mp = sqrt_wide(v35);
-    const wide w4_mm = sqrt_wide(v36);
-    const wide factor4_pp = w4_pp * (1.0 / v33), factor4_pm = w4_pm * (1.0 / v34);
-    const wide factor4_mp = w4_mp * (1.0 / v35), factor4_mm = w4_mm * (1.0 / v36);
-    const wide v37 = X4_pp * factor4_pp, v38 = X4_pm * factor4_pm, v39 = X4_mp * factor4_mp;
-    const wide v40 = X4_mm * factor4_mm;
-    const wide s4_pp = Y4 * factor4_pp, s4_pm = Y4 * factor4_pm, s4_mp = Y4 * factor4_mp;
-    const wide s4_mm = Y4 * factor4_mm;
-    const wide angle7 = atan2_wide(Y4, -X4_pp), angle8 = atan2_wide(Y4, -X4_pm);
-    const wide angle9 = atan2_wide(-Y4, -X4_mp), angle10 = atan2_wide(-Y4, -X4_mm);
-    const wide v41 = h1 * copysign_wide(all_wide(half_turn), Y4);
-    const wide v42 = h1 * copysign_wide(all_wide(half_turn), -Y4);
-    const wide q4_ppm = angle7 - v41, q4_pmm = angle8 - v41, q4_mpm = angle9 - v42;
-    const wide q4_mmm = angle10 - v42;
+    const wide v26 = v5 * v9, c23_pp = w2_pp * (v23 * (c3 * v15 + v26)),
+        c23_pm = w2_pm * (v24 * (c3 * v16 + v5 * v10)), c23_mm = w2_mm * (v25 * (v26 - c3 * -v15)),
+        v27 = c3 * v9, s23_pp = w2_pp * (v23 * (v27 - v5 * v15)), v28 = v5 * v16 - c3 * v10,
+        s23_pm = w2_pm * (v24 * v28), s23_mp = w2_pm * (v24 * -v28),
+        v29 = w2_mm * (v25 * (v27 + v5 * -v15)), v30 = w1 * (v2 * (T14 * T13 + T24 * T23)),
+        X4_pp = s23_pp * T33 - c23_pp * v30, v31 = c23_pm * v30, X4_pm = s23_pm * T33 - v31,
+        X4_mp = v31 + s23_mp * T33, X4_mm = c23_mm * v30 - v29 * T33,
+        Y4 = w1 * (v2 * (T14 * T23 - T24 * T13)), v32 = Y4 * Y4, v33 = v32 + X4_pp * X4_pp,
+        v34 = v32 + X4_pm * X4_pm, v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm,
+        w4_pp = sqrt_wide(v33), w4_pm = sqrt_wide(v34), w4_mp = sqrt_wide(v35),
+        w4_mm = sqrt_wide(v36), factor4_pp = w4_pp * (1.0 / v33), factor4_pm = w4_pm * (1.0 / v34),
+        factor4_mp = w4_mp * (1.0 / v35), factor4_mm = w4_mm * (1.0 / v36),
+        v37 = X4_pp * factor4_pp, v38 = X4_pm * factor4_pm, v39 = X4_mp * factor4_mp,
+        v40 = X4_mm * factor4_mm, s4_pp = Y4 * factor4_pp, s4_pm = Y4 * factor4_pm,
+        s4_mp = Y4 * factor4_mp, s4_mm = Y4 * factor4_mm, angle7 = atan2_wide(Y4, -X4_pp),
+        angle8 = atan2_wide(Y4, -X4_pm), angle9 = atan2_wide(-Y4, -X4_mp),
+        angle10 = atan2_wide(-Y4, -X4_mm), v41 = h1 * copysign_wide(all_wide(half_turn), Y4),
+        v42 = h1 * copysign_wide(all_wide(half_turn), -Y4);
 
     /* theta5 */
-    const wide angle11 = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30);
-    const wide v43 = c23_pm * T33;
-    const wide angle12 = atan2_wide(w4_pm, v43 + s23_pm * v30);
-    const wide angle13 = atan2_wide(w4_mp, v43 - s23_mp * v30);
-    const wide angle14 = atan2_wide(w4_mm, c23_mm * T33 + v29 * v30);
+    const wide angle11 = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30), v43 = c23_pm * T33,
+        angle12 = atan2_wide(w4_pm, v43 + s23_pm * v30),
+        angle13 = atan2_wide(w4_mp, v43 - s23_mp * v30),
+        angle14 = atan2_wide(w4_mm, c23_mm * T33 + v29 * v30);
 
     /* theta6 */
-    const wide v44 = w1 * (v2 * (T14 * T22 - T24 * T12)), v45 = w1 * (v2 * (T14 * T12 + T24 * T22));
-    const wide v46 = w1 * (v2 * (T14 * T21 - T24 * T11)), v47 = w1 * (v2 * (T14 * T11 + T24 * T21));
-    const wide v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47), v49 = c23_pm * v47;
-    const wide v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49);
-    const wide v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46;
-    const wide v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46;
-    const wide angle15 = atan2_wide(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45));
-    const wide v53 = c23_pm * v45;
-    const wide angle16 = atan2_wide(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53));
-    const wide angle17 = atan2_wide(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44);
-    const wide angle18 = atan2_wide(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44);
-    const wide q6_ppm = angle15 - h1 * copysign_wide(all_wide(half_turn), v48);
-    const wide q6_pmm = angle16 - h1 * copysign_wide(all_wide(half_turn), v50);
-    const wide q6_mpm = angle17 - h1 * copysign_wide(all_wide(half_turn), v51);
-    const wide q6_mmm = angle18 - h1 * copysign_wide(all_wide(half_turn), v52);
+    const wide v44 = w1 * (v2 * (T14 * T22 - T24 * T12)), v45 = w1 * (v2 * (T14 * T12 + T24 * T22)),
+        v46 = w1 * (v2 * (T14 * T21 - T24 * T11)), v47 = w1 * (v2 * (T14 * T11 + T24 * T21)),
+        v48 = v37 * v46 - s4_pp * (s23_pp * T31 - c23_pp * v47), v49 = c23_pm * v47,
+        v50 = v38 * v46 - s4_pm * (s23_pm * T31 - v49),
+        v51 = s4_mp * (v49 + s23_mp * T31) - v39 * v46,
+        v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46,
+        angle15 = atan2_wide(v48, v37 * v44 - s4_pp * (s23_pp * T32 - c23_pp * v45)),
+        v53 = c23_pm * v45, angle16 = atan2_wide(v50, v38 * v44 - s4_pm * (s23_pm * T32 - v53)),
+        angle17 = atan2_wide(v51, s4_mp * (v53 + s23_mp * T32) - v39 * v44),
+        angle18 = atan2_wide(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44);
 
     /* joint values */
-    const wide q1_ppp = angle1 + v3;
-    const wide q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
-    const wide_mask doubt1 = (v36 <= m5) | ((v22 <= m4) | ((v35 <= m5) | ((v34 <= m5) | ((v21 <= m4)
-        | ((v33 <= m5) | (((v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0))) | (v20 <= m4)))))));
+    const wide q1_ppp = angle1 + v3,
+        q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
+    const wide_mask doubt1 = (v36 <= m5) | (v22 <= m4) | (v35 <= m5) | (v34 <= m5) | (v21 <= m4) |
+        (v33 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v20 <= m4);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = q4_ppm; q[10] = -angle11; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = angle7 - v41; q[10] = -angle11;
+    q[11] = angle15 - h1 * copysign_wide(all_wide(half_turn), v48);
     kind[1] = kind_of(q[6] != q[6], 0);
     q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = -angle12;
-    q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v41; q[22] = -angle12;
+    q[23] = angle16 - h1 * copysign_wide(all_wide(half_turn), v50);
     kind[3] = kind_of(q[18] != q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = angle2; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = q4_mpm; q[34] = -angle13;
-    q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = angle9 - v42; q[34] = -angle13;
+    q[35] = angle17 - h1 * copysign_wide(all_wide(half_turn), v51);
     kind[5] = kind_of(q[30] != q[30], 0);
     q[36] = q1_mpp; q[37] = angle6; q[38] = q3_pmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = -angle14;
-    q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = angle10 - v42; q[46] = -angle14;
+    q[47] = angle18 - h1 * copysign_wide(all_wide(half_turn), v52);
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -595,70 +496,54 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = T14 * T14 + T24 * T24;
-    const double w1 = sqrt(v1);
-    const double v2 = 1.0 / v1, v3 = copysign(half_turn, -T24);
+    const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), v2 = 1.0 / v1,
+        v3 = copysign(half_turn, -T24);
 
     /* theta3 */
-    const double N3 = v1 + T34 * T34;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v4 = w3 - w3, v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3;
-    const double c3 = k2 * v7;
-    const double v8 = copysign(half_turn, -v5);
+    const double N3 = v1 + T34 * T34, w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v4 = w3 - w3,
+        v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3, c3 = k2 * v7,
+        v8 = copysign(half_turn, -v5);
 
     /* theta2 */
-    const double X1_2 = a2 + d4 * v6;
-    const double Y1_2 = d4 * c3;
-    const double v9 = T34 * X1_2, v10 = w1 * Y1_2;
+    const double X1_2 = a2 + d4 * v6, Y1_2 = d4 * c3, v9 = T34 * X1_2, v10 = w1 * Y1_2;
     const four v11 = e1 * e2, v12 = v9 + v10 * v11;
     const double v13 = m3 * (T34 * N3);
     const four S2 = v13 + w3 * (m3 * (w1 * v11));
     const double v14 = w1 * X1_2, v15 = T34 * Y1_2;
-    const four v16 = e2 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * T34));
-    const four v20 = m3 * (w1 * (e1 * N3));
-    const four C2 = v19 - v20;
-    const four v21 = S2 * S2 + C2 * C2;
-    const four w2 = sqrt_four(v21);
-    const four v22 = 1.0 / v21;
+    const four v16 = e2 * v15, v17 = e1 * v14, v18 = v16 - v17, v19 = w3 * (m3 * (e2 * T34)),
+        v20 = m3 * (w1 * (e1 * N3)), C2 = v19 - v20, v21 = S2 * S2 + C2 * C2, w2 = sqrt_four(v21),
+        v22 = 1.0 / v21;
 
     /* theta4 */
-    const four v23 = e2 * c3;
-    const four c23 = w2 * (v22 * (v18 * v23 + v6 * v12));
-    const four s23 = w2 * (v22 * (v12 * v23 - v6 * v18));
+    const four v23 = e2 * c3, c23 = w2 * (v22 * (v18 * v23 + v6 * v12)),
+        s23 = w2 * (v22 * (v12 * v23 - v6 * v18));
     const double v24 = w1 * (v2 * (T14 * T13 + T24 * T23));
     const four X4 = s23 * T33 - e1 * (c23 * v24);
-    const double Y4 = w1 * (v2 * (T14 * T23 - T24 * T13));
-    const double v25 = Y4 * Y4;
-    const four v26 = v25 + X4 * X4;
-    const four w4 = sqrt_four(v26);
-    const four factor4 = w4 * (1.0 / v26);
-    const four v27 = X4 * factor4;
-    const four s4 = Y4 * factor4;
-    const four v28 = e1 * Y4, v29 = copysign_four(all_four(half_turn), v28) * h1;
+    const double Y4 = w1 * (v2 * (T14 * T23 - T24 * T13)), v25 = Y4 * Y4;
+    const four v26 = v25 + X4 * X4, w4 = sqrt_four(v26), factor4 = w4 * (1.0 / v26),
+        v27 = X4 * factor4, s4 = Y4 * factor4, v28 = e1 * Y4,
+        v29 = copysign_four(all_four(half_turn), v28) * h1;
 
     /* theta6 */
-    const double v30 = w1 * (v2 * (T14 * T22 - T24 * T12));
-    const double v31 = w1 * (v2 * (T14 * T12 + T24 * T22));
-    const double v32 = w1 * (v2 * (T14 * T21 - T24 * T11));
-    const double v33 = w1 * (v2 * (T14 * T11 + T24 * T21));
+    const double v30 = w1 * (v2 * (T14 * T22 - T24 * T12)),
+        v31 = w1 * (v2 * (T14 * T12 + T24 * T22)), v32 = w1 * (v2 * (T14 * T21 - T24 * T11)),
+        v33 = w1 * (v2 * (T14 * T11 + T24 * T21));
     const four v34 = e1 * (v27 * v32 - s4 * (s23 * T31 - e1 * (c23 * v33)));
 
     /* joint values */
-    const int doubt1 = (v1 <= m1) | (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
+    const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
     const four_mask doubt2 = (v21 <= m4) | (v26 <= m5);
 
-    const four angle3 = atan2_four(S2, C2), angle4 = atan2_four(v28, -X4);
-    const four angle5 = atan2_four(w4, c23 * T33 + e1 * (s23 * v24));
-    const four angle6 = atan2_four(v34, e1 * (v27 * v30 - s4 * (s23 * T32 - e1 * (c23 * v31))));
-    const four packed5 = atan2_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14, -T14
-        });
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2));
-    const four q4_m = angle4 - v29;
-    const four q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v34);
-    const four q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
+    const four angle3 = atan2_four(S2, C2), angle4 = atan2_four(v28, -X4),
+        angle5 = atan2_four(w4, c23 * T33 + e1 * (s23 * v24)),
+        angle6 = atan2_four(v34, e1 * (v27 * v30 - s4 * (s23 * T32 - e1 * (c23 * v31)))),
+        packed5 = atan2_four((four){ -T24, -v5, -T24, -T24 }, (four){ -T14, v7, -T14, -T14 }),
+        angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2)), q4_m = angle4 - v29,
+        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v34),
+        q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -747,8 +632,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1);
-        const double s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1),
+            s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
         const double q1 = atan2(s1, c1);
         const double root1 = w1 * e1;
 
@@ -763,8 +648,7 @@ static void solve(
 
         /* theta2, type 3: U1[3, 4] and U1[1, 4] */
         const double X1_2 = a2 + d4 * v2;
-        const double v3 = T34 * X1_2;
-        const double v4 = root1 * X1_2;
+        const double v3 = T34 * X1_2, v4 = root1 * X1_2;
 
         /* theta4, type 2: U4[2, 3] */
         const double v5 = T13 * c1 + T23 * s1;
@@ -772,10 +656,8 @@ static void solve(
         const double v6 = Y4 * Y4;
 
         /* theta6, type 3: U4[2, 2] and U4[2, 1] */
-        const double v7 = T12 * s1 - T22 * c1;
-        const double v8 = T12 * c1 + T22 * s1;
-        const double v10 = T11 * s1 - T21 * c1;
-        const double v11 = T11 * c1 + T21 * s1;
+        const double v7 = T12 * s1 - T22 * c1, v8 = T12 * c1 + T22 * s1, v10 = T11 * s1 - T21 * c1,
+            v11 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -791,13 +673,12 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-            const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                s2 = free2 ? sin(seed[1]) : S2 * factor2;
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
-            const double c23 = c3 * c2 + v2 * s2;
-            const double s23 = c3 * s2 - v2 * c2;
+            const double c23 = c3 * c2 + v2 * s2, s23 = c3 * s2 - v2 * c2;
             const double X4 = c23 * v5 + T33 * s23;
             const double w4 = sqrt(X4 * X4 + v6);
             const int free4 = w4 <= free_limit;
@@ -807,16 +688,15 @@ static void solve(
             const double c5 = T33 * c23 - s23 * v5;
 
             /* theta6 */
-            const double v9 = c23 * v8 + T32 * s23;
-            const double v12 = c23 * v11 + T31 * s23;
+            const double v9 = c23 * v8 + T32 * s23, v12 = c23 * v11 + T31 * s23;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e3;
 
@@ -826,11 +706,7 @@ static void solve(
                 /* theta6 */
                 const double q6 = atan2(-(c4 * v10 + s4 * v12), -(c4 * v7 + s4 * v9));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? STAUBLI_RX90_FREE_JOINT : STAUBLI_RX90_OK;
             }

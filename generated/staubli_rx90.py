@@ -599,9 +599,9 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or (v1 <= m1
-        or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
-        longest3_apart)) or v20 <= m4))))))
+        v36 <= m5 or v22 <= m4 or v35 <= m5 or v34 <= m5 or v21 <= m4 or v33 <= m5 or v1 <= m1 or
+        (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 <
+        longest3_apart)) or v20 <= m4
     )
 
     # angles, side by side
@@ -1052,9 +1052,9 @@ def _in_tiles(T, q, status):
             v52 = s4_mm * (c23_mm * v47 - v29 * T31) - v40 * v46
             v53 = c23_pm * v45
             doubt1 = (
-                v36 <= m5 or (v22 <= m4 or (v35 <= m5 or (v34 <= m5 or (v21 <= m4 or (v33 <= m5 or
-                (v1 <= m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not
-                (shortest3_apart < N3 and N3 < longest3_apart)) or v20 <= m4))))))
+                v36 <= m5 or v22 <= m4 or v35 <= m5 or v34 <= m5 or v21 <= m4 or v33 <= m5 or v1 <=
+                m1 or (shortest3_reach <= N3 and N3 <= longest3_reach and not (shortest3_apart < N3
+                and N3 < longest3_apart)) or v20 <= m4
             )
             work[272 + k] = v3
             work[288 + k] = v4

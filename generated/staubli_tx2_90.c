@@ -89,56 +89,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -178,7 +143,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -200,14 +165,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -346,50 +305,33 @@ static const double highest[6] = {
 
 void staubli_tx2_90_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
     const double v5 = s2 * c3 + c2 * s3;
-    const double z3_x = v2 * c3 + x2_x * s3;
-    const double z3_y = v3 * c3 + x2_y * s3;
-    const double z3_z = c2 * c3 - s2 * s3;
+    const double z3_x = v2 * c3 + x2_x * s3, z3_y = v3 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4;
     const double v7 = v5 * c4;
     const double z4_x = s1 * c4 + x3_x * s4;
     const double v8 = v5 * s4;
     const double z4_y = x3_y * s4 - c1 * c4;
     const double v9 = q[4] + offset5;
-    const double c5 = cos(v9);
-    const double s5 = sin(v9);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = z3_z * s5 - v7 * c5;
+    const double c5 = cos(v9), s5 = sin(v9);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = z3_z * s5 - v7 * c5;
     const double v10 = z3_z * c5 + v7 * s5;
-    const double T11_ = x4_x * s5 - z3_x * c5;
-    const double T21_ = x4_y * s5 - z3_y * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + z3_x * d4 + T11_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + z3_y * d4 + T21_ * d6;
-    const double T34_ = d1 - s2 * a2 + z3_z * d4 - v10 * d6;
-    const double T33_ = v8 * s6 - x5_z * c6;
+    const double T11_ = x4_x * s5 - z3_x * c5, T21_ = x4_y * s5 - z3_y * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + z3_x * d4 + T11_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + z3_y * d4 + T21_ * d6,
+        T34_ = d1 - s2 * a2 + z3_z * d4 - v10 * d6, T33_ = v8 * s6 - x5_z * c6;
     T[0] = T11_; T[1] = T12_; T[2] = -(x5_x * c6 + z4_x * s6); T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -(x5_y * c6 + z4_y * s6); T[7] = T24_;
     T[8] = -v10; T[9] = -(v8 * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
@@ -399,65 +341,38 @@ void staubli_tx2_90_fk(const double q[6], double T[16])
 
 void staubli_tx2_90_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v2 = c1 * s2;
-    const double v3 = s1 * s2;
-    const double p2_z = d1 - s2 * a2;
-    const double p2_x = p1_x + x2_x * a2 - s1 * d2;
-    const double p2_y = p1_y + x2_y * a2 + c1 * d2;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double p2_z = d1 - s2 * a2, p2_x = p1_x + x2_x * a2 - s1 * d2,
+        p2_y = p1_y + x2_y * a2 + c1 * d2;
     const double v4 = q[2] + offset3;
-    const double c3 = cos(v4);
-    const double s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3;
-    const double x3_y = x2_y * c3 - v3 * s3;
+    const double c3 = cos(v4), s3 = sin(v4);
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3;
     const double v5 = s2 * c3 + c2 * s3;
-    const double J44 = v2 * c3 + x2_x * s3;
-    const double J54 = v3 * c3 + x2_y * s3;
-    const double J64 = c2 * c3 - s2 * s3;
+    const double J44 = v2 * c3 + x2_x * s3, J54 = v3 * c3 + x2_y * s3, J64 = c2 * c3 - s2 * s3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
+    const double c4 = cos(v6), s4 = sin(v6);
     const double J45 = s1 * c4 + x3_x * s4;
     const double v7 = v5 * s4;
-    const double p4_x = p2_x + J44 * d4;
-    const double p4_y = p2_y + J54 * d4;
-    const double p4_z = p2_z + J64 * d4;
+    const double p4_x = p2_x + J44 * d4, p4_y = p2_y + J54 * d4, p4_z = p2_z + J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
     const double v8 = q[4] + offset5;
-    const double c5 = cos(v8);
-    const double s5 = sin(v8);
+    const double c5 = cos(v8), s5 = sin(v8);
     const double v9 = J64 * c5 + v5 * c4 * s5;
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
-    const double J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5;
-    const double J21 = p4_x + J46 * d6;
-    const double v10 = p4_y + J56 * d6;
-    const double v11 = p4_z - v9 * d6;
-    const double v12 = v11 - d1;
-    const double J12 = c1 * v12;
-    const double J22 = s1 * v12;
-    const double v13 = J21 - p2_x;
-    const double v14 = v10 - p2_y;
-    const double v15 = v11 - p2_z;
-    const double J13 = c1 * v15;
-    const double J23 = s1 * v15;
-    const double J14 = J54 * v15 - J64 * v14;
-    const double J24 = J64 * v13 - J44 * v15;
-    const double J34 = J44 * v14 - J54 * v13;
-    const double v16 = J21 - p4_x;
-    const double v17 = v10 - p4_y;
-    const double v18 = v11 - p4_z;
-    const double J15 = J55 * v18 + v7 * v17;
-    const double J35 = J45 * v17 - J55 * v16;
-    const double J16 = J56 * v18 + v9 * v17;
-    const double J36 = J46 * v17 - J56 * v16;
+    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
+        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J21 = p4_x + J46 * d6;
+    const double v10 = p4_y + J56 * d6, v11 = p4_z - v9 * d6, v12 = v11 - d1;
+    const double J12 = c1 * v12, J22 = s1 * v12;
+    const double v13 = J21 - p2_x, v14 = v10 - p2_y, v15 = v11 - p2_z;
+    const double J13 = c1 * v15, J23 = s1 * v15, J14 = J54 * v15 - J64 * v14,
+        J24 = J64 * v13 - J44 * v15, J34 = J44 * v14 - J54 * v13;
+    const double v16 = J21 - p4_x, v17 = v10 - p4_y, v18 = v11 - p4_z;
+    const double J15 = J55 * v18 + v7 * v17, J35 = J45 * v17 - J55 * v16,
+        J16 = J56 * v18 + v9 * v17, J36 = J46 * v17 - J56 * v16;
     J[0] = -v10; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = -(v7 * v16 + J45 * v18);
     J[11] = -(v9 * v16 + J46 * v18);
@@ -472,13 +387,16 @@ void staubli_tx2_90_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -525,168 +443,148 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide t14 = T14 - d6 * T11;
-    const wide Y1 = d6 * T21 - T24;
-    const wide N1 = t14 * t14 + Y1 * Y1;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (d2 * Y1), v2 = v1 + w1 * (t14 * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -t14), v4 = inverse1 * (d2 * t14);
-    const wide s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
+    const wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1),
+        v2 = v1 + w1 * (t14 * inverse1), v3 = v1 + w1 * (inverse1 * -t14),
+        v4 = inverse1 * (d2 * t14), s1_p = w1 * (Y1 * inverse1) - v4,
+        s1_m = w1 * (inverse1 * -Y1) - v4;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T31 - d1;
-    const wide v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3;
-    const wide N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v8 = m2 * v7 + (m2 * N1 - 1.0), v9 = m1 * w1;
-    const wide s3_p = v8 + v9, s3_m = v8 - v9;
-    const wide v10 = k5 * (k4 * w3_p), v11 = k5 * (k4 * w3_m);
+    const wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
+        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v8 = m2 * v7 + (m2 * N1 - 1.0),
+        v9 = m1 * w1, s3_p = v8 + v9, s3_m = v8 - v9, v10 = k5 * (k4 * w3_p),
+        v11 = k5 * (k4 * w3_m);
 
     /* theta2 */
-    const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m;
-    const wide v12 = Z1_3 * Y1_2_p, v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m3 * v5);
-    const wide S2_pp = v14 - v12;
-    const wide v15 = v12 + v14;
-    const wide S2_mp = w3_m * (m3 * v6) - v13, S2_mm = w3_m * (m3 * -v6) - v13;
-    const wide v16 = v5 * Y1_2_p, v17 = v6 * Y1_2_m, v18 = m3 * Z1_3, v19 = m3 * -Z1_3;
-    const wide v20 = v16 + w3_p * v18, v21 = v16 + w3_p * v19, v22 = v17 + w3_m * v18;
-    const wide v23 = v17 + w3_m * v19, v24 = S2_pp * S2_pp + v20 * v20, v25 = v15 * v15 + v21 * v21;
-    const wide v26 = S2_mp * S2_mp + v22 * v22, v27 = S2_mm * S2_mm + v23 * v23;
-    const wide factor2_pp = sqrt_wide(v24) * (1.0 / v24), factor2_pm = sqrt_wide(v25) * (1.0 / v25);
-    const wide factor2_mp = sqrt_wide(v26) * (1.0 / v26), factor2_mm = sqrt_wide(v27) * (1.0 / v27);
+    const wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v12 = Z1_3 * Y1_2_p,
+        v13 = Z1_3 * Y1_2_m, v14 = w3_p * (m3 * v5), S2_pp = v14 - v12, v15 = v12 + v14,
+        S2_mp = w3_m * (m3 * v6) - v13, S2_mm = w3_m * (m3 * -v6) - v13, v16 = v5 * Y1_2_p,
+        v17 = v6 * Y1_2_m, v18 = m3 * Z1_3, v19 = m3 * -Z1_3, v20 = v16 + w3_p * v18,
+        v21 = v16 + w3_p * v19, v22 = v17 + w3_m * v18, v23 = v17 + w3_m * v19,
+        v24 = S2_pp * S2_pp + v20 * v20, v25 = v15 * v15 + v21 * v21,
+        v26 = S2_mp * S2_mp + v22 * v22, v27 = S2_mm * S2_mm + v23 * v23,
+        factor2_pp = sqrt_wide(v24) * (1.0 / v24), factor2_pm = sqrt_wide(v25) * (1.0 / v25),
+        factor2_mp = sqrt_wide(v26) * (1.0 / v26), factor2_mm = sqrt_wide(v27) * (1.0 / v27);
 
     /* theta4 */
-    const wide v28 = s3_p * S2_pp - v10 * v20, v29 = v10 * v21 - s3_p * v15;
-    const wide v30 = s3_m * S2_mp - v11 * v22, v31 = s3_m * S2_mm + v11 * v23;
-    const wide v32 = s3_p * v20 + v10 * S2_pp, v33 = s3_p * v21 + v10 * v15;
-    const wide v34 = s3_m * v22 + v11 * S2_mp, v35 = s3_m * v23 - v11 * S2_mm;
-    const wide v36 = T21 * s1_p - T11 * v2, v37 = T21 * s1_m - T11 * v3;
-    const wide X4_pp = v28 * v36 - T31 * v32, X4_pm = v29 * v36 - T31 * v33;
-    const wide X4_mp = v30 * v37 - T31 * v34, X4_mm = v31 * v37 - T31 * v35;
-    const wide v38 = T21 * v2 + T11 * s1_p, v39 = T21 * v3 + T11 * s1_m, v40 = v38 * v38;
-    const wide v41 = v39 * v39, v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
-    const wide v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
-    const wide v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
-    const wide v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
+    const wide v28 = s3_p * S2_pp - v10 * v20, v29 = v10 * v21 - s3_p * v15,
+        v30 = s3_m * S2_mp - v11 * v22, v31 = s3_m * S2_mm + v11 * v23,
+        v32 = s3_p * v20 + v10 * S2_pp, v33 = s3_p * v21 + v10 * v15,
+        v34 = s3_m * v22 + v11 * S2_mp, v35 = s3_m * v23 - v11 * S2_mm, v36 = T21 * s1_p - T11 * v2,
+        v37 = T21 * s1_m - T11 * v3, X4_pp = v28 * v36 - T31 * v32, X4_pm = v29 * v36 - T31 * v33,
+        X4_mp = v30 * v37 - T31 * v34, X4_mm = v31 * v37 - T31 * v35, v38 = T21 * v2 + T11 * s1_p,
+        v39 = T21 * v3 + T11 * s1_m, v40 = v38 * v38, v41 = v39 * v39,
+        v42 = v40 + factor2_pp * (X4_pp * (factor2_pp * X4_pp)),
+        v43 = v40 + factor2_pm * (X4_pm * (factor2_pm * X4_pm)),
+        v44 = v41 + factor2_mp * (X4_mp * (factor2_mp * X4_mp)),
+        v45 = v41 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v46 = s1_p * T12 + v2 * T22, v47 = s1_m * T12 + v3 * T22;
-    const wide v48 = s1_p * T22 - v2 * T12, v49 = s1_m * T22 - v3 * T12;
-    const wide v50 = v2 * T23 + s1_p * T13, v51 = v3 * T23 + s1_m * T13;
-    const wide v52 = s1_p * T23 - v2 * T13, v53 = s1_m * T23 - v3 * T13;
-    const wide angle1 = atan2_wide(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp +
-        v38 * (v28 * v48 - v32 * T32));
-    const wide angle2 = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm +
-        v38 * (v29 * v48 - v33 * T32));
-    const wide angle3 = atan2_wide(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp +
-        v39 * (v30 * v49 - v34 * T32));
-    const wide angle4 = atan2_wide(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm +
-        v39 * (v31 * v49 - v35 * T32));
-    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pp + v38 * (v28 *
-        v52 - v32 * T33))) * h1;
-    const wide q6_pmm = angle2 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pm + v38 * (v29 *
-        v52 - v33 * T33))) * h1;
-    const wide q6_mpm = angle3 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mp + v39 * (v30 *
-        v53 - v34 * T33))) * h1;
-    const wide q6_mmm = angle4 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mm + v39 * (v31 *
-        v53 - v35 * T33))) * h1;
+    const wide v46 = s1_p * T12 + v2 * T22, v47 = s1_m * T12 + v3 * T22,
+        v48 = s1_p * T22 - v2 * T12, v49 = s1_m * T22 - v3 * T12, v50 = v2 * T23 + s1_p * T13,
+        v51 = v3 * T23 + s1_m * T13, v52 = s1_p * T23 - v2 * T13, v53 = s1_m * T23 - v3 * T13,
+        angle1 = atan2_wide(-(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)), v46 * -X4_pp + v38 *
+            (v28 * v48 - v32 * T32)),
+        angle2 = atan2_wide(-(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)), v46 * -X4_pm + v38 *
+            (v29 * v48 - v33 * T32)),
+        angle3 = atan2_wide(-(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_mp + v39 *
+            (v30 * v49 - v34 * T32)),
+        angle4 = atan2_wide(-(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)), v47 * -X4_mm + v39 *
+            (v31 * v49 - v35 * T32));
 
     /* joint values */
-    const wide angle5 = atan2_wide(S2_pp, -v20);
-    const wide v54 = angle5 - offset2;
-    const wide angle6 = atan2_wide(-v15, -v21);
-    const wide v55 = angle6 - offset2;
-    const wide angle7 = atan2_wide(S2_mp, -v22);
-    const wide v56 = angle7 - offset2;
-    const wide angle8 = atan2_wide(S2_mm, -v23);
-    const wide v57 = angle8 - offset2;
-    const wide q2_ppp = v54 - only_wide(half_turn < v54, m7);
-    const wide q2_pmp = v55 - only_wide(half_turn < v55, m7);
-    const wide q2_mpp = v56 - only_wide(half_turn < v56, m7);
-    const wide q2_mmp = v57 - only_wide(half_turn < v57, m7);
-    const wide angle9 = atan2_wide(s3_p, -v10), angle10 = atan2_wide(s3_m, -v11);
-    const wide v58 = angle9 - offset3;
-    const wide v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle9 - offset3;
-    const wide v60 = angle10 - offset3;
-    const wide v61 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle10 - offset3;
-    const wide q3_ppp = v58 + only_wide(v58 <= -half_turn, m7);
-    const wide q3_pmp = v59 + only_wide(v59 <= -half_turn, m7);
-    const wide q3_mpp = v60 + only_wide(v60 <= -half_turn, m7);
-    const wide q3_mmp = v61 + only_wide(v61 <= -half_turn, m7);
-    const wide angle11 = atan2_wide(-v38, factor2_pp * -X4_pp);
-    const wide angle12 = atan2_wide(-v38, factor2_pm * -X4_pm);
-    const wide angle13 = atan2_wide(-v39, factor2_mp * -X4_mp);
-    const wide angle14 = atan2_wide(-v39, factor2_mm * -X4_mm);
-    const wide v62 = h1 * copysign_wide(all_wide(half_turn), -v38);
-    const wide v63 = h1 * copysign_wide(all_wide(half_turn), -v39), v64 = angle11 - offset4;
-    const wide v65 = angle11 - v62 - offset4, v66 = angle12 - offset4;
-    const wide v67 = angle12 - v62 - offset4, v68 = angle13 - offset4;
-    const wide v69 = angle13 - v63 - offset4, v70 = angle14 - offset4;
-    const wide v71 = angle14 - v63 - offset4;
-    const wide q4_ppp = v64 + only_wide(v64 <= -half_turn, m7);
-    const wide q4_ppm = v65 + only_wide(v65 <= -half_turn, m7);
-    const wide q4_pmp = v66 + only_wide(v66 <= -half_turn, m7);
-    const wide q4_pmm = v67 + only_wide(v67 <= -half_turn, m7);
-    const wide q4_mpp = v68 + only_wide(v68 <= -half_turn, m7);
-    const wide q4_mpm = v69 + only_wide(v69 <= -half_turn, m7);
-    const wide q4_mmp = v70 + only_wide(v70 <= -half_turn, m7);
-    const wide q4_mmm = v71 + only_wide(v71 <= -half_turn, m7);
-    const wide angle15 = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 * v36));
-    const wide angle16 = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 * v36));
-    const wide angle17 = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 * v37));
-    const wide angle18 = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 * v37));
-    const wide v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5;
-    const wide v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17;
-    const wide v78 = angle18 - offset5, v79 = offset5 + angle18;
-    const wide q5_ppp = v72 + only_wide(v72 <= -half_turn, m7);
-    const wide q5_ppm = only_wide(-v73 <= -half_turn, m7) - v73;
-    const wide q5_pmp = v74 + only_wide(v74 <= -half_turn, m7);
-    const wide q5_pmm = only_wide(-v75 <= -half_turn, m7) - v75;
-    const wide q5_mpp = v76 + only_wide(v76 <= -half_turn, m7);
-    const wide q5_mpm = only_wide(-v77 <= -half_turn, m7) - v77;
-    const wide q5_mmp = v78 + only_wide(v78 <= -half_turn, m7);
-    const wide q5_mmm = only_wide(-v79 <= -half_turn, m7) - v79;
-    const wide angle19 = atan2_wide(s1_p, -v2);
-    const wide q1_ppp = angle19 + (w3_p - w3_p);
-    const wide angle20 = atan2_wide(s1_m, -v3);
-    const wide q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask v80 = ((q2_ppp < low2) | (high2 < q2_ppp)) | ((q3_ppp < low3) | (high3 <
-        q3_ppp)), v81 = ((q2_pmp < low2) | (high2 < q2_pmp)) | ((q3_pmp < low3) | (high3 < q3_pmp));
-    const wide_mask v82 = ((q2_mpp < low2) | (high2 < q2_mpp)) | ((q3_mpp < low3) | (high3 <
-        q3_mpp)), v83 = ((q2_mmp < low2) | (high2 < q2_mmp)) | ((q3_mmp < low3) | (high3 < q3_mmp));
-    const wide_mask outside_ppp = v80 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v80 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v81 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v81 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v82 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v82 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (v45 <= m5) | ((v27 <= m4) | ((v44 <= m5) | ((v26 <= m4) | ((v43 <= m5)
-        | ((v25 <= m4) | ((v42 <= m5) | ((v24 <= m4) | ((abs_wide(D1) <= k2) | ((N1 <=
-        doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (((shortest3_reach <= N3_m) &
-        (N3_m <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) ==
-        0))))))))))));
+    const wide angle5 = atan2_wide(S2_pp, -v20), v54 = angle5 - offset2,
+        angle6 = atan2_wide(-v15, -v21), v55 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v22),
+        v56 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v23), v57 = angle8 - offset2,
+        q2_ppp = v54 - only_wide(half_turn < v54, m7),
+        q2_pmp = v55 - only_wide(half_turn < v55, m7),
+        q2_mpp = v56 - only_wide(half_turn < v56, m7),
+        q2_mmp = v57 - only_wide(half_turn < v57, m7), angle9 = atan2_wide(s3_p, -v10),
+        angle10 = atan2_wide(s3_m, -v11), v58 = angle9 - offset3,
+        v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle9 - offset3,
+        v60 = angle10 - offset3,
+        v61 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle10 - offset3,
+        q3_ppp = v58 + only_wide(v58 <= -half_turn, m7),
+        q3_pmp = v59 + only_wide(v59 <= -half_turn, m7),
+        q3_mpp = v60 + only_wide(v60 <= -half_turn, m7),
+        q3_mmp = v61 + only_wide(v61 <= -half_turn, m7),
+        angle11 = atan2_wide(-v38, factor2_pp * -X4_pp),
+        angle12 = atan2_wide(-v38, factor2_pm * -X4_pm),
+        angle13 = atan2_wide(-v39, factor2_mp * -X4_mp),
+        angle14 = atan2_wide(-v39, factor2_mm * -X4_mm),
+        v62 = h1 * copysign_wide(all_wide(half_turn), -v38),
+        v63 = h1 * copysign_wide(all_wide(half_turn), -v39), v64 = angle11 - offset4,
+        v65 = angle11 - v62 - offset4, v66 = angle12 - offset4, v67 = angle12 - v62 - offset4,
+        v68 = angle13 - offset4, v69 = angle13 - v63 - offset4, v70 = angle14 - offset4,
+        v71 = angle14 - v63 - offset4,
+        angle15 = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 * v36)),
+        angle16 = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 * v36)),
+        angle17 = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 * v37)),
+        angle18 = atan2_wide(sqrt_wide(v45), factor2_mm * (T31 * v31 + v35 * v37)),
+        v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5,
+        v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17,
+        v78 = angle18 - offset5, v79 = offset5 + angle18,
+        q5_ppp = v72 + only_wide(v72 <= -half_turn, m7),
+        q5_ppm = only_wide(-v73 <= -half_turn, m7) - v73,
+        q5_pmp = v74 + only_wide(v74 <= -half_turn, m7),
+        q5_pmm = only_wide(-v75 <= -half_turn, m7) - v75,
+        q5_mpp = v76 + only_wide(v76 <= -half_turn, m7),
+        q5_mpm = only_wide(-v77 <= -half_turn, m7) - v77,
+        q5_mmp = v78 + only_wide(v78 <= -half_turn, m7),
+        q5_mmm = only_wide(-v79 <= -half_turn, m7) - v79, angle19 = atan2_wide(s1_p, -v2),
+        q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
+        q1_mpp = angle20 + (w3_m - w3_m);
+    const wide_mask v80 = beyond(q2_ppp, low2, high2) | beyond(q3_ppp, low3, high3),
+        v81 = beyond(q2_pmp, low2, high2) | beyond(q3_pmp, low3, high3),
+        v82 = beyond(q2_mpp, low2, high2) | beyond(q3_mpp, low3, high3),
+        v83 = beyond(q2_mmp, low2, high2) | beyond(q3_mmp, low3, high3),
+        outside_ppp = v80 | beyond(q5_ppp, low5, high5),
+        outside_ppm = v80 | beyond(q5_ppm, low5, high5),
+        outside_pmp = v81 | beyond(q5_pmp, low5, high5),
+        outside_pmm = v81 | beyond(q5_pmm, low5, high5),
+        outside_mpp = v82 | beyond(q5_mpp, low5, high5),
+        outside_mpm = v82 | beyond(q5_mpm, low5, high5),
+        outside_mmp = v83 | beyond(q5_mmp, low5, high5),
+        outside_mmm = v83 | beyond(q5_mmm, low5, high5),
+        doubt1 = (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) | (v43 <= m5) | (v25 <= m4) |
+            (v42 <= m5) | (v24 <= m4) | (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) |
+            ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) &
+            (N3_p < longest3_apart)) == 0)) | ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)
+            & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v64 + only_wide(v64 <= -half_turn, m7);
+    q[4] = q5_ppp; q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v65 + only_wide(v65 <= -half_turn, m7);
+    q[10] = q5_ppm;
+    q[11] = angle1 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pp + v38 * (v28 * v52 - v32 *
+        T33))) * h1;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v66 + only_wide(v66 <= -half_turn, m7);
+    q[16] = q5_pmp; q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v67 + only_wide(v67 <= -half_turn, m7);
+    q[22] = q5_pmm;
+    q[23] = angle2 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pm + v38 * (v29 * v52 - v33 *
+        T33))) * h1;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = v68 + only_wide(v68 <= -half_turn, m7);
+    q[28] = q5_mpp; q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = v69 + only_wide(v69 <= -half_turn, m7);
+    q[34] = q5_mpm;
+    q[35] = angle3 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mp + v39 * (v30 * v53 - v34 *
+        T33))) * h1;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = v70 + only_wide(v70 <= -half_turn, m7);
+    q[40] = q5_mmp; q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = v71 + only_wide(v71 <= -half_turn, m7);
+    q[46] = q5_mmm;
+    q[47] = angle4 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mm + v39 * (v31 * v53 - v35 *
+        T33))) * h1;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -706,13 +604,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double t14 = T14 - d6 * T11;
-    const double Y1 = d6 * T21 - T24;
-    const double N1 = t14 * t14 + Y1 * Y1;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = inverse1 * (d2 * Y1);
+    const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d2 * Y1);
     const four v2 = v1 + w1 * (inverse1 * (e1 * t14));
     const double v3 = inverse1 * (d2 * t14);
     const four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
@@ -721,63 +614,50 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T31 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart
-        < N3) & (N3 < longest3_apart)) == 0);
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four_mask doubt2 = (shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart <
+        N3) & (N3 < longest3_apart)) == 0);
     const double v6 = m2 * v5 + (m2 * N1 - 1.0);
-    const four s3 = v6 + w1 * (m1 * e1);
-    const four v7 = k5 * (k4 * w3);
+    const four s3 = v6 + w1 * (m1 * e1), v7 = k5 * (k4 * w3);
 
     /* theta2 */
-    const four Y1_2 = a2 + d4 * s3;
-    const four v8 = Z1_3 * Y1_2;
-    const four S2 = w3 * (m3 * (e2 * v4)) - v8;
-    const four v9 = v4 * Y1_2, v10 = m3 * (e2 * Z1_3), v11 = v9 + w3 * v10;
-    const four v12 = S2 * S2 + v11 * v11;
-    const four factor2 = sqrt_four(v12) * (1.0 / v12);
+    const four Y1_2 = a2 + d4 * s3, v8 = Z1_3 * Y1_2, S2 = w3 * (m3 * (e2 * v4)) - v8,
+        v9 = v4 * Y1_2, v10 = m3 * (e2 * Z1_3), v11 = v9 + w3 * v10, v12 = S2 * S2 + v11 * v11,
+        factor2 = sqrt_four(v12) * (1.0 / v12);
 
     /* theta4 */
-    const four v13 = s3 * S2 - e2 * (v7 * v11), v14 = s3 * v11 + e2 * (v7 * S2);
-    const four v15 = T21 * s1 - T11 * v2;
-    const four X4 = v13 * v15 - T31 * v14;
-    const four v16 = T21 * v2 + T11 * s1, v17 = v16 * v16;
-    const four v18 = v17 + factor2 * (X4 * (factor2 * X4));
+    const four v13 = s3 * S2 - e2 * (v7 * v11), v14 = s3 * v11 + e2 * (v7 * S2),
+        v15 = T21 * s1 - T11 * v2, X4 = v13 * v15 - T31 * v14, v16 = T21 * v2 + T11 * s1,
+        v17 = v16 * v16, v18 = v17 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v19 = s1 * T12 + v2 * T22, v20 = s1 * T22 - v2 * T12, v21 = v2 * T23 + s1 * T13;
-    const four v22 = s1 * T23 - v2 * T13;
+    const four v19 = s1 * T12 + v2 * T22, v20 = s1 * T22 - v2 * T12, v21 = v2 * T23 + s1 * T13,
+        v22 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v24 = copysign_four(all_four(half_turn), s3), v25 = m6 * (1.0 - e2);
-    const four v27 = h1 * copysign_four(all_four(half_turn), -v16);
+    const four v24 = copysign_four(all_four(half_turn), s3), v25 = m6 * (1.0 - e2),
+        v27 = h1 * copysign_four(all_four(half_turn), -v16);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
     const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
     const four angle1 = atan2_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 *
-        (v13 * v20 - v14 * T32)), angle2 = atan2_four(S2, -v11);
-    const four angle4 = atan2_four(-v16, factor2 * -X4);
-    const four angle5 = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
-    const four packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
-        __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+        (v13 * v20 - v14 * T32)), angle2 = atan2_four(S2, -v11),
+        angle4 = atan2_four(-v16, factor2 * -X4),
+        angle5 = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15)),
+        packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
+            __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7)),
+        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q6_m = angle1 - copysign_four(all_four(half_turn), -(v21 * -X4 + v16 * (v13 * v22 -
-        v14 * T33))) * h1;
-    const four v23 = angle2 - offset2;
-    const four q2_p = v23 - only_four(half_turn < v23, m7);
-    const four v26 = e2 * angle3 + v24 * v25 - offset3;
-    const four q3_p = v26 + only_four(v26 <= -half_turn, m7);
-    const four v28 = angle4 - offset4, v29 = angle4 - v27 - offset4;
-    const four q4_p = v28 + only_four(v28 <= -half_turn, m7);
-    const four q4_m = v29 + only_four(v29 <= -half_turn, m7);
-    const four v30 = angle5 - offset5, v31 = offset5 + angle5;
-    const four q5_p = v30 + only_four(v30 <= -half_turn, m7);
-    const four q5_m = only_four(-v31 <= -half_turn, m7) - v31;
-    const four q1_p = angle6 + (w3 - w3);
-    const four_mask v32 = ((q2_p < low2) | (high2 < q2_p)) | ((q3_p < low3) | (high3 < q3_p));
-    const four_mask outside_p = v32 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v32 | ((q5_m < low5) | (high5 < q5_m));
+        v14 * T33))) * h1, v23 = angle2 - offset2, q2_p = v23 - only_four(half_turn < v23, m7),
+        v26 = e2 * angle3 + v24 * v25 - offset3, q3_p = v26 + only_four(v26 <= -half_turn, m7),
+        v28 = angle4 - offset4, v29 = angle4 - v27 - offset4,
+        q4_p = v28 + only_four(v28 <= -half_turn, m7),
+        q4_m = v29 + only_four(v29 <= -half_turn, m7), v30 = angle5 - offset5,
+        v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, m7),
+        q5_m = only_four(-v31 <= -half_turn, m7) - v31, q1_p = angle6 + (w3 - w3);
+    const four_mask v32 = beyond(q2_p, low2, high2) | beyond(q3_p, low3, high3),
+        outside_p = v32 | beyond(q5_p, low5, high5), outside_m = v32 | beyond(q5_m, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -866,8 +746,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
-    const double v1 = t14 * d2;
-    const double v2 = Y1 * d2;
+    const double v1 = t14 * d2, v2 = Y1 * d2;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double t34 = T34 - d6 * T31;
@@ -885,8 +764,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + t14 * root1));
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v1);
+        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + t14 * root1)),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -901,8 +780,7 @@ static void solve(
 
         /* theta2 */
         const double Y1_2 = a2 + d4 * s3;
-        const double v7 = Z1_3 * Y1_2;
-        const double v8 = v3 * Y1_2;
+        const double v7 = Z1_3 * Y1_2, v8 = v3 * Y1_2;
 
         /* theta4 */
         const double v12 = T11 * c1 + T21 * s1;
@@ -910,10 +788,8 @@ static void solve(
         const double v13 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v15 = T12 * s1 - T22 * c1;
-        const double v16 = T12 * c1 + T22 * s1;
-        const double v18 = T23 * c1 - T13 * s1;
-        const double v19 = T13 * c1 + T23 * s1;
+        const double v15 = T12 * s1 - T22 * c1, v16 = T12 * c1 + T22 * s1,
+            v18 = T23 * c1 - T13 * s1, v19 = T13 * c1 + T23 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -928,8 +804,8 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + v9 * v9);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v10) : -(v9 * factor2);
-            const double s2 = free2 ? sin(v10) : S2 * factor2;
+            const double c2 = free2 ? cos(v10) : -(v9 * factor2),
+                s2 = free2 ? sin(v10) : S2 * factor2;
 
             /* theta4 */
             const double v11 = v5 * c2 + s3 * s2;
@@ -943,8 +819,7 @@ static void solve(
             const double c5 = T31 * v11 - s23 * v12;
 
             /* theta6 */
-            const double v17 = v11 * v16 + T32 * s23;
-            const double v20 = v11 * v19 + T33 * s23;
+            const double v17 = v11 * v16 + T32 * s23, v20 = v11 * v19 + T33 * s23;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -955,24 +830,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v14) : -(X4 * factor4);
-                const double s4 = free4 ? sin(v14) : Y4 * factor4;
+                const double c4 = free4 ? cos(v14) : -(X4 * factor4),
+                    s4 = free4 ? sin(v14) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v15 - s4 * v17;
-                const double s6 = c4 * v18 + s4 * v20;
+                const double c6 = c4 * v15 - s4 * v17, s6 = c4 * v18 + s4 * v20;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
                 const double q5 = wrap(atan2(s5, c5) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? STAUBLI_TX2_90_FREE_JOINT :
                     STAUBLI_TX2_90_OK;

@@ -677,11 +677,11 @@ def _regular(pose, q, status):
     v62 = h1 * math.copysign(half_turn, -v38)
     v63 = h1 * math.copysign(half_turn, -v39)
     doubt1 = (
-        v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or (v42 <=
-        m5 or (v24 <= m4 or (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or ((shortest3_reach <=
-        N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))
-        or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and
-        N3_m < longest3_apart))))))))))))
+        v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <= m5 or
+        v24 <= m4 or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3_p and
+        N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart)) or
+        (shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m
+        < longest3_apart))
     )
 
     # angles, side by side
@@ -807,18 +807,18 @@ def _regular(pose, q, status):
     q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
-    v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
-    v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
-    v82 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
-    v83 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
-    outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+    v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp
+    v81 = q2_pmp < low2 or high2 < q2_pmp or q3_pmp < low3 or high3 < q3_pmp
+    v82 = q2_mpp < low2 or high2 < q2_mpp or q3_mpp < low3 or high3 < q3_mpp
+    v83 = q2_mmp < low2 or high2 < q2_mmp or q3_mmp < low3 or high3 < q3_mmp
+    outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1183,11 +1183,11 @@ def _in_tiles(T, q, status):
             v62 = h1 * math.copysign(half_turn, -v38)
             v63 = h1 * math.copysign(half_turn, -v39)
             doubt1 = (
-                v45 <= m5 or (v27 <= m4 or (v44 <= m5 or (v26 <= m4 or (v43 <= m5 or (v25 <= m4 or
-                (v42 <= m5 or (v24 <= m4 or (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or
-                ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p
-                and N3_p < longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart))))))))))))
+                v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <=
+                m5 or v24 <= m4 or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach
+                <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
+                longest3_apart)) or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+                (shortest3_apart < N3_m and N3_m < longest3_apart))
             )
             work[272 + k] = w3_p
             work[288 + k] = w3_m
@@ -1369,18 +1369,18 @@ def _in_tiles(T, q, status):
             q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
-            v80 = q2_ppp < low2 or high2 < q2_ppp or (q3_ppp < low3 or high3 < q3_ppp)
-            v81 = q2_pmp < low2 or high2 < q2_pmp or (q3_pmp < low3 or high3 < q3_pmp)
-            v82 = q2_mpp < low2 or high2 < q2_mpp or (q3_mpp < low3 or high3 < q3_mpp)
-            v83 = q2_mmp < low2 or high2 < q2_mmp or (q3_mmp < low3 or high3 < q3_mmp)
-            outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+            v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp
+            v81 = q2_pmp < low2 or high2 < q2_pmp or q3_pmp < low3 or high3 < q3_pmp
+            v82 = q2_mpp < low2 or high2 < q2_mpp or q3_mpp < low3 or high3 < q3_mpp
+            v83 = q2_mmp < low2 or high2 < q2_mmp or q3_mmp < low3 or high3 < q3_mmp
+            outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
             _1312 = q1_ppp
             work[1312 + k] = _1312
             _1328 = q2_ppp

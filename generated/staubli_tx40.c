@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -336,53 +295,30 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void staubli_tx40_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double z3_x = v3 * c3 + x2_x * s3;
-    const double z3_y = v4 * c3 + x2_y * s3;
-    const double z3_z = s2 * s3 - c2 * c3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double z3_x = v3 * c3 + x2_x * s3, z3_y = v4 * c3 + x2_y * s3, z3_z = s2 * s3 - c2 * c3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double x4_x = x3_x * c4 + s1 * s4;
-    const double x4_y = x3_y * c4 - c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double z4_y = c1 * c4 + x3_y * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_x = x3_x * s4 - s1 * c4;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4, x4_z = x3_z * c4;
+    const double z4_y = c1 * c4 + x3_y * s4, z4_z = x3_z * s4, z4_x = x3_x * s4 - s1 * c4;
     const double v7 = q[4] + offset5;
-    const double c5 = cos(v7);
-    const double s5 = sin(v7);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = x4_x * s5 - z3_x * c5;
-    const double T23_ = x4_y * s5 - z3_y * c5;
-    const double T33_ = x4_z * s5 - z3_z * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = z4_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 + s1 * d3 + z3_x * d4 + T13_ * d6;
-    const double T24_ = x2_y * a2 - c1 * d3 + z3_y * d4 + T23_ * d6;
-    const double T34_ = d1 + s2 * a2 + z3_z * d4 + T33_ * d6;
+    const double c5 = cos(v7), s5 = sin(v7);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = x4_x * s5 - z3_x * c5, T23_ = x4_y * s5 - z3_y * c5,
+        T33_ = x4_z * s5 - z3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T32_ = z4_z * c6 - x5_z * s6, T14_ = x2_x * a2 + s1 * d3 + z3_x * d4 + T13_ * d6,
+        T24_ = x2_y * a2 - c1 * d3 + z3_y * d4 + T23_ * d6,
+        T34_ = d1 + s2 * a2 + z3_z * d4 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -393,65 +329,40 @@ void staubli_tx40_fk(const double q[6], double T[16])
 void staubli_tx40_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
     const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double J44 = v3 * c3 + x2_x * s3;
-    const double J54 = v4 * c3 + x2_y * s3;
-    const double p3_x = p2_x + s1 * d3;
-    const double p3_y = p2_y - c1 * d3;
+    const double c3 = cos(v5), s3 = sin(v5);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double J44 = v3 * c3 + x2_x * s3, J54 = v4 * c3 + x2_y * s3;
+    const double p3_x = p2_x + s1 * d3, p3_y = p2_y - c1 * d3;
     const double J64 = s2 * s3 - c2 * c3;
     const double v6 = q[3] + offset4;
-    const double c4 = cos(v6);
-    const double s4 = sin(v6);
-    const double J55 = c1 * c4 + x3_y * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p3_x + J44 * d4;
-    const double p4_y = p3_y + J54 * d4;
-    const double p4_z = p2_z + J64 * d4;
+    const double c4 = cos(v6), s4 = sin(v6);
+    const double J55 = c1 * c4 + x3_y * s4, J65 = x3_z * s4;
+    const double p4_x = p3_x + J44 * d4, p4_y = p3_y + J54 * d4, p4_z = p2_z + J64 * d4;
     const double J45 = x3_x * s4 - s1 * c4;
     const double v7 = q[4] + offset5;
-    const double c5 = cos(v7);
-    const double s5 = sin(v7);
-    const double J46 = (x3_x * c4 + s1 * s4) * s5 - J44 * c5;
-    const double J56 = (x3_y * c4 - c1 * s4) * s5 - J54 * c5;
-    const double J66 = x3_z * c4 * s5 - J64 * c5;
-    const double J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6;
-    const double p6_z = p4_z + J66 * d6;
+    const double c5 = cos(v7), s5 = sin(v7);
+    const double J46 = (x3_x * c4 + s1 * s4) * s5 - J44 * c5,
+        J56 = (x3_y * c4 - c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
+        J21 = p4_x + J46 * d6;
+    const double p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6;
     const double v8 = p6_z - d1;
     const double J32 = s1 * p6_y + c1 * J21;
     const double v9 = p6_z - p2_z;
     const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
-    const double v10 = J21 - p3_x;
-    const double v11 = p6_y - p3_y;
-    const double J14 = J54 * v9 - J64 * v11;
-    const double J24 = J64 * v10 - J44 * v9;
-    const double J34 = J44 * v11 - J54 * v10;
-    const double v12 = J21 - p4_x;
-    const double v13 = p6_y - p4_y;
-    const double v14 = p6_z - p4_z;
-    const double J15 = J55 * v14 - J65 * v13;
-    const double J25 = J65 * v12 - J45 * v14;
-    const double J35 = J45 * v13 - J55 * v12;
-    const double J16 = J56 * v14 - J66 * v13;
-    const double J26 = J66 * v12 - J46 * v14;
-    const double J36 = J46 * v13 - J56 * v12;
+    const double v10 = J21 - p3_x, v11 = p6_y - p3_y;
+    const double J14 = J54 * v9 - J64 * v11, J24 = J64 * v10 - J44 * v9,
+        J34 = J44 * v11 - J54 * v10;
+    const double v12 = J21 - p4_x, v13 = p6_y - p4_y, v14 = p6_z - p4_z;
+    const double J15 = J55 * v14 - J65 * v13, J25 = J65 * v12 - J45 * v14,
+        J35 = J45 * v13 - J55 * v12, J16 = J56 * v14 - J66 * v13, J26 = J66 * v12 - J46 * v14,
+        J36 = J46 * v13 - J56 * v12;
     J[0] = -p6_y; J[1] = -(c1 * v8); J[2] = -(c1 * v9); J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -464,13 +375,16 @@ void staubli_tx40_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -517,145 +431,114 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = T24 - d6 * T23;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide v1 = w1 - w1;
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = inverse1 * (d3 * wy), v3 = v2 + w1 * (X1 * inverse1);
-    const wide v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d3 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
+    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy),
+        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d3 * X1),
+        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide N3 = D1 + Z1_3 * Z1_3;
-    const wide w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3));
-    const wide v6 = w3 - w3, v7 = k4 * (N3 - k4);
+    const wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v6 = w3 - w3, v7 = k4 * (N3 - k4);
 
     /* theta2 */
-    const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1);
-    const wide S2_pp = v8 - v9, S2_pm = v8 + v9;
-    const wide v10 = w3 * (m1 * Z1_3), v11 = w3 * (m1 * -Z1_3), v12 = m1 * (w1 * N3);
-    const wide C2_pp = v10 + v12, C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12;
-    const wide v13 = S2_pp * S2_pp, v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm;
-    const wide v16 = v15 + C2_pm * C2_pm, v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm;
-    const wide factor2_pp = sqrt_wide(v14) * (1.0 / v14), factor2_pm = sqrt_wide(v16) * (1.0 / v16);
-    const wide factor2_mp = sqrt_wide(v17) * (1.0 / v17), factor2_mm = sqrt_wide(v18) * (1.0 / v18);
+    const wide v8 = m1 * (Z1_3 * N3), v9 = w3 * (m1 * w1), S2_pp = v8 - v9, S2_pm = v8 + v9,
+        v10 = w3 * (m1 * Z1_3), v11 = w3 * (m1 * -Z1_3), v12 = m1 * (w1 * N3), C2_pp = v10 + v12,
+        C2_pm = v11 + v12, C2_mp = v10 - v12, C2_mm = v11 - v12, v13 = S2_pp * S2_pp,
+        v14 = v13 + C2_pp * C2_pp, v15 = S2_pm * S2_pm, v16 = v15 + C2_pm * C2_pm,
+        v17 = v15 + C2_mp * C2_mp, v18 = v13 + C2_mm * C2_mm,
+        factor2_pp = sqrt_wide(v14) * (1.0 / v14), factor2_pm = sqrt_wide(v16) * (1.0 / v16),
+        factor2_mp = sqrt_wide(v17) * (1.0 / v17), factor2_mm = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta4 */
-    const wide v19 = m3 * N3, v20 = v19 - m1, v21 = m4 - v19, v22 = w1 * (N3 * (v20 + v21));
-    const wide s23_pp = v22 - v10, s23_pm = v22 - v11;
-    const wide v23 = w1 * (N3 * (-v20 + -v21));
-    const wide s23_mp = v23 - v10, s23_mm = v23 - v11;
-    const wide v24 = T23 * s1_p - T13 * v3, v25 = T23 * s1_m - T13 * v4;
-    const wide X4_pp = S2_pm * v24 - T33 * s23_pp, X4_pm = S2_pp * v24 - T33 * s23_pm;
-    const wide X4_mp = S2_pp * v25 - T33 * s23_mp, X4_mm = S2_pm * v25 - T33 * s23_mm;
-    const wide Y4_p = T13 * s1_p + T23 * v3, Y4_m = T13 * s1_m + T23 * v4;
-    const wide v26 = Y4_p * Y4_p, v27 = Y4_m * Y4_m;
-    const wide v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp));
-    const wide v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm));
-    const wide v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp));
-    const wide v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
+    const wide v19 = m3 * N3, v20 = v19 - m1, v21 = m4 - v19, v22 = w1 * (N3 * (v20 + v21)),
+        s23_pp = v22 - v10, s23_pm = v22 - v11, v23 = w1 * (N3 * (-v20 + -v21)), s23_mp = v23 - v10,
+        s23_mm = v23 - v11, v24 = T23 * s1_p - T13 * v3, v25 = T23 * s1_m - T13 * v4,
+        X4_pp = S2_pm * v24 - T33 * s23_pp, X4_pm = S2_pp * v24 - T33 * s23_pm,
+        X4_mp = S2_pp * v25 - T33 * s23_mp, X4_mm = S2_pm * v25 - T33 * s23_mm,
+        Y4_p = T13 * s1_p + T23 * v3, Y4_m = T13 * s1_m + T23 * v4, v26 = Y4_p * Y4_p,
+        v27 = Y4_m * Y4_m, v28 = v26 + factor2_pp * (X4_pp * (factor2_pp * X4_pp)),
+        v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm)),
+        v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp)),
+        v31 = v27 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const wide v32 = v3 * T22 + s1_p * T12, v33 = v4 * T22 + s1_m * T12;
-    const wide v34 = s1_p * T22 - v3 * T12, v35 = s1_m * T22 - v4 * T12;
-    const wide v36 = v3 * T21 + s1_p * T11, v37 = v4 * T21 + s1_m * T11;
-    const wide v38 = s1_p * T21 - v3 * T11, v39 = s1_m * T21 - v4 * T11;
-    const wide s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp;
-    const wide s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm;
-    const wide s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp;
-    const wide s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm;
-    const wide angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp);
-    const wide angle2 = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm);
-    const wide angle3 = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp);
-    const wide angle4 = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm);
-    const wide q6_ppm = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    const wide q6_pmm = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    const wide q6_mpm = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    const wide q6_mmm = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
+    const wide v32 = v3 * T22 + s1_p * T12, v33 = v4 * T22 + s1_m * T12,
+        v34 = s1_p * T22 - v3 * T12, v35 = s1_m * T22 - v4 * T12, v36 = v3 * T21 + s1_p * T11,
+        v37 = v4 * T21 + s1_m * T11, v38 = s1_p * T21 - v3 * T11, v39 = s1_m * T21 - v4 * T11,
+        s6_pp = Y4_p * (s23_pp * T31 - S2_pm * v38) - v36 * -X4_pp,
+        s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm,
+        s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp,
+        s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm,
+        angle1 = atan2_wide(s6_pp, Y4_p * (s23_pp * T32 - S2_pm * v34) - v32 * -X4_pp),
+        angle2 = atan2_wide(s6_pm, Y4_p * (s23_pm * T32 - S2_pp * v34) - v32 * -X4_pm),
+        angle3 = atan2_wide(s6_mp, Y4_m * (s23_mp * T32 - S2_pp * v35) - v33 * -X4_mp),
+        angle4 = atan2_wide(s6_mm, Y4_m * (s23_mm * T32 - S2_pm * v35) - v33 * -X4_mm);
 
     /* joint values */
-    const wide angle5 = atan2_wide(s1_p, -v3);
-    const wide v40 = angle5 - offset1;
-    const wide angle6 = atan2_wide(s1_m, -v4);
-    const wide v41 = angle6 - offset1;
-    const wide angle7 = atan2_wide(S2_pp, C2_pp);
-    const wide v42 = angle7 - offset2;
-    const wide angle8 = atan2_wide(S2_pm, C2_pm);
-    const wide v43 = angle8 - offset2;
-    const wide angle9 = atan2_wide(S2_pm, C2_mp);
-    const wide v44 = angle9 - offset2;
-    const wide angle10 = atan2_wide(S2_pp, C2_mm);
-    const wide v45 = angle10 - offset2;
-    const wide q2_ppp = v42 + only_wide(v42 <= -half_turn, m7);
-    const wide q2_pmp = v43 + only_wide(v43 <= -half_turn, m7);
-    const wide q2_mpp = v44 + only_wide(v44 <= -half_turn, m7);
-    const wide q2_mmp = v45 + only_wide(v45 <= -half_turn, m7);
-    const wide angle11 = atan2_wide(v7, -(k4 * w3));
-    const wide v46 = angle11 - offset3;
-    const wide v47 = h1 * copysign_wide(all_wide(half_turn), v7) - angle11 - offset3;
-    const wide angle12 = atan2_wide(Y4_p, factor2_pp * -X4_pp);
-    const wide angle13 = atan2_wide(Y4_p, factor2_pm * -X4_pm);
-    const wide angle14 = atan2_wide(Y4_m, factor2_mp * -X4_mp);
-    const wide angle15 = atan2_wide(Y4_m, factor2_mm * -X4_mm);
-    const wide v48 = h1 * copysign_wide(all_wide(half_turn), Y4_p);
-    const wide v49 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v50 = angle12 - offset4;
-    const wide v51 = angle12 - v48 - offset4, v52 = angle13 - offset4;
-    const wide v53 = angle13 - v48 - offset4, v54 = angle14 - offset4;
-    const wide v55 = angle14 - v49 - offset4, v56 = angle15 - offset4;
-    const wide v57 = angle15 - v49 - offset4;
-    const wide q4_ppp = v50 + only_wide(v50 <= -half_turn, m7);
-    const wide q4_ppm = v51 + only_wide(v51 <= -half_turn, m7);
-    const wide q4_pmp = v52 + only_wide(v52 <= -half_turn, m7);
-    const wide q4_pmm = v53 + only_wide(v53 <= -half_turn, m7);
-    const wide q4_mpp = v54 + only_wide(v54 <= -half_turn, m7);
-    const wide q4_mpm = v55 + only_wide(v55 <= -half_turn, m7);
-    const wide q4_mmp = v56 + only_wide(v56 <= -half_turn, m7);
-    const wide q4_mmm = v57 + only_wide(v57 <= -half_turn, m7);
-    const wide v58 = T33 * S2_pm;
-    const wide angle16 = atan2_wide(sqrt_wide(v28), -(factor2_pp * (v58 + s23_pp * v24)));
-    const wide v59 = T33 * S2_pp;
-    const wide angle17 = atan2_wide(sqrt_wide(v29), -(factor2_pm * (v59 + s23_pm * v24)));
-    const wide angle18 = atan2_wide(sqrt_wide(v30), -(factor2_mp * (v59 + s23_mp * v25)));
-    const wide angle19 = atan2_wide(sqrt_wide(v31), -(factor2_mm * (v58 + s23_mm * v25)));
-    const wide v60 = angle16 - offset5, v61 = offset5 + angle16, v62 = angle17 - offset5;
-    const wide v63 = offset5 + angle17, v64 = angle18 - offset5, v65 = offset5 + angle18;
-    const wide v66 = angle19 - offset5, v67 = offset5 + angle19;
-    const wide q5_ppp = v60 + only_wide(v60 <= -half_turn, m7);
-    const wide q5_ppm = only_wide(-v61 <= -half_turn, m7) - v61;
-    const wide q5_pmp = v62 + only_wide(v62 <= -half_turn, m7);
-    const wide q5_pmm = only_wide(-v63 <= -half_turn, m7) - v63;
-    const wide q5_mpp = v64 + only_wide(v64 <= -half_turn, m7);
-    const wide q5_mpm = only_wide(-v65 <= -half_turn, m7) - v65;
-    const wide q5_mmp = v66 + only_wide(v66 <= -half_turn, m7);
-    const wide q5_mmm = only_wide(-v67 <= -half_turn, m7) - v67;
-    const wide q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, m7));
-    const wide q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, m7));
-    const wide q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, m7));
-    const wide q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, m7));
-    const wide_mask doubt1 = (abs_wide(D1) <= k2) | ((N1 <= doubt_limit_squared2) | ((v31 <= m5) |
-        ((v18 <= m2) | ((v30 <= m5) | ((v17 <= m2) | ((v29 <= m5) | ((v16 <= m2) | ((v28 <= m5) |
-        ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) & (((shortest3_apart < N3) & (N3 <
-        longest3_apart)) == 0)) | (v14 <= m2))))))))));
+    const wide angle5 = atan2_wide(s1_p, -v3), v40 = angle5 - offset1,
+        angle6 = atan2_wide(s1_m, -v4), v41 = angle6 - offset1, angle7 = atan2_wide(S2_pp, C2_pp),
+        v42 = angle7 - offset2, angle8 = atan2_wide(S2_pm, C2_pm), v43 = angle8 - offset2,
+        angle9 = atan2_wide(S2_pm, C2_mp), v44 = angle9 - offset2,
+        angle10 = atan2_wide(S2_pp, C2_mm), v45 = angle10 - offset2,
+        q2_ppp = v42 + only_wide(v42 <= -half_turn, m7),
+        q2_pmp = v43 + only_wide(v43 <= -half_turn, m7),
+        q2_mpp = v44 + only_wide(v44 <= -half_turn, m7),
+        q2_mmp = v45 + only_wide(v45 <= -half_turn, m7), angle11 = atan2_wide(v7, -(k4 * w3)),
+        v46 = angle11 - offset3,
+        v47 = h1 * copysign_wide(all_wide(half_turn), v7) - angle11 - offset3,
+        angle12 = atan2_wide(Y4_p, factor2_pp * -X4_pp),
+        angle13 = atan2_wide(Y4_p, factor2_pm * -X4_pm),
+        angle14 = atan2_wide(Y4_m, factor2_mp * -X4_mp),
+        angle15 = atan2_wide(Y4_m, factor2_mm * -X4_mm),
+        v48 = h1 * copysign_wide(all_wide(half_turn), Y4_p),
+        v49 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v50 = angle12 - offset4,
+        v51 = angle12 - v48 - offset4, v52 = angle13 - offset4, v53 = angle13 - v48 - offset4,
+        v54 = angle14 - offset4, v55 = angle14 - v49 - offset4, v56 = angle15 - offset4,
+        v57 = angle15 - v49 - offset4, v58 = T33 * S2_pm,
+        angle16 = atan2_wide(sqrt_wide(v28), -(factor2_pp * (v58 + s23_pp * v24))),
+        v59 = T33 * S2_pp,
+        angle17 = atan2_wide(sqrt_wide(v29), -(factor2_pm * (v59 + s23_pm * v24))),
+        angle18 = atan2_wide(sqrt_wide(v30), -(factor2_mp * (v59 + s23_mp * v25))),
+        angle19 = atan2_wide(sqrt_wide(v31), -(factor2_mm * (v58 + s23_mm * v25))),
+        v60 = angle16 - offset5, v61 = offset5 + angle16, v62 = angle17 - offset5,
+        v63 = offset5 + angle17, v64 = angle18 - offset5, v65 = offset5 + angle18,
+        v66 = angle19 - offset5, v67 = offset5 + angle19,
+        q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, m7)),
+        q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, m7)),
+        q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, m7)),
+        q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, m7));
+    const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v31 <= m5) |
+        (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) | (v16 <= m2) | (v28 <= m5) |
+        ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
+        longest3_apart)) == 0)) | (v14 <= m2);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v50 + only_wide(v50 <= -half_turn, m7);
+    q[4] = v60 + only_wide(v60 <= -half_turn, m7); q[5] = angle1;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v51 + only_wide(v51 <= -half_turn, m7);
+    q[10] = only_wide(-v61 <= -half_turn, m7) - v61;
+    q[11] = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = angle2;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v52 + only_wide(v52 <= -half_turn, m7);
+    q[16] = v62 + only_wide(v62 <= -half_turn, m7); q[17] = angle2;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v53 + only_wide(v53 <= -half_turn, m7);
+    q[22] = only_wide(-v63 <= -half_turn, m7) - v63;
+    q[23] = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = angle3;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = v54 + only_wide(v54 <= -half_turn, m7);
+    q[28] = v64 + only_wide(v64 <= -half_turn, m7); q[29] = angle3;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = v55 + only_wide(v55 <= -half_turn, m7);
+    q[34] = only_wide(-v65 <= -half_turn, m7) - v65;
+    q[35] = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = angle4;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = v56 + only_wide(v56 <= -half_turn, m7);
+    q[40] = v66 + only_wide(v66 <= -half_turn, m7); q[41] = angle4;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = v57 + only_wide(v57 <= -half_turn, m7);
+    q[46] = only_wide(-v67 <= -half_turn, m7) - v67;
+    q[47] = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -675,76 +558,59 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = T24 - d6 * T23;
-    const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double v1 = w1 - w1;
-    const double inverse1 = 1.0 / N1;
-    const double v2 = inverse1 * (d3 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = 1.0 / N1, v2 = inverse1 * (d3 * wy);
     const four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d3 * X1);
     const four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta3 */
-    const double Z1_3 = T34 - d6 * T33 - d1;
-    const double N3 = D1 + Z1_3 * Z1_3;
-    const double w3 = sqrt((longest3 - N3) * (N3 - shortest3));
-    const double v5 = w3 - w3, v6 = k4 * (N3 - k4);
+    const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
+        w3 = sqrt((longest3 - N3) * (N3 - shortest3)), v5 = w3 - w3, v6 = k4 * (N3 - k4);
 
     /* theta2 */
     const four v7 = e1 * e2;
     const double v8 = m1 * (Z1_3 * N3);
-    const four S2 = v8 - w3 * (m1 * (w1 * v7));
-    const four v9 = w3 * (m1 * (e2 * Z1_3)), v10 = m1 * (w1 * (e1 * N3));
-    const four C2 = v9 + v10;
-    const four v11 = S2 * S2 + C2 * C2;
-    const four factor2 = sqrt_four(v11) * (1.0 / v11);
+    const four S2 = v8 - w3 * (m1 * (w1 * v7)), v9 = w3 * (m1 * (e2 * Z1_3)),
+        v10 = m1 * (w1 * (e1 * N3)), C2 = v9 + v10, v11 = S2 * S2 + C2 * C2,
+        factor2 = sqrt_four(v11) * (1.0 / v11);
 
     /* theta4 */
     const four v12 = v8 + w3 * (w1 * (m1 * v7));
     const double v13 = m3 * N3, v14 = v13 - m1;
     const four v15 = e1 * v14;
     const double v16 = m4 - v13;
-    const four v17 = e2 * v16;
-    const four s23 = w1 * (N3 * (v15 + v7 * v17)) - v9;
-    const four v18 = T23 * s1 - T13 * v3;
-    const four X4 = v12 * v18 - T33 * s23;
-    const four Y4 = T13 * s1 + T23 * v3;
-    const four v19 = Y4 * Y4, v20 = v19 + factor2 * (X4 * (factor2 * X4));
+    const four v17 = e2 * v16, s23 = w1 * (N3 * (v15 + v7 * v17)) - v9, v18 = T23 * s1 - T13 * v3,
+        X4 = v12 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v19 = Y4 * Y4,
+        v20 = v19 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const four v21 = v3 * T22 + s1 * T12, v22 = s1 * T22 - v3 * T12, v23 = v3 * T21 + s1 * T11;
-    const four v24 = s1 * T21 - v3 * T11;
-    const four s6 = Y4 * (s23 * T31 - v12 * v24) - v23 * -X4;
+    const four v21 = v3 * T22 + s1 * T12, v22 = s1 * T22 - v3 * T12, v23 = v3 * T21 + s1 * T11,
+        v24 = s1 * T21 - v3 * T11, s6 = Y4 * (s23 * T31 - v12 * v24) - v23 * -X4;
 
     /* joint values */
     const double v27 = copysign(half_turn, v6);
     const four v29 = h1 * copysign_four(all_four(half_turn), Y4);
     const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
-    const int doubt1 = (fabs(D1) <= k2) | ((((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2));
+    const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
+        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v12 * v22) - v21 * -X4);
-    const four angle3 = atan2_four(S2, C2), angle5 = atan2_four(Y4, factor2 * -X4);
-    const four angle6 = atan2_four(sqrt_four(v20), -(factor2 * (T33 * v12 + s23 * v18)));
-    const four packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
-        __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3));
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1;
-    const four v25 = angle2 - offset1, v26 = angle3 - offset2;
-    const four q2_p = v26 + only_four(v26 <= -half_turn, m7);
-    const four v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4;
-    const four v31 = angle5 - v29 - offset4;
-    const four q4_p = v30 + only_four(v30 <= -half_turn, m7);
-    const four q4_m = v31 + only_four(v31 <= -half_turn, m7);
-    const four v32 = angle6 - offset5, v33 = offset5 + angle6;
-    const four q5_p = v32 + only_four(v32 <= -half_turn, m7);
-    const four q5_m = only_four(-v33 <= -half_turn, m7) - v33;
-    const four q1_p = v5 + (v25 + only_four(v25 <= -half_turn, m7));
-    const four q3_p = v1 + (v28 + only_four(v28 <= -half_turn, m7));
+    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v12 * v22) - v21 * -X4),
+        angle3 = atan2_four(S2, C2), angle5 = atan2_four(Y4, factor2 * -X4),
+        angle6 = atan2_four(sqrt_four(v20), -(factor2 * (T33 * v12 + s23 * v18))),
+        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
+            __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3)),
+        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1, v25 = angle2 - offset1,
+        v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, m7),
+        v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
+        v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, m7),
+        q4_m = v31 + only_four(v31 <= -half_turn, m7), v32 = angle6 - offset5,
+        v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, m7),
+        q5_m = only_four(-v33 <= -half_turn, m7) - v33,
+        q1_p = v5 + (v25 + only_four(v25 <= -half_turn, m7)),
+        q3_p = v1 + (v28 + only_four(v28 <= -half_turn, m7));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -830,9 +696,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = X1 * d3;
-    const double v2 = wy * d3;
-    const double v3 = seed[0] + offset1;
+    const double v1 = X1 * d3, v2 = wy * d3, v3 = seed[0] + offset1;
 
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
@@ -850,8 +714,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v3) : -(inverse1 * (v2 + X1 * root1));
-        const double s1 = free1 ? sin(v3) : inverse1 * (wy * root1 - v1);
+        const double c1 = free1 ? cos(v3) : -(inverse1 * (v2 + X1 * root1)),
+            s1 = free1 ? sin(v3) : inverse1 * (wy * root1 - v1);
 
         /* theta3 */
         const double N3 = v4 + root1 * root1;
@@ -864,8 +728,7 @@ static void solve(
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
-        const double v6 = Z1_3 * X1_2;
-        const double v7 = root1 * X1_2;
+        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
 
         /* theta4 */
         const double v10 = T13 * c1 + T23 * s1;
@@ -873,10 +736,8 @@ static void solve(
         const double v11 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T22 * c1 - T12 * s1;
-        const double v14 = T12 * c1 + T22 * s1;
-        const double v16 = T21 * c1 - T11 * s1;
-        const double v17 = T11 * c1 + T21 * s1;
+        const double v13 = T22 * c1 - T12 * s1, v14 = T12 * c1 + T22 * s1,
+            v16 = T21 * c1 - T11 * s1, v17 = T11 * c1 + T21 * s1;
 
         /* joint values */
         const double q1 = wrap(atan2(s1, c1) - offset1);
@@ -894,8 +755,7 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : C2 * factor2;
-            const double s2 = free2 ? sin(v8) : S2 * factor2;
+            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
 
             /* theta4 */
             const double v9 = v5 * c2 + s3 * s2;
@@ -906,8 +766,7 @@ static void solve(
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v15 = T32 * s23 - v9 * v14;
-            const double v18 = T31 * s23 - v9 * v17;
+            const double v15 = T32 * s23 - v9 * v14, v18 = T31 * s23 - v9 * v17;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -918,24 +777,19 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(v12) : -(X4 * factor4);
-                const double s4 = free4 ? sin(v12) : Y4 * factor4;
+                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
+                    s4 = free4 ? sin(v12) : Y4 * factor4;
                 const double s5 = w4 * e3;
 
                 /* theta6 */
-                const double c6 = c4 * v13 + s4 * v15;
-                const double s6 = c4 * v16 + s4 * v18;
+                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = wrap(atan2(s4, c4) - offset4);
                 const double q5 = wrap(atan2(s5, -(T33 * v9 + s23 * v10)) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? STAUBLI_TX40_FREE_JOINT : STAUBLI_TX40_OK;
             }

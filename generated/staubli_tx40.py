@@ -670,9 +670,9 @@ def _regular(pose, q, status):
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
     doubt1 = (
-        abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v18 <= m2 or (v30 <= m5 or
-        (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or ((shortest3_reach <= N3 and N3 <=
-        longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v14 <= m2)))))))))
+        abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v31 <= m5 or v18 <= m2 or v30 <= m5 or v17 <=
+        m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3 <= longest3_reach
+        and not (shortest3_apart < N3 and N3 < longest3_apart)) or v14 <= m2
     )
 
     # angles, side by side
@@ -1152,10 +1152,10 @@ def _in_tiles(T, q, status):
             v58 = T33 * S2_pm
             v59 = T33 * S2_pp
             doubt1 = (
-                abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v31 <= m5 or (v18 <= m2 or (v30 <=
-                m5 or (v17 <= m2 or (v29 <= m5 or (v16 <= m2 or (v28 <= m5 or ((shortest3_reach <=
-                N3 and N3 <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart))
-                or v14 <= m2)))))))))
+                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v31 <= m5 or v18 <= m2 or v30 <= m5
+                or v17 <= m2 or v29 <= m5 or v16 <= m2 or v28 <= m5 or (shortest3_reach <= N3 and N3
+                <= longest3_reach and not (shortest3_apart < N3 and N3 < longest3_apart)) or v14 <=
+                m2
             )
             work[272 + k] = v1
             work[288 + k] = v6

@@ -89,56 +89,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -178,7 +143,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -200,14 +165,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -275,6 +232,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -346,51 +305,31 @@ static const double highest[6] = {
 void techman_tm5_900_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3;
-    const double v6 = v4 * c3 + x2_y * s3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
     const double v7 = q[3] + offset4;
-    const double c4 = cos(v7);
-    const double s4 = sin(v7);
-    const double x4_x = x3_x * c4 - v5 * s4;
-    const double x4_y = x3_y * c4 - v6 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double z4_x = v5 * c4 + x3_x * s4;
-    const double z4_y = v6 * c4 + x3_y * s4;
-    const double z4_z = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + s1 * s5;
-    const double x5_y = x4_y * c5 - c1 * s5;
-    const double x5_z = x4_z * c5;
-    const double T23_ = c1 * c5 + x4_y * s5;
-    const double T33_ = x4_z * s5;
-    const double T13_ = x4_x * s5 - s1 * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T12_ = z4_x * c6 - x5_x * s6;
-    const double T22_ = z4_y * c6 - x5_y * s6;
-    const double T32_ = z4_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 + x3_x * a3 - s1 * d3 + z4_x * d5 + T13_ * d6;
-    const double T24_ = x2_y * a2 + x3_y * a3 + c1 * d3 + z4_y * d5 + T23_ * d6;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + z4_z * d5 + T33_ * d6;
+    const double c4 = cos(v7), s4 = sin(v7);
+    const double x4_x = x3_x * c4 - v5 * s4, x4_y = x3_y * c4 - v6 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double z4_x = v5 * c4 + x3_x * s4, z4_y = v6 * c4 + x3_y * s4,
+        z4_z = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5;
+    const double T23_ = c1 * c5 + x4_y * s5, T33_ = x4_z * s5, T13_ = x4_x * s5 - s1 * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
+        T32_ = z4_z * c6 - x5_z * s6,
+        T14_ = x2_x * a2 + x3_x * a3 - s1 * d3 + z4_x * d5 + T13_ * d6,
+        T24_ = x2_y * a2 + x3_y * a3 + c1 * d3 + z4_y * d5 + T23_ * d6,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + z4_z * d5 + T33_ * d6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -401,63 +340,36 @@ void techman_tm5_900_fk(const double q[6], double T[16])
 void techman_tm5_900_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3;
-    const double v6 = v4 * c3 + x2_y * s3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double p3_x = p2_x + x3_x * a3 - s1 * d3;
-    const double p3_y = p2_y + x3_y * a3 + c1 * d3;
+    const double p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 - s1 * d3,
+        p3_y = p2_y + x3_y * a3 + c1 * d3;
     const double v7 = q[3] + offset4;
-    const double c4 = cos(v7);
-    const double s4 = sin(v7);
-    const double J45 = v5 * c4 + x3_x * s4;
-    const double J55 = v6 * c4 + x3_y * s4;
-    const double J65 = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double J56 = c1 * c5 + (x3_y * c4 - v6 * s4) * s5;
-    const double J66 = (x3_z * c4 + y3_z * s4) * s5;
-    const double p5_x = p3_x + J45 * d5;
-    const double p5_y = p3_y + J55 * d5;
-    const double p5_z = p3_z + J65 * d5;
-    const double J46 = (x3_x * c4 - v5 * s4) * s5 - s1 * c5;
-    const double J21 = p5_x + J46 * d6;
-    const double p6_y = p5_y + J56 * d6;
-    const double p6_z = p5_z + J66 * d6;
+    const double c4 = cos(v7), s4 = sin(v7);
+    const double J45 = v5 * c4 + x3_x * s4, J55 = v6 * c4 + x3_y * s4, J65 = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double J56 = c1 * c5 + (x3_y * c4 - v6 * s4) * s5, J66 = (x3_z * c4 + y3_z * s4) * s5;
+    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
+    const double J46 = (x3_x * c4 - v5 * s4) * s5 - s1 * c5, J21 = p5_x + J46 * d6;
+    const double p6_y = p5_y + J56 * d6, p6_z = p5_z + J66 * d6;
     const double v8 = p6_z - d1;
     const double J32 = s1 * p6_y + c1 * J21;
     const double v9 = p6_z - p2_z;
     const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
-    const double v10 = J21 - p3_x;
-    const double v11 = p6_y - p3_y;
-    const double v12 = p6_z - p3_z;
-    const double J34 = s1 * v11 + c1 * v10;
-    const double J15 = J55 * v12 - J65 * v11;
-    const double J25 = J65 * v10 - J45 * v12;
-    const double J35 = J45 * v11 - J55 * v10;
-    const double v13 = J21 - p5_x;
-    const double v14 = p6_y - p5_y;
-    const double v15 = p6_z - p5_z;
-    const double J16 = J56 * v15 - J66 * v14;
-    const double J26 = J66 * v13 - J46 * v15;
-    const double J36 = J46 * v14 - J56 * v13;
+    const double v10 = J21 - p3_x, v11 = p6_y - p3_y, v12 = p6_z - p3_z;
+    const double J34 = s1 * v11 + c1 * v10, J15 = J55 * v12 - J65 * v11,
+        J25 = J65 * v10 - J45 * v12, J35 = J45 * v11 - J55 * v10;
+    const double v13 = J21 - p5_x, v14 = p6_y - p5_y, v15 = p6_z - p5_z;
+    const double J16 = J56 * v15 - J66 * v14, J26 = J66 * v13 - J46 * v15,
+        J36 = J46 * v14 - J56 * v13;
     J[0] = -p6_y; J[1] = -(c1 * v8); J[2] = -(c1 * v9); J[3] = -(c1 * v12); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = -(s1 * v12); J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -470,13 +382,16 @@ void techman_tm5_900_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -523,161 +438,131 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = T24 - d6 * T23;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (d3 * wy);
-    const wide c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1);
-    const wide v2 = inverse1 * (d3 * X1);
-    const wide s1_p = v2 + w1 * (wy * inverse1), s1_m = v2 + w1 * (inverse1 * -wy);
+    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d3 * wy),
+        c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1),
+        v2 = inverse1 * (d3 * X1), s1_p = v2 + w1 * (wy * inverse1),
+        s1_m = v2 + w1 * (inverse1 * -wy);
 
     /* theta6 */
-    const wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11;
-    const wide Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12;
-    const wide v3 = X6_p * X6_p + Y6_p * Y6_p, v4 = X6_m * X6_m + Y6_m * Y6_m;
-    const wide w6_p = sqrt_wide(v3), w6_m = sqrt_wide(v4);
-    const wide v5 = 1.0 / v3, v6 = 1.0 / v4;
-    const wide angle1 = atan2_wide(Y6_p, -X6_p), angle2 = atan2_wide(Y6_m, -X6_m);
+    const wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11,
+        Y6_p = c1_p * T22 - s1_p * T12, Y6_m = c1_m * T22 - s1_m * T12,
+        v3 = X6_p * X6_p + Y6_p * Y6_p, v4 = X6_m * X6_m + Y6_m * Y6_m, w6_p = sqrt_wide(v3),
+        w6_m = sqrt_wide(v4), v5 = 1.0 / v3, v6 = 1.0 / v4, angle1 = atan2_wide(Y6_p, -X6_p),
+        angle2 = atan2_wide(Y6_m, -X6_m);
 
     /* theta5 */
-    const wide c5_p = T23 * c1_p - T13 * s1_p, c5_m = T23 * c1_m - T13 * s1_m;
-    const wide angle3 = atan2_wide(w6_p, c5_p), angle4 = atan2_wide(w6_m, c5_m);
+    const wide c5_p = T23 * c1_p - T13 * s1_p, c5_m = T23 * c1_m - T13 * s1_m,
+        angle3 = atan2_wide(w6_p, c5_p), angle4 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v7 = v5 * (Y6_p * T31 - X6_p * T32), v8 = v6 * (Y6_m * T31 - X6_m * T32);
-    const wide Z1_234_p = w6_p * v7, Z1_234_m = w6_m * v8;
-    const wide v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32));
-    const wide v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32));
-    const wide s234_p = w6_p * v9, s234_m = w6_m * v10;
-    const wide angle5 = atan2_wide(v9, -v7), angle6 = atan2_wide(v10, -v8);
-    const wide theta234_pm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9);
-    const wide theta234_mm = angle6 - h1 * copysign_wide(all_wide(half_turn), v10);
+    const wide v7 = v5 * (Y6_p * T31 - X6_p * T32), v8 = v6 * (Y6_m * T31 - X6_m * T32),
+        Z1_234_p = w6_p * v7, Z1_234_m = w6_m * v8,
+        v9 = T33 - v5 * (c5_p * (X6_p * T31 + Y6_p * T32)),
+        v10 = T33 - v6 * (c5_m * (X6_m * T31 + Y6_m * T32)), s234_p = w6_p * v9,
+        s234_m = w6_m * v10, angle5 = atan2_wide(v9, -v7), angle6 = atan2_wide(v10, -v8),
+        theta234_pm = angle5 - h1 * copysign_wide(all_wide(half_turn), v9),
+        theta234_mm = angle6 - h1 * copysign_wide(all_wide(half_turn), v10);
 
     /* theta3 */
-    const wide v11 = d6 * w6_p, v12 = d6 * w6_m, v13 = T34 - d1, v14 = d5 * Z1_234_p;
-    const wide v15 = d5 * Z1_234_m, v16 = s234_p * v11, v17 = s234_m * v12;
-    const wide Z1_3_pp = v13 - (v14 + v16), Z1_3_pm = v13 - (v16 - v14);
-    const wide Z1_3_mp = v13 - (v15 + v17), Z1_3_mm = v13 - (v17 - v15);
-    const wide v18 = T14 * c1_p + T24 * s1_p, v19 = T14 * c1_m + T24 * s1_m, v20 = Z1_234_p * v11;
-    const wide v21 = Z1_234_m * v12, v22 = d5 * s234_p, v23 = d5 * s234_m;
-    const wide Z2_3_pp = v18 + (v20 - v22), Z2_3_pm = v18 + (v20 + v22);
-    const wide Z2_3_mp = v19 + (v21 - v23), Z2_3_mm = v19 + (v21 + v23);
-    const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
-    const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
-    const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
-    const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
-    const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
-    const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
-    const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
-    const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v24 = w3_pp - w3_pp, v25 = w3_pm - w3_pm, v26 = w3_mp - w3_mp, v27 = w3_mm - w3_mm;
-    const wide angle7 = atan2_wide(w3_pp, N3_pp - k4), angle8 = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle9 = atan2_wide(w3_mp, N3_mp - k4), angle10 = atan2_wide(w3_mm, N3_mm - k4);
+    const wide v11 = d6 * w6_p, v12 = d6 * w6_m, v13 = T34 - d1, v14 = d5 * Z1_234_p,
+        v15 = d5 * Z1_234_m, v16 = s234_p * v11, v17 = s234_m * v12, Z1_3_pp = v13 - (v14 + v16),
+        Z1_3_pm = v13 - (v16 - v14), Z1_3_mp = v13 - (v15 + v17), Z1_3_mm = v13 - (v17 - v15),
+        v18 = T14 * c1_p + T24 * s1_p, v19 = T14 * c1_m + T24 * s1_m, v20 = Z1_234_p * v11,
+        v21 = Z1_234_m * v12, v22 = d5 * s234_p, v23 = d5 * s234_m, Z2_3_pp = v18 + (v20 - v22),
+        Z2_3_pm = v18 + (v20 + v22), Z2_3_mp = v19 + (v21 - v23), Z2_3_mm = v19 + (v21 + v23),
+        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
+        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
+        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
+        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
+        w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3)),
+        w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3)),
+        w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3)),
+        w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3)), v24 = w3_pp - w3_pp,
+        v25 = w3_pm - w3_pm, v26 = w3_mp - w3_mp, v27 = w3_mm - w3_mm,
+        angle7 = atan2_wide(w3_pp, N3_pp - k4), angle8 = atan2_wide(w3_pm, N3_pm - k4),
+        angle9 = atan2_wide(w3_mp, N3_mp - k4), angle10 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v28 = m4 + m3 * N3_pp, v29 = m4 + m3 * N3_pm, v30 = m4 + m3 * N3_mp;
-    const wide v31 = m4 + m3 * N3_mm, v32 = Z1_3_pp * v28, v33 = Z1_3_pm * v29, v34 = Z1_3_mp * v30;
-    const wide v35 = Z1_3_mm * v31, v36 = Z2_3_pp * v28, v37 = Z2_3_pm * v29, v38 = Z2_3_mp * v30;
-    const wide v39 = Z2_3_mm * v31, v40 = w3_pp * (m3 * Z2_3_pp);
-    const wide angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m3 * Z1_3_pp));
-    const wide angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m3 * -Z1_3_pp));
-    const wide v41 = w3_pm * (m3 * Z2_3_pm);
-    const wide angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m3 * Z1_3_pm));
-    const wide angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m3 * -Z1_3_pm));
-    const wide v42 = w3_mp * (m3 * Z2_3_mp);
-    const wide angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m3 * Z1_3_mp));
-    const wide angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m3 * -Z1_3_mp));
-    const wide v43 = w3_mm * (m3 * Z2_3_mm);
-    const wide angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m3 * Z1_3_mm));
-    const wide angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m3 * -Z1_3_mm));
+    const wide v28 = m4 + m3 * N3_pp, v29 = m4 + m3 * N3_pm, v30 = m4 + m3 * N3_mp,
+        v31 = m4 + m3 * N3_mm, v32 = Z1_3_pp * v28, v33 = Z1_3_pm * v29, v34 = Z1_3_mp * v30,
+        v35 = Z1_3_mm * v31, v36 = Z2_3_pp * v28, v37 = Z2_3_pm * v29, v38 = Z2_3_mp * v30,
+        v39 = Z2_3_mm * v31, v40 = w3_pp * (m3 * Z2_3_pp),
+        angle11 = atan2_wide(v32 - v40, v36 + w3_pp * (m3 * Z1_3_pp)),
+        angle12 = atan2_wide(v32 + v40, v36 + w3_pp * (m3 * -Z1_3_pp)),
+        v41 = w3_pm * (m3 * Z2_3_pm), angle13 = atan2_wide(v33 - v41, v37 + w3_pm * (m3 * Z1_3_pm)),
+        angle14 = atan2_wide(v33 + v41, v37 + w3_pm * (m3 * -Z1_3_pm)),
+        v42 = w3_mp * (m3 * Z2_3_mp), angle15 = atan2_wide(v34 - v42, v38 + w3_mp * (m3 * Z1_3_mp)),
+        angle16 = atan2_wide(v34 + v42, v38 + w3_mp * (m3 * -Z1_3_mp)),
+        v43 = w3_mm * (m3 * Z2_3_mm), angle17 = atan2_wide(v35 - v43, v39 + w3_mm * (m3 * Z1_3_mm)),
+        angle18 = atan2_wide(v35 + v43, v39 + w3_mm * (m3 * -Z1_3_mm));
 
     /* joint values */
-    const wide angle19 = atan2_wide(s1_p, c1_p);
-    const wide v44 = angle19 - offset1;
-    const wide angle20 = atan2_wide(s1_m, c1_m);
-    const wide v45 = angle20 - offset1;
-    const wide q1__p = v44 + only_wide(v44 <= -half_turn, m5);
-    const wide q1__m = v45 + only_wide(v45 <= -half_turn, m5);
-    const wide v46 = angle11 - offset2, v47 = angle12 - offset2, v48 = angle13 - offset2;
-    const wide v49 = angle14 - offset2, v50 = angle15 - offset2, v51 = angle16 - offset2;
-    const wide v52 = angle17 - offset2, v53 = angle18 - offset2;
-    const wide q2_ppp = v46 + only_wide(v46 <= -half_turn, m5);
-    const wide q2_ppm = v47 + only_wide(v47 <= -half_turn, m5);
-    const wide q2_pmp = v48 + only_wide(v48 <= -half_turn, m5);
-    const wide q2_pmm = v49 + only_wide(v49 <= -half_turn, m5);
-    const wide q2_mpp = v50 + only_wide(v50 <= -half_turn, m5);
-    const wide q2_mpm = v51 + only_wide(v51 <= -half_turn, m5);
-    const wide q2_mmp = v52 + only_wide(v52 <= -half_turn, m5);
-    const wide q2_mmm = v53 + only_wide(v53 <= -half_turn, m5);
-    const wide v54 = angle5 - (angle7 + angle11) - offset4;
-    const wide v55 = angle5 - (angle12 - angle7) - offset4;
-    const wide v56 = theta234_pm - (angle8 + angle13) - offset4;
-    const wide v57 = theta234_pm - (angle14 - angle8) - offset4;
-    const wide v58 = angle6 - (angle9 + angle15) - offset4;
-    const wide v59 = angle6 - (angle16 - angle9) - offset4;
-    const wide v60 = theta234_mm - (angle10 + angle17) - offset4;
-    const wide v61 = theta234_mm - (angle18 - angle10) - offset4;
-    const wide v62 = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
-    const wide v63 = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
-    const wide v64 = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
-    const wide v65 = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5);
-    const wide v66 = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5);
-    const wide v67 = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
-    const wide v68 = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
-    const wide v69 = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
-    const wide q4_ppp = v62 + only_wide(v62 <= -half_turn, m5);
-    const wide q4_ppm = v63 + only_wide(v63 <= -half_turn, m5);
-    const wide q4_pmp = v64 + only_wide(v64 <= -half_turn, m5);
-    const wide q4_pmm = v65 + only_wide(v65 <= -half_turn, m5);
-    const wide q4_mpp = v66 + only_wide(v66 <= -half_turn, m5);
-    const wide q4_mpm = v67 + only_wide(v67 <= -half_turn, m5);
-    const wide q4_mmp = v68 + only_wide(v68 <= -half_turn, m5);
-    const wide q4_mmm = v69 + only_wide(v69 <= -half_turn, m5);
-    const wide_mask outside_ppp = (angle7 < low3) | (high3 < angle7);
-    const wide_mask outside_ppm = (-angle7 < low3) | (high3 < -angle7);
-    const wide_mask outside_pmp = (angle8 < low3) | (high3 < angle8);
-    const wide_mask outside_pmm = (-angle8 < low3) | (high3 < -angle8);
-    const wide_mask outside_mpp = (angle9 < low3) | (high3 < angle9);
-    const wide_mask outside_mpm = (-angle9 < low3) | (high3 < -angle9);
-    const wide_mask outside_mmp = (angle10 < low3) | (high3 < angle10);
-    const wide_mask outside_mmm = (-angle10 < low3) | (high3 < -angle10);
-    const wide q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m;
-    const wide q1_mmp = v27 + q1__m;
-    const wide q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26;
-    const wide q5_mmp = v27 - angle4;
-    const wide q6_ppp = angle1 + v24;
-    const wide q6_pmp = v25 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1);
-    const wide q6_mpp = angle2 + v26;
-    const wide q6_mmp = v27 + (angle2 - copysign_wide(all_wide(half_turn), Y6_m) * h1);
-    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mm) &
-        (N3_mm <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0))
-        | ((N3_mp <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <=
-        longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
-        doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((abs_wide(D1) <= k2) |
-        ((N1 <= doubt_limit_squared2) | ((v3 <= m1) | (v4 <= m1)))))))))));
+    const wide angle19 = atan2_wide(s1_p, c1_p), v44 = angle19 - offset1,
+        angle20 = atan2_wide(s1_m, c1_m), v45 = angle20 - offset1,
+        q1__p = v44 + only_wide(v44 <= -half_turn, m5),
+        q1__m = v45 + only_wide(v45 <= -half_turn, m5), v46 = angle11 - offset2,
+        v47 = angle12 - offset2, v48 = angle13 - offset2, v49 = angle14 - offset2,
+        v50 = angle15 - offset2, v51 = angle16 - offset2, v52 = angle17 - offset2,
+        v53 = angle18 - offset2, v54 = angle5 - (angle7 + angle11) - offset4,
+        v55 = angle5 - (angle12 - angle7) - offset4,
+        v56 = theta234_pm - (angle8 + angle13) - offset4,
+        v57 = theta234_pm - (angle14 - angle8) - offset4,
+        v58 = angle6 - (angle9 + angle15) - offset4, v59 = angle6 - (angle16 - angle9) - offset4,
+        v60 = theta234_mm - (angle10 + angle17) - offset4,
+        v61 = theta234_mm - (angle18 - angle10) - offset4,
+        v62 = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5),
+        v63 = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5),
+        v64 = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5),
+        v65 = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5),
+        v66 = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5),
+        v67 = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5),
+        v68 = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5),
+        v69 = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
+    const wide_mask outside_ppp = beyond(angle7, low3, high3),
+        outside_ppm = beyond(-angle7, low3, high3), outside_pmp = beyond(angle8, low3, high3),
+        outside_pmm = beyond(-angle8, low3, high3), outside_mpp = beyond(angle9, low3, high3),
+        outside_mpm = beyond(-angle9, low3, high3), outside_mmp = beyond(angle10, low3, high3),
+        outside_mmm = beyond(-angle10, low3, high3);
+    const wide q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m,
+        q1_mmp = v27 + q1__m, q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26,
+        q5_mmp = v27 - angle4, q6_ppp = angle1 + v24,
+        q6_pmp = v25 + (angle1 - copysign_wide(all_wide(half_turn), Y6_p) * h1),
+        q6_mpp = angle2 + v26,
+        q6_mmp = v27 + (angle2 - copysign_wide(all_wide(half_turn), Y6_m) * h1);
+    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
+        <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
+        <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
+        (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | (N3_pm <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | (N3_pp <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
+        <= doubt_limit_squared2) | (v3 <= m1) | (v4 <= m1);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle7; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = v46 + only_wide(v46 <= -half_turn, m5); q[2] = angle7;
+    q[3] = v62 + only_wide(v62 <= -half_turn, m5); q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppm; q[8] = -angle7; q[9] = q4_ppm; q[10] = q5_ppp; q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = v47 + only_wide(v47 <= -half_turn, m5); q[8] = -angle7;
+    q[9] = v63 + only_wide(v63 <= -half_turn, m5); q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_pmp; q[13] = q2_pmp; q[14] = angle8; q[15] = q4_pmp; q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_pmp; q[13] = v48 + only_wide(v48 <= -half_turn, m5); q[14] = angle8;
+    q[15] = v64 + only_wide(v64 <= -half_turn, m5); q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_pmp; q[19] = q2_pmm; q[20] = -angle8; q[21] = q4_pmm; q[22] = q5_pmp; q[23] = q6_pmp;
+    q[18] = q1_pmp; q[19] = v49 + only_wide(v49 <= -half_turn, m5); q[20] = -angle8;
+    q[21] = v65 + only_wide(v65 <= -half_turn, m5); q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = angle9; q[27] = q4_mpp; q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = v50 + only_wide(v50 <= -half_turn, m5); q[26] = angle9;
+    q[27] = v66 + only_wide(v66 <= -half_turn, m5); q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpm; q[32] = -angle9; q[33] = q4_mpm; q[34] = q5_mpp; q[35] = q6_mpp;
+    q[30] = q1_mpp; q[31] = v51 + only_wide(v51 <= -half_turn, m5); q[32] = -angle9;
+    q[33] = v67 + only_wide(v67 <= -half_turn, m5); q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mmp; q[37] = q2_mmp; q[38] = angle10; q[39] = q4_mmp; q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mmp; q[37] = v52 + only_wide(v52 <= -half_turn, m5); q[38] = angle10;
+    q[39] = v68 + only_wide(v68 <= -half_turn, m5); q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mmp; q[43] = q2_mmm; q[44] = -angle10; q[45] = q4_mmm; q[46] = q5_mmp;
-    q[47] = q6_mmp;
+    q[42] = q1_mmp; q[43] = v53 + only_wide(v53 <= -half_turn, m5); q[44] = -angle10;
+    q[45] = v69 + only_wide(v69 <= -half_turn, m5); q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -697,22 +582,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = T24 - d6 * T23;
-    const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = inverse1 * (d3 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d3 * wy);
     const four c1 = v1 - w1 * (inverse1 * (e1 * X1));
     const double v2 = inverse1 * (d3 * X1);
     const four s1 = v2 + w1 * (inverse1 * (e1 * wy));
 
     /* theta6 */
-    const four X6 = c1 * T21 - s1 * T11;
-    const four Y6 = c1 * T22 - s1 * T12;
-    const four v3 = X6 * X6 + Y6 * Y6;
-    const four w6 = sqrt_four(v3);
+    const four X6 = c1 * T21 - s1 * T11, Y6 = c1 * T22 - s1 * T12, v3 = X6 * X6 + Y6 * Y6,
+        w6 = sqrt_four(v3);
     const four_mask doubt2 = v3 <= m1;
     const four v4 = 1.0 / v3, v5 = copysign_four(all_four(half_turn), Y6), v6 = m2 * (e2 - 1.0);
 
@@ -720,59 +598,49 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c5 = T23 * c1 - T13 * s1;
 
     /* theta234 */
-    const four v7 = v4 * (Y6 * T31 - X6 * T32);
-    const four Z1_234 = w6 * v7;
-    const four v8 = T33 - v4 * (c5 * (X6 * T31 + Y6 * T32));
-    const four s234 = w6 * v8;
-    const four v9 = copysign_four(all_four(half_turn), v8);
+    const four v7 = v4 * (Y6 * T31 - X6 * T32), Z1_234 = w6 * v7,
+        v8 = T33 - v4 * (c5 * (X6 * T31 + Y6 * T32)), s234 = w6 * v8,
+        v9 = copysign_four(all_four(half_turn), v8);
 
     /* theta3 */
     const four v10 = d6 * w6;
     const double v11 = T34 - d1;
-    const four v12 = d5 * Z1_234, v13 = s234 * v10;
-    const four Z1_3 = v11 - (v13 + e2 * v12);
-    const four v14 = T14 * c1 + T24 * s1, v15 = Z1_234 * v10, v16 = d5 * s234;
-    const four Z2_3 = v14 + (v15 - e2 * v16);
-    const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v17 = w3 - w3;
+    const four v12 = d5 * Z1_234, v13 = s234 * v10, Z1_3 = v11 - (v13 + e2 * v12),
+        v14 = T14 * c1 + T24 * s1, v15 = Z1_234 * v10, v16 = d5 * s234,
+        Z2_3 = v14 + (v15 - e2 * v16), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
+        w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)), v17 = w3 - w3;
 
     /* theta2 */
     const four v18 = m4 + m3 * N3, v19 = Z1_3 * v18, v20 = Z2_3 * v18, v21 = w3 * (m3 * Z2_3);
 
     /* joint values */
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt3 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle4 = atan2_four(w3, N3 - k4);
-    const four angle5 = atan2_four(v19 - v21, v20 + w3 * (m3 * Z1_3));
-    const four angle6 = atan2_four(v19 + v21, v20 + w3 * (m3 * -Z1_3));
-    const four packed4 = atan2_four(__builtin_shufflevector(Y6, w6, 0, 5, 2, 7),
-        __builtin_shufflevector(-X6, c5, 0, 5, 2, 7));
-    const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
-    const four packed5 = atan2_four(__builtin_shufflevector(v8, s1, 0, 5, 2, 7),
-        __builtin_shufflevector(-v7, c1, 0, 5, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle7 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle3 + v6 * v9;
-    const four v22 = angle7 - offset1;
-    const four q1_ = v22 + only_four(v22 <= -half_turn, m5);
-    const four v23 = angle5 - offset2, v24 = angle6 - offset2;
-    const four q2_p = v23 + only_four(v23 <= -half_turn, m5);
-    const four q2_m = v24 + only_four(v24 <= -half_turn, m5);
-    const four v25 = theta234 - (angle4 + angle5) - offset4;
-    const four v26 = theta234 - (angle6 - angle4) - offset4;
-    const four v27 = v25 - only_four(half_turn < v25, m5) + only_four(v25 <= -half_turn, m5);
-    const four v28 = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5);
-    const four q4_p = v27 + only_four(v27 <= -half_turn, m5);
-    const four q4_m = v28 + only_four(v28 <= -half_turn, m5);
-    const four_mask outside_p = (angle4 < low3) | (high3 < angle4);
-    const four_mask outside_m = (-angle4 < low3) | (high3 < -angle4);
-    const four q1_p = v17 + q1_;
-    const four q5_p = v17 + e2 * angle2;
-    const four q6_p = v17 + (angle1 + v5 * v6);
+    const four angle4 = atan2_four(w3, N3 - k4),
+        angle5 = atan2_four(v19 - v21, v20 + w3 * (m3 * Z1_3)),
+        angle6 = atan2_four(v19 + v21, v20 + w3 * (m3 * -Z1_3)),
+        packed4 = atan2_four(__builtin_shufflevector(Y6, w6, 0, 5, 2, 7),
+            __builtin_shufflevector(-X6, c5, 0, 5, 2, 7)),
+        angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2),
+        angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3),
+        packed5 = atan2_four(__builtin_shufflevector(v8, s1, 0, 5, 2, 7),
+            __builtin_shufflevector(-v7, c1, 0, 5, 2, 7)),
+        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle7 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four theta234 = angle3 + v6 * v9, v22 = angle7 - offset1,
+        q1_ = v22 + only_four(v22 <= -half_turn, m5), v23 = angle5 - offset2,
+        v24 = angle6 - offset2, q2_p = v23 + only_four(v23 <= -half_turn, m5),
+        q2_m = v24 + only_four(v24 <= -half_turn, m5), v25 = theta234 - (angle4 + angle5) - offset4,
+        v26 = theta234 - (angle6 - angle4) - offset4,
+        v27 = v25 - only_four(half_turn < v25, m5) + only_four(v25 <= -half_turn, m5),
+        v28 = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5),
+        q4_p = v27 + only_four(v27 <= -half_turn, m5),
+        q4_m = v28 + only_four(v28 <= -half_turn, m5);
+    const four_mask outside_p = beyond(angle4, low3, high3),
+        outside_m = beyond(-angle4, low3, high3);
+    const four q1_p = v17 + q1_, q5_p = v17 + e2 * angle2, q6_p = v17 + (angle1 + v5 * v6);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -847,6 +715,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[6], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -866,9 +741,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = X1 * d3;
-    const double v2 = wy * d3;
-    const double v3 = seed[0] + offset1;
+    const double v1 = X1 * d3, v2 = wy * d3, v3 = seed[0] + offset1;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v7 = T34 - d1;
@@ -881,8 +754,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1);
-        const double s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
+        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1),
+            s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
         const double X6 = T21 * c1 - T11 * s1;
@@ -906,14 +779,12 @@ static void solve(
             /* theta6 */
             if (e2 < 0.0 && free6) continue; /* both signs give the same */
             const double factor6 = e2 / divisor6;
-            const double v4 = X6 * factor6;
-            const double v5 = Y6 * factor6;
+            const double v4 = X6 * factor6, v5 = Y6 * factor6;
             const double off6 = near6 ? w6 * fabs(v4 * sin(seed[5]) + v5 * cos(seed[5])) : 1.0;
             const double ahead6 = near6 ? v5 * sin(seed[5]) - v4 * cos(seed[5]) : -1.0;
-            const int same6 = near6 && (off6 <= free_limit && 0.0 < ahead6);
+            const int same6 = near6 && off6 <= free_limit && 0.0 < ahead6;
             const int held6 = free6 || same6;
-            const double c6 = held6 ? cos(seed[5]) : -v4;
-            const double s6 = held6 ? sin(seed[5]) : v5;
+            const double c6 = held6 ? cos(seed[5]) : -v4, s6 = held6 ? sin(seed[5]) : v5;
             const double q6 = atan2(s6, c6);
             const double s5 = w6 * e2;
 
@@ -934,19 +805,10 @@ static void solve(
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-                if (near6) {
-                    status[4 * i1 + 2 * i2] = NEARLY + 6;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                    q[4 * i1 + 2 * i2][1] = q6;
-                }
-                if (free1) {
-                    status[4 * i1 + 2 * i2] = LOST + 1;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                }
-                if (free6) {
-                    status[4 * i1 + 2 * i2] = LOST + 6;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                }
+                if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (near6) q[4 * i1 + 2 * i2][1] = q6;
+                if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
             }
             const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -954,8 +816,7 @@ static void solve(
 
             /* theta2 */
             const double X1_2 = a2 + a3 * c3;
-            const double v9 = Z1_3 * X1_2;
-            const double v10 = Z2_3 * X1_2;
+            const double v9 = Z1_3 * X1_2, v10 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -973,19 +834,15 @@ static void solve(
                 const double w2 = sqrt(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-                const double c2 = free2 ? cos(v11) : C2 * factor2;
-                const double s2 = free2 ? sin(v11) : S2 * factor2;
+                const double c2 = free2 ? cos(v11) : C2 * factor2,
+                    s2 = free2 ? sin(v11) : S2 * factor2;
                 const double theta2 = atan2(s2, c2);
 
                 /* joint values */
                 const double q2 = wrap(theta2 - offset2);
                 const double q4 = wrap(theta234 - (q3 + theta2) - offset4);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free6) ? TECHMAN_TM5_900_FREE_JOINT :
                     TECHMAN_TM5_900_OK;
@@ -1014,6 +871,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == TECHMAN_TM5_900_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != TECHMAN_TM5_900_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -1027,7 +891,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -1076,16 +944,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = TECHMAN_TM5_900_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 6; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : TECHMAN_TM5_900_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1122,16 +995,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     if (!valid)
         return -TECHMAN_TM5_900_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 6; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == TECHMAN_TM5_900_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {

@@ -87,56 +87,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -176,7 +141,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -198,14 +163,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -274,6 +231,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -338,47 +297,29 @@ static const double highest[6] = {
 
 void ur10e_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v3 * s4;
-    const double x4_y = x3_y * c4 - v4 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double z4_x = v3 * c4 + x3_x * s4;
-    const double z4_y = v4 * c4 + x3_y * s4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double z4_x = v3 * c4 + x3_x * s4, z4_y = v4 * c4 + x3_y * s4;
     const double y5_z = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + s1 * s5;
-    const double x5_y = x4_y * c5 - c1 * s5;
-    const double x5_z = x4_z * c5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5;
     const double T13_ = s1 * c5 - x4_x * s5;
-    const double v5 = c1 * c5 + x4_y * s5;
-    const double v6 = x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - z4_x * s6;
-    const double T21_ = x5_y * c6 - z4_y * s6;
-    const double T31_ = x5_z * c6 + y5_z * s6;
-    const double T32_ = y5_z * c6 - x5_z * s6;
-    const double T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6;
-    const double T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
+    const double v5 = c1 * c5 + x4_y * s5, v6 = x4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 - z4_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6,
+        T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
     T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = -v5; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -v6; T[11] = T34_;
@@ -388,62 +329,37 @@ void ur10e_fk(const double q[6], double T[16])
 
 void ur10e_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = v3 * c4 + x3_x * s4;
-    const double J55 = v4 * c4 + x3_y * s4;
-    const double p4_x = p3_x + s1 * d4;
-    const double p4_y = p3_y - c1 * d4;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4;
+    const double p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4;
     const double J65 = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5;
-    const double v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5;
-    const double v6 = (x3_z * c4 + y3_z * s4) * s5;
-    const double p5_x = p4_x + J45 * d5;
-    const double p5_y = p4_y + J55 * d5;
-    const double p5_z = p3_z + J65 * d5;
+    const double v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5, v6 = (x3_z * c4 + y3_z * s4) * s5;
+    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p3_z + J65 * d5;
     const double J21 = p5_x + J46 * d6;
-    const double p6_y = p5_y - v5 * d6;
-    const double p6_z = p5_z - v6 * d6;
+    const double p6_y = p5_y - v5 * d6, p6_z = p5_z - v6 * d6;
     const double v7 = p6_z - d1;
     const double J32 = s1 * p6_y + c1 * J21;
     const double v8 = p6_z - p2_z;
     const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
     const double v9 = p6_z - p3_z;
     const double J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x);
-    const double v10 = J21 - p4_x;
-    const double v11 = p6_y - p4_y;
-    const double J15 = J55 * v9 - J65 * v11;
-    const double J25 = J65 * v10 - J45 * v9;
-    const double J35 = J45 * v11 - J55 * v10;
-    const double v12 = J21 - p5_x;
-    const double v13 = p6_y - p5_y;
-    const double v14 = p6_z - p5_z;
-    const double J16 = v6 * v13 - v5 * v14;
-    const double J36 = J46 * v13 + v5 * v12;
+    const double v10 = J21 - p4_x, v11 = p6_y - p4_y;
+    const double J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
+        J35 = J45 * v11 - J55 * v10;
+    const double v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    const double J16 = v6 * v13 - v5 * v14, J36 = J46 * v13 + v5 * v12;
     J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v7); J[8] = -(s1 * v8); J[9] = -(s1 * v9); J[10] = J25;
     J[11] = -(v6 * v12 + J46 * v14);
@@ -457,13 +373,16 @@ void ur10e_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -510,127 +429,114 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = T24 - d6 * T23;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v1 = inverse1 * (d4 * wy), v2 = v1 + w1 * (X1 * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -X1), v4 = inverse1 * (d4 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v4, s1_m = w1 * (inverse1 * -wy) - v4;
-    const wide angle1 = atan2_wide(s1_p, -v2), angle2 = atan2_wide(s1_m, -v3);
+    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d4 * wy),
+        v2 = v1 + w1 * (X1 * inverse1), v3 = v1 + w1 * (inverse1 * -X1), v4 = inverse1 * (d4 * X1),
+        s1_p = w1 * (wy * inverse1) - v4, s1_m = w1 * (inverse1 * -wy) - v4,
+        angle1 = atan2_wide(s1_p, -v2), angle2 = atan2_wide(s1_m, -v3);
 
     /* theta6 */
-    const wide v5 = v2 * T21 + s1_p * T11, v6 = v3 * T21 + s1_m * T11, v7 = v2 * T22 + s1_p * T12;
-    const wide v8 = v3 * T22 + s1_m * T12, v9 = v5 * v5 + v7 * v7, v10 = v6 * v6 + v8 * v8;
-    const wide w6_p = sqrt_wide(v9), w6_m = sqrt_wide(v10);
-    const wide v11 = 1.0 / v9, v12 = 1.0 / v10;
-    const wide angle3 = atan2_wide(-v7, v5), angle4 = atan2_wide(-v8, v6);
+    const wide v5 = v2 * T21 + s1_p * T11, v6 = v3 * T21 + s1_m * T11, v7 = v2 * T22 + s1_p * T12,
+        v8 = v3 * T22 + s1_m * T12, v9 = v5 * v5 + v7 * v7, v10 = v6 * v6 + v8 * v8,
+        w6_p = sqrt_wide(v9), w6_m = sqrt_wide(v10), v11 = 1.0 / v9, v12 = 1.0 / v10,
+        angle3 = atan2_wide(-v7, v5), angle4 = atan2_wide(-v8, v6);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v2, c5_m = T13 * s1_m + T23 * v3;
-    const wide angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
+    const wide c5_p = T13 * s1_p + T23 * v2, c5_m = T13 * s1_m + T23 * v3,
+        angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v13 = v11 * (v5 * T32 - v7 * T31), v14 = v12 * (v6 * T32 - v8 * T31);
-    const wide c234_p = w6_p * v13, c234_m = w6_m * v14;
-    const wide v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33;
-    const wide v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33;
-    const wide s234_p = w6_p * v15, s234_m = w6_m * v16;
-    const wide angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14);
-    const wide theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15);
-    const wide theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
+    const wide v13 = v11 * (v5 * T32 - v7 * T31), v14 = v12 * (v6 * T32 - v8 * T31),
+        c234_p = w6_p * v13, c234_m = w6_m * v14, v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33,
+        v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33, s234_p = w6_p * v15, s234_m = w6_m * v16,
+        angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14),
+        theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15),
+        theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
 
     /* theta3 */
-    const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p;
-    const wide v21 = d5 * c234_m, v22 = s234_p * v17, v23 = s234_m * v18;
-    const wide Z1_3_pp = v19 + (v20 + v22), Z1_3_pm = v19 + (v22 - v20);
-    const wide Z1_3_mp = v19 + (v21 + v23), Z1_3_mm = v19 + (v23 - v21);
-    const wide v24 = T24 * s1_p - T14 * v2, v25 = T24 * s1_m - T14 * v3, v26 = c234_p * v17;
-    const wide v27 = c234_m * v18, v28 = d5 * s234_p, v29 = d5 * s234_m;
-    const wide Z2_3_pp = v24 + (v26 - v28), Z2_3_pm = v24 + (v26 + v28);
-    const wide Z2_3_mp = v25 + (v27 - v29), Z2_3_mm = v25 + (v27 + v29);
-    const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
-    const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
-    const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
-    const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
-    const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
-    const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
-    const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
-    const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v30 = w3_pp - w3_pp, v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm;
-    const wide angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
+    const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p,
+        v21 = d5 * c234_m, v22 = s234_p * v17, v23 = s234_m * v18, Z1_3_pp = v19 + (v20 + v22),
+        Z1_3_pm = v19 + (v22 - v20), Z1_3_mp = v19 + (v21 + v23), Z1_3_mm = v19 + (v23 - v21),
+        v24 = T24 * s1_p - T14 * v2, v25 = T24 * s1_m - T14 * v3, v26 = c234_p * v17,
+        v27 = c234_m * v18, v28 = d5 * s234_p, v29 = d5 * s234_m, Z2_3_pp = v24 + (v26 - v28),
+        Z2_3_pm = v24 + (v26 + v28), Z2_3_mp = v25 + (v27 - v29), Z2_3_mm = v25 + (v27 + v29),
+        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
+        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
+        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
+        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
+        w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3)),
+        w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3)),
+        w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3)),
+        w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3)), v30 = w3_pp - w3_pp,
+        v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
+        angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4),
+        angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp;
-    const wide v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36;
-    const wide v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36;
-    const wide v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp);
-    const wide angle13 = atan2_wide(v46 - v38, -(v42 + v47));
-    const wide angle14 = atan2_wide(-(v38 + v46), v47 - v42);
-    const wide v48 = w3_pm * (m3 * Z2_3_pm), v49 = w3_pm * (m3 * Z1_3_pm);
-    const wide angle15 = atan2_wide(v48 - v39, -(v43 + v49));
-    const wide angle16 = atan2_wide(-(v39 + v48), v49 - v43);
-    const wide v50 = w3_mp * (m3 * Z2_3_mp), v51 = w3_mp * (m3 * Z1_3_mp);
-    const wide angle17 = atan2_wide(v50 - v40, -(v44 + v51));
-    const wide angle18 = atan2_wide(-(v40 + v50), v51 - v44);
-    const wide v52 = w3_mm * (m3 * Z2_3_mm), v53 = w3_mm * (m3 * Z1_3_mm);
-    const wide angle19 = atan2_wide(v52 - v41, -(v45 + v53));
-    const wide angle20 = atan2_wide(-(v41 + v52), v53 - v45);
+    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp,
+        v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
+        v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36,
+        v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp),
+        angle13 = atan2_wide(v46 - v38, -(v42 + v47)),
+        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m3 * Z2_3_pm),
+        v49 = w3_pm * (m3 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
+        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m3 * Z2_3_mp),
+        v51 = w3_mp * (m3 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
+        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m3 * Z2_3_mm),
+        v53 = w3_mm * (m3 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
+        angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
-    const wide v54 = angle7 - (angle9 + angle13), v55 = angle7 - (angle14 - angle9);
-    const wide v56 = theta234_pm - (angle10 + angle15), v57 = theta234_pm - (angle16 - angle10);
-    const wide v58 = angle8 - (angle11 + angle17), v59 = angle8 - (angle18 - angle11);
-    const wide v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12);
-    const wide q4_ppp = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
-    const wide q4_ppm = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
-    const wide q4_pmp = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
-    const wide q4_pmm = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5);
-    const wide q4_mpp = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5);
-    const wide q4_mpm = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
-    const wide q4_mmp = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
-    const wide q4_mmm = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
-    const wide q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32;
-    const wide q1_mmp = angle2 + v33;
-    const wide q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32;
-    const wide q5_mmp = v33 - angle6;
-    const wide q6_ppp = angle3 + v30;
-    const wide q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1);
-    const wide q6_mpp = angle4 + v32;
-    const wide q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
-    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mm) &
-        (N3_mm <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0))
-        | ((N3_mp <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <=
-        longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
-        doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((abs_wide(D1) <= k2) |
-        ((N1 <= doubt_limit_squared2) | ((v9 <= m1) | (v10 <= m1)))))))))));
+    const wide v54 = angle7 - (angle9 + angle13), v55 = angle7 - (angle14 - angle9),
+        v56 = theta234_pm - (angle10 + angle15), v57 = theta234_pm - (angle16 - angle10),
+        v58 = angle8 - (angle11 + angle17), v59 = angle8 - (angle18 - angle11),
+        v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12),
+        q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32, q1_mmp = angle2 + v33,
+        q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
+        q6_ppp = angle3 + v30,
+        q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1),
+        q6_mpp = angle4 + v32,
+        q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
+    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
+        <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
+        <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
+        (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | (N3_pm <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | (N3_pp <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
+        <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
-    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
+    q[3] = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5); q[4] = q5_ppp;
+    q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = q4_ppm; q[10] = q5_ppp; q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
+    q[9] = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5); q[10] = q5_ppp;
+    q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = q4_pmp; q[16] = q5_pmp;
+    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
+    q[15] = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5); q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = q4_pmm; q[22] = q5_pmp;
+    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
+    q[21] = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5); q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = q4_mpp; q[28] = q5_mpp;
+    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
+    q[27] = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5); q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = q4_mpm; q[34] = q5_mpp;
+    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
+    q[33] = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5); q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = q4_mmp; q[40] = q5_mmp;
+    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
+    q[39] = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5); q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = q4_mmm; q[46] = q5_mmp;
+    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
+    q[45] = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5); q[46] = q5_mmp;
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -651,20 +557,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14;
-    const double wy = T24 - d6 * T23;
-    const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v1 = inverse1 * (d4 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt(D1), inverse1 = 1.0 / N1, v1 = inverse1 * (d4 * wy);
     const four v2 = v1 + w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (d4 * X1);
     const four s1 = w1 * (inverse1 * (e1 * wy)) - v3;
 
     /* theta6 */
-    const four v4 = v2 * T21 + s1 * T11, v5 = v2 * T22 + s1 * T12, v6 = v4 * v4 + v5 * v5;
-    const four w6 = sqrt_four(v6);
+    const four v4 = v2 * T21 + s1 * T11, v5 = v2 * T22 + s1 * T12, v6 = v4 * v4 + v5 * v5,
+        w6 = sqrt_four(v6);
     const four_mask doubt2 = v6 <= m1;
     const four v7 = 1.0 / v6, v8 = copysign_four(all_four(half_turn), -v5), v9 = m2 * (e2 - 1.0);
 
@@ -672,49 +573,42 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four c5 = T13 * s1 + T23 * v2;
 
     /* theta234 */
-    const four v10 = v7 * (v4 * T32 - v5 * T31);
-    const four c234 = w6 * v10;
-    const four v11 = v7 * (c5 * (v4 * T31 + v5 * T32)) - T33;
-    const four s234 = w6 * v11;
-    const four v12 = copysign_four(all_four(half_turn), v11);
+    const four v10 = v7 * (v4 * T32 - v5 * T31), c234 = w6 * v10,
+        v11 = v7 * (c5 * (v4 * T31 + v5 * T32)) - T33, s234 = w6 * v11,
+        v12 = copysign_four(all_four(half_turn), v11);
 
     /* theta3 */
     const four v13 = d6 * w6;
     const double v14 = T34 - d1;
-    const four v15 = d5 * c234, v16 = s234 * v13;
-    const four Z1_3 = v14 + (v16 + e2 * v15);
-    const four v17 = T24 * s1 - T14 * v2, v18 = c234 * v13, v19 = d5 * s234;
-    const four Z2_3 = v17 + (v18 - e2 * v19);
-    const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v20 = w3 - w3;
+    const four v15 = d5 * c234, v16 = s234 * v13, Z1_3 = v14 + (v16 + e2 * v15),
+        v17 = T24 * s1 - T14 * v2, v18 = c234 * v13, v19 = d5 * s234, Z2_3 = v17 + (v18 - e2 * v19),
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+        v20 = w3 - w3;
 
     /* theta2 */
-    const four v21 = m4 + m3 * N3, v22 = Z1_3 * v21, v23 = Z2_3 * v21, v24 = w3 * (m3 * Z2_3);
-    const four v25 = w3 * (m3 * Z1_3);
+    const four v21 = m4 + m3 * N3, v22 = Z1_3 * v21, v23 = Z2_3 * v21, v24 = w3 * (m3 * Z2_3),
+        v25 = w3 * (m3 * Z1_3);
 
     /* joint values */
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
-    const four_mask doubt3 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt3 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle5 = atan2_four(w3, N3 - k4), angle6 = atan2_four(v24 - v22, -(v23 + v25));
-    const four angle7 = atan2_four(-(v22 + v24), v25 - v23);
-    const four packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
-        __builtin_shufflevector(-v2, v4, 0, 5, 2, 7));
-    const four angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2);
-    const four angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3);
-    const four packed5 = atan2_four(__builtin_shufflevector(w6, v11, 0, 5, 2, 7),
-        __builtin_shufflevector(c5, v10, 0, 5, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four theta234 = angle4 + v9 * v12;
-    const four v26 = theta234 - (angle5 + angle6), v27 = theta234 - (angle7 - angle5);
-    const four q4_p = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5);
-    const four q4_m = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5);
-    const four q1_p = angle1 + v20;
-    const four q5_p = v20 + e2 * angle3;
-    const four q6_p = v20 + (angle2 + v8 * v9);
+    const four angle5 = atan2_four(w3, N3 - k4), angle6 = atan2_four(v24 - v22, -(v23 + v25)),
+        angle7 = atan2_four(-(v22 + v24), v25 - v23),
+        packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
+            __builtin_shufflevector(-v2, v4, 0, 5, 2, 7)),
+        angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2),
+        angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3),
+        packed5 = atan2_four(__builtin_shufflevector(w6, v11, 0, 5, 2, 7),
+            __builtin_shufflevector(c5, v10, 0, 5, 2, 7)),
+        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four theta234 = angle4 + v9 * v12, v26 = theta234 - (angle5 + angle6),
+        v27 = theta234 - (angle7 - angle5),
+        q4_p = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5),
+        q4_m = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5),
+        q1_p = angle1 + v20, q5_p = v20 + e2 * angle3, q6_p = v20 + (angle2 + v8 * v9);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -786,6 +680,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[6], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -805,8 +706,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d4 * sqrt(N1)));
-    const double v1 = X1 * d4;
-    const double v2 = wy * d4;
+    const double v1 = X1 * d4, v2 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v6 = T34 - d1;
@@ -816,8 +716,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + X1 * root1));
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (wy * root1 - v1);
+        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + X1 * root1)),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (wy * root1 - v1);
         const double q1 = atan2(s1, c1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
@@ -839,14 +739,12 @@ static void solve(
             /* theta6 */
             if (e2 < 0.0 && free6) continue; /* both signs give the same */
             const double factor6 = e2 / divisor6;
-            const double v3 = X6 * factor6;
-            const double v4 = Y6 * factor6;
+            const double v3 = X6 * factor6, v4 = Y6 * factor6;
             const double off6 = near6 ? w6 * fabs(v3 * sin(seed[5]) + v4 * cos(seed[5])) : 1.0;
             const double ahead6 = near6 ? v4 * sin(seed[5]) - v3 * cos(seed[5]) : -1.0;
-            const int same6 = near6 && (off6 <= free_limit && 0.0 < ahead6);
+            const int same6 = near6 && off6 <= free_limit && 0.0 < ahead6;
             const int held6 = free6 || same6;
-            const double c6 = held6 ? cos(seed[5]) : -v3;
-            const double s6 = held6 ? sin(seed[5]) : v4;
+            const double c6 = held6 ? cos(seed[5]) : -v3, s6 = held6 ? sin(seed[5]) : v4;
             const double q6 = atan2(s6, c6);
             const double s5 = w6 * e2;
 
@@ -854,8 +752,7 @@ static void solve(
             const double q5 = atan2(s5, c5);
 
             /* theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1] */
-            const double c234 = c6 * T32 + s6 * T31;
-            const double s234 = c5 * (c6 * T31 - s6 * T32) - s5 * T33;
+            const double c234 = c6 * T32 + s6 * T31, s234 = c5 * (c6 * T31 - s6 * T32) - s5 * T33;
             const double theta234 = atan2(s234, c234);
 
             /* theta3 */
@@ -867,19 +764,10 @@ static void solve(
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-                if (near6) {
-                    status[4 * i1 + 2 * i2] = NEARLY + 6;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                    q[4 * i1 + 2 * i2][1] = q6;
-                }
-                if (free1) {
-                    status[4 * i1 + 2 * i2] = LOST + 1;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                }
-                if (free6) {
-                    status[4 * i1 + 2 * i2] = LOST + 6;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                }
+                if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (near6) q[4 * i1 + 2 * i2][1] = q6;
+                if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
             }
             const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -887,8 +775,7 @@ static void solve(
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const double X1_2 = a2 + a3 * c3;
-            const double v8 = Z1_3 * X1_2;
-            const double v9 = Z2_3 * X1_2;
+            const double v8 = Z1_3 * X1_2, v9 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -906,18 +793,14 @@ static void solve(
                 const double w2 = sqrt(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-                const double c2 = free2 ? cos(seed[1]) : C2 * factor2;
-                const double s2 = free2 ? sin(seed[1]) : S2 * factor2;
+                const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
+                    s2 = free2 ? sin(seed[1]) : S2 * factor2;
                 const double q2 = atan2(s2, c2);
 
                 /* joint values */
                 const double q4 = wrap(theta234 - (q3 + q2));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free6) ? UR10E_FREE_JOINT : UR10E_OK;
             }
@@ -945,6 +828,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == UR10E_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != UR10E_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -958,7 +848,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -1007,16 +901,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[6], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = UR10E_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 6; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : UR10E_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1053,16 +952,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     if (!valid)
         return -UR10E_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 6; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == UR10E_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {

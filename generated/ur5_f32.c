@@ -95,6 +95,8 @@ HELPER wide irregularity_wide(const wide T[16])
         * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(none, outside) \
     ((none) ? (int)UR5_F32_UNREACHABLE \
@@ -153,47 +155,29 @@ static const float highest[6] = {
 
 void ur5_f32_fk(const float q[6], float T[16])
 {
-    const float c1 = cosf(q[0]);
-    const float s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]);
-    const float s2 = sinf(q[1]);
-    const float x2_x = c1 * c2;
-    const float x2_y = s1 * c2;
-    const float v1 = c1 * s2;
-    const float v2 = s1 * s2;
-    const float c3 = cosf(q[2]);
-    const float s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3;
-    const float x3_y = x2_y * c3 - v2 * s3;
-    const float x3_z = s2 * c3 + c2 * s3;
-    const float v3 = v1 * c3 + x2_x * s3;
-    const float v4 = v2 * c3 + x2_y * s3;
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
+    const float x2_x = c1 * c2, x2_y = s1 * c2;
+    const float v1 = c1 * s2, v2 = s1 * s2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const float y3_z = c2 * c3 - s2 * s3;
-    const float c4 = cosf(q[3]);
-    const float s4 = sinf(q[3]);
-    const float x4_x = x3_x * c4 - v3 * s4;
-    const float x4_y = x3_y * c4 - v4 * s4;
-    const float x4_z = x3_z * c4 + y3_z * s4;
-    const float z4_x = v3 * c4 + x3_x * s4;
-    const float z4_y = v4 * c4 + x3_y * s4;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
+    const float x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const float z4_x = v3 * c4 + x3_x * s4, z4_y = v4 * c4 + x3_y * s4;
     const float y5_z = y3_z * c4 - x3_z * s4;
-    const float c5 = cosf(q[4]);
-    const float s5 = sinf(q[4]);
-    const float x5_x = x4_x * c5 + s1 * s5;
-    const float x5_y = x4_y * c5 - c1 * s5;
-    const float x5_z = x4_z * c5;
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
+    const float x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5;
     const float T13_ = s1 * c5 - x4_x * s5;
-    const float v5 = c1 * c5 + x4_y * s5;
-    const float v6 = x4_z * s5;
-    const float c6 = cosf(q[5]);
-    const float s6 = sinf(q[5]);
-    const float T11_ = x5_x * c6 - z4_x * s6;
-    const float T21_ = x5_y * c6 - z4_y * s6;
-    const float T31_ = x5_z * c6 + y5_z * s6;
-    const float T32_ = y5_z * c6 - x5_z * s6;
-    const float T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6;
-    const float T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6;
-    const float T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
+    const float v5 = c1 * c5 + x4_y * s5, v6 = x4_z * s5;
+    const float c6 = cosf(q[5]), s6 = sinf(q[5]);
+    const float T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 - z4_y * s6,
+        T31_ = x5_z * c6 + y5_z * s6, T32_ = y5_z * c6 - x5_z * s6,
+        T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6,
+        T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
     T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = -v5; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = -v6; T[11] = T34_;
@@ -203,62 +187,37 @@ void ur5_f32_fk(const float q[6], float T[16])
 
 void ur5_f32_jacobian(const float q[6], float J[36])
 {
-    const float c1 = cosf(q[0]);
-    const float s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]);
-    const float s2 = sinf(q[1]);
-    const float x2_x = c1 * c2;
-    const float x2_y = s1 * c2;
-    const float v1 = c1 * s2;
-    const float v2 = s1 * s2;
-    const float p2_x = x2_x * a2;
-    const float p2_y = x2_y * a2;
-    const float p2_z = d1 + s2 * a2;
-    const float c3 = cosf(q[2]);
-    const float s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3;
-    const float x3_y = x2_y * c3 - v2 * s3;
-    const float x3_z = s2 * c3 + c2 * s3;
-    const float v3 = v1 * c3 + x2_x * s3;
-    const float v4 = v2 * c3 + x2_y * s3;
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
+    const float x2_x = c1 * c2, x2_y = s1 * c2;
+    const float v1 = c1 * s2, v2 = s1 * s2;
+    const float p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
+    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const float v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const float y3_z = c2 * c3 - s2 * s3;
-    const float p3_x = p2_x + x3_x * a3;
-    const float p3_y = p2_y + x3_y * a3;
-    const float p3_z = p2_z + x3_z * a3;
-    const float c4 = cosf(q[3]);
-    const float s4 = sinf(q[3]);
-    const float J45 = v3 * c4 + x3_x * s4;
-    const float J55 = v4 * c4 + x3_y * s4;
-    const float p4_x = p3_x + s1 * d4;
-    const float p4_y = p3_y - c1 * d4;
+    const float p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
+    const float J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4;
+    const float p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4;
     const float J65 = x3_z * s4 - y3_z * c4;
-    const float c5 = cosf(q[4]);
-    const float s5 = sinf(q[4]);
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
     const float J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5;
-    const float v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5;
-    const float v6 = (x3_z * c4 + y3_z * s4) * s5;
-    const float p5_x = p4_x + J45 * d5;
-    const float p5_y = p4_y + J55 * d5;
-    const float p5_z = p3_z + J65 * d5;
+    const float v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5, v6 = (x3_z * c4 + y3_z * s4) * s5;
+    const float p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p3_z + J65 * d5;
     const float J21 = p5_x + J46 * d6;
-    const float p6_y = p5_y - v5 * d6;
-    const float p6_z = p5_z - v6 * d6;
+    const float p6_y = p5_y - v5 * d6, p6_z = p5_z - v6 * d6;
     const float v7 = p6_z - d1;
     const float J32 = s1 * p6_y + c1 * J21;
     const float v8 = p6_z - p2_z;
     const float J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
     const float v9 = p6_z - p3_z;
     const float J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x);
-    const float v10 = J21 - p4_x;
-    const float v11 = p6_y - p4_y;
-    const float J15 = J55 * v9 - J65 * v11;
-    const float J25 = J65 * v10 - J45 * v9;
-    const float J35 = J45 * v11 - J55 * v10;
-    const float v12 = J21 - p5_x;
-    const float v13 = p6_y - p5_y;
-    const float v14 = p6_z - p5_z;
-    const float J16 = v6 * v13 - v5 * v14;
-    const float J36 = J46 * v13 + v5 * v12;
+    const float v10 = J21 - p4_x, v11 = p6_y - p4_y;
+    const float J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
+        J35 = J45 * v11 - J55 * v10;
+    const float v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    const float J16 = v6 * v13 - v5 * v14, J36 = J46 * v13 + v5 * v12;
     J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v7); J[8] = -(s1 * v8); J[9] = -(s1 * v9); J[10] = J25;
     J[11] = -(v6 * v12 + J46 * v14);
@@ -272,13 +231,16 @@ void ur5_f32_jacobian(const float q[6], float J[36])
 static float misfit(const float T[16])
 {
     const float *x = T, *y = T + 4, *z = T + 8;
-    const float xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0f;
-    const float yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0f;
-    const float xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const float z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const float z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const float z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0f * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    float xx = -1.0f, yy = -1.0f, xy = 0.0f, zz = 0.0f;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const float off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0f * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -325,127 +287,114 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide X1 = d6 * T13 - T14;
-    const wide wy = T24 - d6 * T23;
-    const wide N1 = X1 * X1 + wy * wy;
-    const wide D1 = N1 - k1;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0f / N1;
-    const wide v1 = inverse1 * (d4 * wy), v2 = v1 + w1 * (X1 * inverse1);
-    const wide v3 = v1 + w1 * (inverse1 * -X1), v4 = inverse1 * (d4 * X1);
-    const wide s1_p = w1 * (wy * inverse1) - v4, s1_m = w1 * (inverse1 * -wy) - v4;
-    const wide angle1 = atan2_wide(s1_p, -v2), angle2 = atan2_wide(s1_m, -v3);
+    const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
+        w1 = sqrt_wide(D1), inverse1 = 1.0f / N1, v1 = inverse1 * (d4 * wy),
+        v2 = v1 + w1 * (X1 * inverse1), v3 = v1 + w1 * (inverse1 * -X1), v4 = inverse1 * (d4 * X1),
+        s1_p = w1 * (wy * inverse1) - v4, s1_m = w1 * (inverse1 * -wy) - v4,
+        angle1 = atan2_wide(s1_p, -v2), angle2 = atan2_wide(s1_m, -v3);
 
     /* theta6 */
-    const wide v5 = v2 * T21 + s1_p * T11, v6 = v3 * T21 + s1_m * T11, v7 = v2 * T22 + s1_p * T12;
-    const wide v8 = v3 * T22 + s1_m * T12, v9 = v5 * v5 + v7 * v7, v10 = v6 * v6 + v8 * v8;
-    const wide w6_p = sqrt_wide(v9), w6_m = sqrt_wide(v10);
-    const wide v11 = 1.0f / v9, v12 = 1.0f / v10;
-    const wide angle3 = atan2_wide(-v7, v5), angle4 = atan2_wide(-v8, v6);
+    const wide v5 = v2 * T21 + s1_p * T11, v6 = v3 * T21 + s1_m * T11, v7 = v2 * T22 + s1_p * T12,
+        v8 = v3 * T22 + s1_m * T12, v9 = v5 * v5 + v7 * v7, v10 = v6 * v6 + v8 * v8,
+        w6_p = sqrt_wide(v9), w6_m = sqrt_wide(v10), v11 = 1.0f / v9, v12 = 1.0f / v10,
+        angle3 = atan2_wide(-v7, v5), angle4 = atan2_wide(-v8, v6);
 
     /* theta5 */
-    const wide c5_p = T13 * s1_p + T23 * v2, c5_m = T13 * s1_m + T23 * v3;
-    const wide angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
+    const wide c5_p = T13 * s1_p + T23 * v2, c5_m = T13 * s1_m + T23 * v3,
+        angle5 = atan2_wide(w6_p, c5_p), angle6 = atan2_wide(w6_m, c5_m);
 
     /* theta234 */
-    const wide v13 = v11 * (v5 * T32 - v7 * T31), v14 = v12 * (v6 * T32 - v8 * T31);
-    const wide c234_p = w6_p * v13, c234_m = w6_m * v14;
-    const wide v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33;
-    const wide v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33;
-    const wide s234_p = w6_p * v15, s234_m = w6_m * v16;
-    const wide angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14);
-    const wide theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15);
-    const wide theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
+    const wide v13 = v11 * (v5 * T32 - v7 * T31), v14 = v12 * (v6 * T32 - v8 * T31),
+        c234_p = w6_p * v13, c234_m = w6_m * v14, v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33,
+        v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33, s234_p = w6_p * v15, s234_m = w6_m * v16,
+        angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14),
+        theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15),
+        theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
 
     /* theta3 */
-    const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p;
-    const wide v21 = d5 * c234_m, v22 = s234_p * v17, v23 = s234_m * v18;
-    const wide Z1_3_pp = v19 + (v20 + v22), Z1_3_pm = v19 + (v22 - v20);
-    const wide Z1_3_mp = v19 + (v21 + v23), Z1_3_mm = v19 + (v23 - v21);
-    const wide v24 = T24 * s1_p - T14 * v2, v25 = T24 * s1_m - T14 * v3, v26 = c234_p * v17;
-    const wide v27 = c234_m * v18, v28 = d5 * s234_p, v29 = d5 * s234_m;
-    const wide Z2_3_pp = v24 + (v26 - v28), Z2_3_pm = v24 + (v26 + v28);
-    const wide Z2_3_mp = v25 + (v27 - v29), Z2_3_mm = v25 + (v27 + v29);
-    const wide N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp;
-    const wide N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm;
-    const wide N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp;
-    const wide N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm;
-    const wide w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3));
-    const wide w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3));
-    const wide w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3));
-    const wide w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3));
-    const wide v30 = w3_pp - w3_pp, v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm;
-    const wide angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4);
-    const wide angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
+    const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p,
+        v21 = d5 * c234_m, v22 = s234_p * v17, v23 = s234_m * v18, Z1_3_pp = v19 + (v20 + v22),
+        Z1_3_pm = v19 + (v22 - v20), Z1_3_mp = v19 + (v21 + v23), Z1_3_mm = v19 + (v23 - v21),
+        v24 = T24 * s1_p - T14 * v2, v25 = T24 * s1_m - T14 * v3, v26 = c234_p * v17,
+        v27 = c234_m * v18, v28 = d5 * s234_p, v29 = d5 * s234_m, Z2_3_pp = v24 + (v26 - v28),
+        Z2_3_pm = v24 + (v26 + v28), Z2_3_mp = v25 + (v27 - v29), Z2_3_mm = v25 + (v27 + v29),
+        N3_pp = Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp,
+        N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
+        N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
+        N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
+        w3_pp = sqrt_wide((longest3 - N3_pp) * (N3_pp - shortest3)),
+        w3_pm = sqrt_wide((longest3 - N3_pm) * (N3_pm - shortest3)),
+        w3_mp = sqrt_wide((longest3 - N3_mp) * (N3_mp - shortest3)),
+        w3_mm = sqrt_wide((longest3 - N3_mm) * (N3_mm - shortest3)), v30 = w3_pp - w3_pp,
+        v31 = w3_pm - w3_pm, v32 = w3_mp - w3_mp, v33 = w3_mm - w3_mm,
+        angle9 = atan2_wide(w3_pp, N3_pp - k4), angle10 = atan2_wide(w3_pm, N3_pm - k4),
+        angle11 = atan2_wide(w3_mp, N3_mp - k4), angle12 = atan2_wide(w3_mm, N3_mm - k4);
 
     /* theta2 */
-    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp;
-    const wide v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36;
-    const wide v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36;
-    const wide v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp);
-    const wide angle13 = atan2_wide(v46 - v38, -(v42 + v47));
-    const wide angle14 = atan2_wide(-(v38 + v46), v47 - v42);
-    const wide v48 = w3_pm * (m3 * Z2_3_pm), v49 = w3_pm * (m3 * Z1_3_pm);
-    const wide angle15 = atan2_wide(v48 - v39, -(v43 + v49));
-    const wide angle16 = atan2_wide(-(v39 + v48), v49 - v43);
-    const wide v50 = w3_mp * (m3 * Z2_3_mp), v51 = w3_mp * (m3 * Z1_3_mp);
-    const wide angle17 = atan2_wide(v50 - v40, -(v44 + v51));
-    const wide angle18 = atan2_wide(-(v40 + v50), v51 - v44);
-    const wide v52 = w3_mm * (m3 * Z2_3_mm), v53 = w3_mm * (m3 * Z1_3_mm);
-    const wide angle19 = atan2_wide(v52 - v41, -(v45 + v53));
-    const wide angle20 = atan2_wide(-(v41 + v52), v53 - v45);
+    const wide v34 = m4 + m3 * N3_pp, v35 = m4 + m3 * N3_pm, v36 = m4 + m3 * N3_mp,
+        v37 = m4 + m3 * N3_mm, v38 = Z1_3_pp * v34, v39 = Z1_3_pm * v35, v40 = Z1_3_mp * v36,
+        v41 = Z1_3_mm * v37, v42 = Z2_3_pp * v34, v43 = Z2_3_pm * v35, v44 = Z2_3_mp * v36,
+        v45 = Z2_3_mm * v37, v46 = w3_pp * (m3 * Z2_3_pp), v47 = w3_pp * (m3 * Z1_3_pp),
+        angle13 = atan2_wide(v46 - v38, -(v42 + v47)),
+        angle14 = atan2_wide(-(v38 + v46), v47 - v42), v48 = w3_pm * (m3 * Z2_3_pm),
+        v49 = w3_pm * (m3 * Z1_3_pm), angle15 = atan2_wide(v48 - v39, -(v43 + v49)),
+        angle16 = atan2_wide(-(v39 + v48), v49 - v43), v50 = w3_mp * (m3 * Z2_3_mp),
+        v51 = w3_mp * (m3 * Z1_3_mp), angle17 = atan2_wide(v50 - v40, -(v44 + v51)),
+        angle18 = atan2_wide(-(v40 + v50), v51 - v44), v52 = w3_mm * (m3 * Z2_3_mm),
+        v53 = w3_mm * (m3 * Z1_3_mm), angle19 = atan2_wide(v52 - v41, -(v45 + v53)),
+        angle20 = atan2_wide(-(v41 + v52), v53 - v45);
 
     /* joint values */
-    const wide v54 = angle7 - (angle9 + angle13), v55 = angle7 - (angle14 - angle9);
-    const wide v56 = theta234_pm - (angle10 + angle15), v57 = theta234_pm - (angle16 - angle10);
-    const wide v58 = angle8 - (angle11 + angle17), v59 = angle8 - (angle18 - angle11);
-    const wide v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12);
-    const wide q4_ppp = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5);
-    const wide q4_ppm = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5);
-    const wide q4_pmp = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5);
-    const wide q4_pmm = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5);
-    const wide q4_mpp = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5);
-    const wide q4_mpm = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5);
-    const wide q4_mmp = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5);
-    const wide q4_mmm = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5);
-    const wide q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32;
-    const wide q1_mmp = angle2 + v33;
-    const wide q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32;
-    const wide q5_mmp = v33 - angle6;
-    const wide q6_ppp = angle3 + v30;
-    const wide q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1);
-    const wide q6_mpp = angle4 + v32;
-    const wide q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
-    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mm) &
-        (N3_mm <= longest3_reach)) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0))
-        | ((N3_mp <= doubt_limit_squared2) | ((((shortest3_reach <= N3_mp) & (N3_mp <=
-        longest3_reach)) & (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | ((N3_pm
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach)) &
-        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | ((N3_pp <=
-        doubt_limit_squared2) | ((((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach)) &
-        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | ((abs_wide(D1) <= k2) |
-        ((N1 <= doubt_limit_squared2) | ((v9 <= m1) | (v10 <= m1)))))))))));
+    const wide v54 = angle7 - (angle9 + angle13), v55 = angle7 - (angle14 - angle9),
+        v56 = theta234_pm - (angle10 + angle15), v57 = theta234_pm - (angle16 - angle10),
+        v58 = angle8 - (angle11 + angle17), v59 = angle8 - (angle18 - angle11),
+        v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12),
+        q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32, q1_mmp = angle2 + v33,
+        q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
+        q6_ppp = angle3 + v30,
+        q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1),
+        q6_mpp = angle4 + v32,
+        q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
+    const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
+        <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
+        <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
+        (((shortest3_apart < N3_mp) & (N3_mp < longest3_apart)) == 0)) | (N3_pm <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_pm) & (N3_pm <= longest3_reach) &
+        (((shortest3_apart < N3_pm) & (N3_pm < longest3_apart)) == 0)) | (N3_pp <=
+        doubt_limit_squared2) | ((shortest3_reach <= N3_pp) & (N3_pp <= longest3_reach) &
+        (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
+        <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
-    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9; q[3] = q4_ppp; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
+    q[3] = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5); q[4] = q5_ppp;
+    q[5] = q6_ppp;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9; q[9] = q4_ppm; q[10] = q5_ppp; q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
+    q[9] = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5); q[10] = q5_ppp;
+    q[11] = q6_ppp;
     kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10; q[15] = q4_pmp; q[16] = q5_pmp;
+    q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
+    q[15] = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5); q[16] = q5_pmp;
     q[17] = q6_pmp;
     kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10; q[21] = q4_pmm; q[22] = q5_pmp;
+    q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
+    q[21] = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5); q[22] = q5_pmp;
     q[23] = q6_pmp;
     kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11; q[27] = q4_mpp; q[28] = q5_mpp;
+    q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
+    q[27] = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5); q[28] = q5_mpp;
     q[29] = q6_mpp;
     kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11; q[33] = q4_mpm; q[34] = q5_mpp;
+    q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
+    q[33] = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5); q[34] = q5_mpp;
     q[35] = q6_mpp;
     kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12; q[39] = q4_mmp; q[40] = q5_mmp;
+    q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
+    q[39] = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5); q[40] = q5_mmp;
     q[41] = q6_mmp;
     kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12; q[45] = q4_mmm; q[46] = q5_mmp;
+    q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
+    q[45] = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5); q[46] = q5_mmp;
     q[47] = q6_mmp;
     kind[7] = kind_of(q[42] != q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
@@ -469,6 +418,13 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, float off, float q[6], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -488,8 +444,7 @@ static void solve(
     if (!(-k2 <= D1)) return; /* out of reach */
     const float w1 = sqrtf(apart1 ? D1 : 0.0f);
     const float inverse1 = 1.0f / (free1 ? 1.0f : (apart1 ? N1 : d4 * sqrtf(N1)));
-    const float v1 = X1 * d4;
-    const float v2 = wy * d4;
+    const float v1 = X1 * d4, v2 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const float v6 = T34 - d1;
@@ -499,8 +454,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
         const float root1 = w1 * e1;
-        const float c1 = free1 ? cosf(seed[0]) : -(inverse1 * (v2 + X1 * root1));
-        const float s1 = free1 ? sinf(seed[0]) : inverse1 * (wy * root1 - v1);
+        const float c1 = free1 ? cosf(seed[0]) : -(inverse1 * (v2 + X1 * root1)),
+            s1 = free1 ? sinf(seed[0]) : inverse1 * (wy * root1 - v1);
         const float q1 = atan2f(s1, c1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
@@ -522,14 +477,12 @@ static void solve(
             /* theta6 */
             if (e2 < 0.0f && free6) continue; /* both signs give the same */
             const float factor6 = e2 / divisor6;
-            const float v3 = X6 * factor6;
-            const float v4 = Y6 * factor6;
+            const float v3 = X6 * factor6, v4 = Y6 * factor6;
             const float off6 = near6 ? w6 * fabsf(v3 * sinf(seed[5]) + v4 * cosf(seed[5])) : 1.0f;
             const float ahead6 = near6 ? v4 * sinf(seed[5]) - v3 * cosf(seed[5]) : -1.0f;
-            const int same6 = near6 && (off6 <= free_limit && 0.0f < ahead6);
+            const int same6 = near6 && off6 <= free_limit && 0.0f < ahead6;
             const int held6 = free6 || same6;
-            const float c6 = held6 ? cosf(seed[5]) : -v3;
-            const float s6 = held6 ? sinf(seed[5]) : v4;
+            const float c6 = held6 ? cosf(seed[5]) : -v3, s6 = held6 ? sinf(seed[5]) : v4;
             const float q6 = atan2f(s6, c6);
             const float s5 = w6 * e2;
 
@@ -537,8 +490,7 @@ static void solve(
             const float q5 = atan2f(s5, c5);
 
             /* theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1] */
-            const float c234 = c6 * T32 + s6 * T31;
-            const float s234 = c5 * (c6 * T31 - s6 * T32) - s5 * T33;
+            const float c234 = c6 * T32 + s6 * T31, s234 = c5 * (c6 * T31 - s6 * T32) - s5 * T33;
             const float theta234 = atan2f(s234, c234);
 
             /* theta3 */
@@ -550,19 +502,10 @@ static void solve(
             const float D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-                if (near6) {
-                    status[4 * i1 + 2 * i2] = NEARLY + 6;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                    q[4 * i1 + 2 * i2][1] = q6;
-                }
-                if (free1) {
-                    status[4 * i1 + 2 * i2] = LOST + 1;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                }
-                if (free6) {
-                    status[4 * i1 + 2 * i2] = LOST + 6;
-                    q[4 * i1 + 2 * i2][0] = D3;
-                }
+                if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (near6) q[4 * i1 + 2 * i2][1] = q6;
+                if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
+                if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
             }
             const float w3 = sqrtf(apart3 ? D3 : 0.0f);
@@ -570,8 +513,7 @@ static void solve(
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const float X1_2 = a2 + a3 * c3;
-            const float v8 = Z1_3 * X1_2;
-            const float v9 = Z2_3 * X1_2;
+            const float v8 = Z1_3 * X1_2, v9 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* down, up */
                 const float e3 = i3 == 0 ? 1.0f : -1.0f;
@@ -589,18 +531,14 @@ static void solve(
                 const float w2 = sqrtf(S2 * S2 + C2 * C2);
                 const int free2 = w2 <= free_limit_squared2;
                 const float factor2 = 1.0f / (free2 ? 1.0f : w2);
-                const float c2 = free2 ? cosf(seed[1]) : C2 * factor2;
-                const float s2 = free2 ? sinf(seed[1]) : S2 * factor2;
+                const float c2 = free2 ? cosf(seed[1]) : C2 * factor2,
+                    s2 = free2 ? sinf(seed[1]) : S2 * factor2;
                 const float q2 = atan2f(s2, c2);
 
                 /* joint values */
                 const float q4 = wrap(theta234 - (q3 + q2));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free6) ? UR5_F32_FREE_JOINT : UR5_F32_OK;
             }
@@ -628,6 +566,13 @@ static float attempt(struct search *lost, float moved)
     return lost->status[lost->row] == UR5_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != UR5_F32_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static float summit(struct search *lost, float low, float high)
 {
@@ -641,7 +586,11 @@ static float summit(struct search *lost, float low, float high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09f)) || isinf(attempt(lost, high + 1e-09f)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -690,16 +639,21 @@ static float serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, float q[6], unsigned char *status)
+static void choose_again(
+    const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
 {
-    float nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = UR5_F32_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0f)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 6; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0f : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : UR5_F32_UNREACHABLE;
+    for (int i = 0; i < 6; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -736,16 +690,10 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     if (!valid)
         return -UR5_F32_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 6; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == UR5_F32_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {

@@ -410,7 +410,7 @@ def _solve(pose, seed, q, status):
             v4 = Y6 * factor6
             off6 = w6 * abs(v3 * math.sin(seed[5]) + v4 * math.cos(seed[5])) if near6 else 1.0
             ahead6 = v4 * math.sin(seed[5]) - v3 * math.cos(seed[5]) if near6 else -1.0
-            same6 = near6 and (off6 <= free_limit and 0.0 < ahead6)
+            same6 = near6 and off6 <= free_limit and 0.0 < ahead6
             held6 = free6 or same6
             c6 = math.cos(seed[5]) if held6 else -v3
             s6 = math.sin(seed[5]) if held6 else v4
@@ -545,6 +545,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -575,7 +581,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -641,7 +652,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):
         q[row, i] = trial[row, i] if served else math.nan
@@ -655,10 +667,11 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(8):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
+    count = 0
+    for row in range(8):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
@@ -779,14 +792,14 @@ def _regular(pose, q, status):
 
     # joint values
     doubt1 = (
-        N3_mm <= doubt_limit_squared2 or ((shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
-        not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or (N3_mp <= doubt_limit_squared2
-        or ((shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
-        and N3_mp < longest3_apart)) or (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm
+        N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <= longest3_reach and
+        not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or N3_mp <= doubt_limit_squared2
+        or (shortest3_reach <= N3_mp and N3_mp <= longest3_reach and not (shortest3_apart < N3_mp
+        and N3_mp < longest3_apart)) or N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm
         and N3_pm <= longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
-        (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
-        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or (abs(D1) <= k2 or (N1 <=
-        doubt_limit_squared2 or (v9 <= m1 or v10 <= m1))))))))))
+        N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <= longest3_reach and
+        not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or abs(D1) <= k2 or N1 <=
+        doubt_limit_squared2 or v9 <= m1 or v10 <= m1
     )
 
     # angles, side by side
@@ -1254,15 +1267,15 @@ def _in_tiles(T, q, status):
             v52 = w3_mm * (m3 * Z2_3_mm)
             v53 = w3_mm * (m3 * Z1_3_mm)
             doubt1 = (
-                N3_mm <= doubt_limit_squared2 or ((shortest3_reach <= N3_mm and N3_mm <=
+                N3_mm <= doubt_limit_squared2 or (shortest3_reach <= N3_mm and N3_mm <=
                 longest3_reach and not (shortest3_apart < N3_mm and N3_mm < longest3_apart)) or
-                (N3_mp <= doubt_limit_squared2 or ((shortest3_reach <= N3_mp and N3_mp <=
+                N3_mp <= doubt_limit_squared2 or (shortest3_reach <= N3_mp and N3_mp <=
                 longest3_reach and not (shortest3_apart < N3_mp and N3_mp < longest3_apart)) or
-                (N3_pm <= doubt_limit_squared2 or ((shortest3_reach <= N3_pm and N3_pm <=
+                N3_pm <= doubt_limit_squared2 or (shortest3_reach <= N3_pm and N3_pm <=
                 longest3_reach and not (shortest3_apart < N3_pm and N3_pm < longest3_apart)) or
-                (N3_pp <= doubt_limit_squared2 or ((shortest3_reach <= N3_pp and N3_pp <=
+                N3_pp <= doubt_limit_squared2 or (shortest3_reach <= N3_pp and N3_pp <=
                 longest3_reach and not (shortest3_apart < N3_pp and N3_pp < longest3_apart)) or
-                (abs(D1) <= k2 or (N1 <= doubt_limit_squared2 or (v9 <= m1 or v10 <= m1))))))))))
+                abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v9 <= m1 or v10 <= m1
             )
             work[272 + k] = v7
             work[288 + k] = v8

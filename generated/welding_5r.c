@@ -16,6 +16,8 @@ static const int solved[5] = { 0, 1, 2, 3, 4 };
 static const int turning[5] = { 1, 1, 1, 1, 1 };
 static const double unit[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double measure[5] = { 0.625, 0.625, 0.625, 0.625, 0.625 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -44,15 +46,12 @@ static void look(struct descent *d, const double u[5])
         d->q[solved[j]] = unit[j] * u[j];
     welding_5r_fk(d->q, P);
     welding_5r_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.6;
-    for (int j = 0; j < 5; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.6;
-    for (int j = 0; j < 5; j++)
-        d->A[1][j] = measure[j] * J[5 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.6;
-    for (int j = 0; j < 5; j++)
-        d->A[2][j] = measure[j] * J[10 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.6;
+        for (int j = 0; j < 5; j++)
+            d->A[i][j] = measure[j] * J[5 * row + solved[j]];
+    }
     const double z[3] = { P[2], P[6], P[10] }, w[3] = { d->T[2], d->T[6], d->T[10] };
     const double axis[3] = { z[1] * w[2] - z[2] * w[1], z[2] * w[0] - z[0] * w[2],
         z[0] * w[1] - z[1] * w[0] };
@@ -66,6 +65,20 @@ static void look(struct descent *d, const double u[5])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[5], double to[5])
+{
+    for (int j = 0; j < 5; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[5])
+{
+    for (int j = 0; j < 5; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -100,14 +113,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[5])
-{
-    for (int j = 0; j < 5; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[5])
 {
@@ -116,12 +121,6 @@ static void shorten(double step[5])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 5; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[5], double to[5])
-{
-    for (int j = 0; j < 5; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3130,43 +3129,25 @@ static const double highest[5] = { 2.9670597283903604, INFINITY, INFINITY, INFIN
 
 void welding_5r_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v3 * s4;
-    const double x4_y = x3_y * c4 - v4 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double T12_ = v3 * c4 + x3_x * s4;
-    const double T22_ = v4 * c4 + x3_y * s4;
-    const double T32_ = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 + s1 * s5;
-    const double T21_ = x4_y * c5 - c1 * s5;
-    const double T31_ = x4_z * c5;
-    const double T23_ = c1 * c5 + x4_y * s5;
-    const double T33_ = x4_z * s5;
-    const double T13_ = x4_x * s5 - s1 * c5;
-    const double T14_ = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + T12_ * d5 + T11_ * ex + T13_ *
-        ez;
-    const double T24_ = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + T22_ * d5 + T21_ * ex + T23_ *
-        ez;
-    const double T34_ = d1 + s2 * L2 + x3_z * L3 + T32_ * d5 + T31_ * ex + T33_ * ez;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double T12_ = v3 * c4 + x3_x * s4, T22_ = v4 * c4 + x3_y * s4,
+        T32_ = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x4_x * c5 + s1 * s5, T21_ = x4_y * c5 - c1 * s5, T31_ = x4_z * c5,
+        T23_ = c1 * c5 + x4_y * s5, T33_ = x4_z * s5, T13_ = x4_x * s5 - s1 * c5,
+        T14_ = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + T12_ * d5 + T11_ * ex + T13_ * ez,
+        T24_ = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + T22_ * d5 + T21_ * ex + T23_ * ez,
+        T34_ = d1 + s2 * L2 + x3_z * L3 + T32_ * d5 + T31_ * ex + T33_ * ez;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3176,56 +3157,35 @@ void welding_5r_fk(const double q[5], double T[16])
 
 void welding_5r_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v1 = c1 * s2;
-    const double v2 = s1 * s2;
-    const double p2_x = p1_x + x2_x * L2;
-    const double p2_y = p1_y + x2_y * L2;
-    const double p2_z = d1 + s2 * L2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3;
-    const double x3_y = x2_y * c3 - v2 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3;
-    const double v4 = v2 * c3 + x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2, p2_z = d1 + s2 * L2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * L3;
-    const double p3_y = p2_y + x3_y * L3;
-    const double p3_z = p2_z + x3_z * L3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v3 * s4;
-    const double x4_y = x3_y * c4 - v4 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double J45 = v3 * c4 + x3_x * s4;
-    const double J55 = v4 * c4 + x3_y * s4;
-    const double p4_x = p3_x + s1 * d4;
-    const double p4_y = p3_y - c1 * d4;
+    const double p3_x = p2_x + x3_x * L3, p3_y = p2_y + x3_y * L3, p3_z = p2_z + x3_z * L3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4;
+    const double p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4;
     const double J65 = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double J21 = p4_x + J45 * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez;
-    const double v5 = p4_y + J55 * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez;
-    const double v6 = p3_z + J65 * d5 + x4_z * c5 * ex + x4_z * s5 * ez;
-    const double v7 = v6 - d1;
+    const double v5 = p4_y + J55 * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez,
+        v6 = p3_z + J65 * d5 + x4_z * c5 * ex + x4_z * s5 * ez, v7 = v6 - d1;
     const double J32 = s1 * (v5 - p1_y) + c1 * (J21 - p1_x);
     const double v8 = v6 - p2_z;
     const double J33 = s1 * (v5 - p2_y) + c1 * (J21 - p2_x);
     const double v9 = v6 - p3_z;
     const double J34 = s1 * (v5 - p3_y) + c1 * (J21 - p3_x);
-    const double v10 = J21 - p4_x;
-    const double v11 = v5 - p4_y;
-    const double J15 = J55 * v9 - J65 * v11;
-    const double J25 = J65 * v10 - J45 * v9;
-    const double J35 = J45 * v11 - J55 * v10;
+    const double v10 = J21 - p4_x, v11 = v5 - p4_y;
+    const double J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
+        J35 = J45 * v11 - J55 * v10;
     J[0] = -v5; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15;
     J[5] = J21; J[6] = -(s1 * v7); J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = J25;
     J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
@@ -3276,11 +3236,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         status[row] = (chosen) ? WELDING_5R_FREE_JOINT : WELDING_5R_OK;
     }
 }

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -171,20 +136,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -269,6 +221,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -309,11 +263,10 @@ static const double doubt_limit_squared2 = 1.0000000000000002e-08;
 static const double m1 = 0.383022221559489; /* a coefficient of S3 */
 static const double m2 = 1e-12; /* doubt_limit_squared^2 */
 static const double m3 = 0.6634139481689384; /* a coefficient of v11 */
-static const double m4 = 1.2855752193730787; /* a coefficient of v19 */
-static const double m5 = 1.0000000000000004e-12; /* pose_slack1^2 [m^2] */
-static const double m6 = 3.000000000000001e-12; /* 3 * pose_slack1^2 [m^2] */
-static const double m7 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m8 = 9.000000000000001e-10; /* 9 * pose_slack^2 */
+static const double m4 = 1.0000000000000004e-12; /* pose_slack1^2 [m^2] */
+static const double m5 = 3.000000000000001e-12; /* 3 * pose_slack1^2 [m^2] */
+static const double m6 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double m7 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 
 const char *const wrist_oblique_branches[2] = {
     "left", "right",
@@ -324,36 +277,21 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void wrist_oblique_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = s1 * f1;
     const double y1_y = c1 * f1;
     const double z1_x = s1 * f2;
     const double v2 = c1 * f2;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2;
-    const double x2_y = s1 * c2 + y1_y * s2;
-    const double x2_z = f2 * s2;
-    const double v3 = v1 * c2 + c1 * s2;
-    const double v4 = y1_y * c2 - s1 * s2;
-    const double v5 = f2 * c2;
-    const double v6 = v3 * ca2 + z1_x * sa2;
-    const double y2_y = v4 * ca2 + v2 * sa2;
-    const double y2_z = v5 * ca2 - f3;
-    const double T13_ = z1_x * ca2 - v3 * sa2;
-    const double T23_ = v4 * sa2 - v2 * ca2;
-    const double T33_ = v5 * sa2 + f4;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - v6 * s3;
-    const double T21_ = x2_y * c3 + y2_y * s3;
-    const double T31_ = x2_z * c3 + y2_z * s3;
-    const double T22_ = y2_y * c3 - x2_y * s3;
-    const double T32_ = y2_z * c3 - x2_z * s3;
-    const double T14_ = T13_ * d3;
-    const double T24_ = T23_ * d3;
-    const double T34_ = T33_ * d3;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2;
+    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2,
+        v6 = v3 * ca2 + z1_x * sa2;
+    const double y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f3;
+    const double T13_ = z1_x * ca2 - v3 * sa2, T23_ = v4 * sa2 - v2 * ca2, T33_ = v5 * sa2 + f4;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double T11_ = x2_x * c3 - v6 * s3, T21_ = x2_y * c3 + y2_y * s3,
+        T31_ = x2_z * c3 + y2_z * s3, T22_ = y2_y * c3 - x2_y * s3, T32_ = y2_z * c3 - x2_z * s3,
+        T14_ = T13_ * d3, T24_ = T23_ * d3, T34_ = T33_ * d3;
     T[0] = T11_; T[1] = -(v6 * c3 + x2_x * s3); T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -363,23 +301,15 @@ void wrist_oblique_fk(const double q[3], double T[16])
 
 void wrist_oblique_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double J42 = s1 * g2;
     const double v1 = c1 * g2;
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double J43 = J42 * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2;
-    const double J53 = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2;
-    const double J63 = g2 * c2 * sa2 + g3;
-    const double J21 = J43 * d3;
-    const double p3_y = J53 * d3;
-    const double p3_z = J63 * d3;
-    const double J22 = g1 * J21 - J42 * p3_z;
-    const double J32 = J42 * p3_y + v1 * J21;
-    const double J13 = J53 * p3_z - J63 * p3_y;
-    const double J23 = J63 * J21 - J43 * p3_z;
-    const double J33 = J43 * p3_y - J53 * J21;
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double J43 = J42 * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2,
+        J53 = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2, J63 = g2 * c2 * sa2 + g3, J21 = J43 * d3;
+    const double p3_y = J53 * d3, p3_z = J63 * d3;
+    const double J22 = g1 * J21 - J42 * p3_z, J32 = J42 * p3_y + v1 * J21,
+        J13 = J53 * p3_z - J63 * p3_y, J23 = J63 * J21 - J43 * p3_z, J33 = J43 * p3_y - J53 * J21;
     J[0] = -p3_y; J[1] = -(v1 * p3_z + g1 * p3_y); J[2] = J13;
     J[3] = J21; J[4] = J22; J[5] = J23;
     J[6] = 0.0; J[7] = J32; J[8] = J33;
@@ -392,13 +322,16 @@ void wrist_oblique_jacobian(const double q[3], double J[18])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -445,113 +378,72 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = k1 * (sqrt3 * T14);
-    const wide Y1 = k1 * (sqrt3 * T24);
-    const wide N1 = v1 * v1 + Y1 * Y1;
-    const wide Z1 = k1 * (T34 - k2);
-    const wide D1 = N1 - Z1 * Z1;
-    const wide w1 = sqrt_wide(D1);
-    const wide inverse1 = 1.0 / N1;
-    const wide v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * inverse1, v5 = inverse1 * v3, v6 = w1 * v4;
-    const wide c1_p = v5 + v6, c1_m = v5 - v6;
-    const wide v7 = Y1 * inverse1, v8 = inverse1 * v2, v9 = w1 * v7;
-    const wide s1_p = v9 - v8;
-    const wide v10 = v8 + v9;
+    const wide v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
+        Z1 = k1 * (T34 - k2), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1), inverse1 = 1.0 / N1,
+        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = inverse1 * v3, v5 = w1 * (v1 * inverse1), c1_p = v4 + v5,
+        c1_m = v4 - v5, v6 = inverse1 * v2, v7 = w1 * (Y1 * inverse1), s1_p = v7 - v6, v8 = v6 + v7;
 
     /* theta3 */
-    const wide v11 = sqrt3 * T22, v12 = sqrt3 * T12, v13 = sqrt3 * T21, v14 = sqrt3 * T11;
-    const wide v15 = Y1 * v14 - v1 * v13, v16 = m1 * (T31 - inverse1 * (v2 * v14 + v3 * v13));
-    const wide S3_p = v16 + w1 * (m1 * (inverse1 * v15));
-    const wide S3_m = v16 + w1 * (m1 * (inverse1 * -v15));
-    const wide v17 = Y1 * v12 - v1 * v11, v18 = m1 * (T32 - inverse1 * (v2 * v12 + v3 * v11));
-    const wide C3_p = v18 + w1 * (m1 * (inverse1 * v17));
-    const wide C3_m = v18 + w1 * (m1 * (inverse1 * -v17));
-    const wide v19 = S3_p * S3_p + C3_p * C3_p, v20 = S3_m * S3_m + C3_m * C3_m;
-    const wide w3_p = sqrt_wide(v19), w3_m = sqrt_wide(v20);
-    const wide v21 = 1.0 / v19, v22 = 1.0 / v20, v23 = w3_p * v21, v24 = w3_m * v22;
-    const wide v25 = C3_p * v23, v26 = C3_m * v24, v27 = S3_p * v23, v28 = S3_m * v24;
+    const wide v9 = sqrt3 * T22, v10 = sqrt3 * T12, v11 = sqrt3 * T21, v12 = sqrt3 * T11,
+        v13 = Y1 * v12 - v1 * v11, v14 = m1 * (T31 - inverse1 * (v2 * v12 + v3 * v11)),
+        S3_p = v14 + w1 * (m1 * (inverse1 * v13)), S3_m = v14 + w1 * (m1 * (inverse1 * -v13)),
+        v15 = Y1 * v10 - v1 * v9, v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9)),
+        C3_p = v16 + w1 * (m1 * (inverse1 * v15)), C3_m = v16 + w1 * (m1 * (inverse1 * -v15)),
+        v17 = S3_p * S3_p + C3_p * C3_p, v18 = S3_m * S3_m + C3_m * C3_m, w3_p = sqrt_wide(v17),
+        w3_m = sqrt_wide(v18), v19 = 1.0 / v17, v20 = 1.0 / v18, v21 = w3_p * v19, v22 = w3_m * v20,
+        v23 = C3_p * v21, v24 = C3_m * v22, v25 = S3_p * v21, v26 = S3_m * v22;
 
     /* theta2 */
-    const wide v29 = w3_p * (m3 * (v21 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v14 - c1_p * v13)))) -
-        T31 * (sa2 * (k1 * (T32 + (s1_p * v12 - c1_p * v11)))))));
-    const wide v30 = w3_m * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 - (v10 * v14 + c1_m * v13)))) -
-        T31 * (sa2 * (k1 * (T32 - (v10 * v12 + c1_m * v11)))))));
-    const wide v31 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v32 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v33 = v31 * v31, v34 = v33 + v29 * v29, v35 = v33 + v30 * v30;
-    const wide factor2_p = v32 / sqrt_wide(v34), factor2_m = v32 / sqrt_wide(v35);
-    const wide v36 = v31 * factor2_p, v37 = v31 * factor2_m, v38 = v29 * factor2_p;
-    const wide v39 = v30 * factor2_m;
+    const wide v27 = w3_p * (m3 * (v19 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v12 - c1_p * v11)))) -
+        T31 * (sa2 * (k1 * (T32 + (s1_p * v10 - c1_p * v9))))))),
+        v28 = w3_m * (m3 * (v20 * (T32 * (sa2 * (k1 * (T31 - (v8 * v12 + c1_m * v11)))) - T31 * (sa2
+            * (k1 * (T32 - (v8 * v10 + c1_m * v9))))))), v29 = k5 * (k1 * (2.0 * T33 - ca2));
+    const double v30 = (-k6 < 0.0) ? (-1.0) : 1.0;
+    const wide v31 = v29 * v29, v32 = v31 + v27 * v27, v33 = v31 + v28 * v28,
+        factor2_p = v30 / sqrt_wide(v32), factor2_m = v30 / sqrt_wide(v33), v34 = v29 * factor2_p,
+        v35 = v29 * factor2_m, v36 = v27 * factor2_p, v37 = v28 * factor2_m;
 
     /* is the pose one that the arm can take? */
-    const wide v40 = c1_p * 2.0, v41 = c1_m * 2.0, v42 = ca2 * s1_p, v43 = ca2 * v10;
-    const wide v44 = s1_p * v25, v45 = v10 * v26, v46 = ca2 * c1_p, v47 = ca2 * c1_m, v48 = m4 * v5;
-    const wide v49 = w1 * (m4 * v4), v50 = v48 + v49, v51 = v48 - v49, v52 = s1_p * v27;
-    const wide v53 = v10 * v28, v54 = sa2 * s1_p, v55 = sa2 * v10, v56 = sa2 * c1_p;
-    const wide v57 = sa2 * c1_m, v58 = v36 * v54 + v38 * (2.0 * v56) + ca2 * (sqrt3 * s1_p);
-    const wide v59 = v39 * (2.0 * v57) - v37 * v55 - ca2 * (sqrt3 * v10), v60 = s1_p * 2.0;
-    const wide v61 = v10 * 2.0, v62 = c1_p * v25, v63 = c1_m * v26, v64 = m4 * v8;
-    const wide v65 = w1 * (m4 * v7), v66 = v65 - v64, v67 = v64 + v65, v68 = c1_p * v27;
-    const wide v69 = c1_m * v28, v70 = v38 * (2.0 * v54) - v36 * v56 - ca2 * (sqrt3 * c1_p);
-    const wide v71 = v39 * (2.0 * v55) + v37 * v57 + ca2 * (sqrt3 * c1_m), v72 = sqrt3 * v27;
-    const wide v73 = sqrt3 * v28, v74 = sqrt3 * v25, v75 = sqrt3 * v26, v76 = ca2 - k3 * v36;
-    const wide v77 = ca2 - k3 * v37, v78 = T34 - k1 * (d3 * v76), v79 = T34 - k1 * (d3 * v77);
-    const wide v80 = T33 - k1 * v76, v81 = T33 - k1 * v77;
-    const wide v82 = T32 - k1 * (v36 * (ca2 * v74) - v38 * v72 + sa2 * v25);
-    const wide v83 = T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26);
-    const wide v84 = T31 - k1 * (v36 * (ca2 * v72) + v38 * v74 + sa2 * v27);
-    const wide v85 = T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28);
-    const wide v86 = T24 - k1 * (d3 * v70), v87 = T24 + k1 * (d3 * v71), v88 = T23 - k1 * v70;
-    const wide v89 = T23 + k1 * v71;
-    const wide v90 = T22 + k1 * (v36 * (v27 * v60 - v25 * v46) + v38 * (v68 + v25 * v66) + sa2 *
-        (sqrt3 * v62));
-    const wide v91 = T22 + k1 * (v39 * (v69 - v26 * v67) - v37 * (v28 * v61 + v26 * v47) + sa2 *
-        (sqrt3 * v63));
-    const wide v92 = T21 - k1 * (v36 * (v25 * v60 + v27 * v46) - v38 * (v27 * v66 - v62) - sa2 *
-        (sqrt3 * v68));
-    const wide v93 = T21 - k1 * (v37 * (v28 * v47 - v26 * v61) + v39 * (v63 + v28 * v67) - sa2 *
-        (sqrt3 * v69)), v94 = T14 - k1 * (d3 * v58), v95 = T14 - k1 * (d3 * v59);
-    const wide v96 = T13 - k1 * v58, v97 = T13 - k1 * v59;
-    const wide v98 = T11 - k1 * (sa2 * (sqrt3 * v52) - (v36 * (v27 * v42 - v25 * v40) + v38 * (v44 +
-        v27 * v50)));
-    const wide v99 = T11 + k1 * (sa2 * (sqrt3 * v53) + (v39 * (v28 * v51 - v45) - v37 * (v28 * v43 +
-        v26 * v41)));
-    const wide v100 = T12 + k1 * (v36 * (v25 * v42 + v27 * v40) - v38 * (v52 - v25 * v50) - sa2 *
-        (sqrt3 * v44));
-    const wide v101 = T12 + k1 * (v37 * (v28 * v41 - v26 * v43) + v39 * (v53 + v26 * v51) + sa2 *
-        (sqrt3 * v45)), v102 = v94 * v94 + (v78 * v78 + v86 * v86);
-    const wide v103 = v95 * v95 + (v79 * v79 + v87 * v87);
-    const double v104 = NAN;
-    const wide v105 = pick_wide(v102 <= m5, all_wide(0.0), all_wide(v104));
-    const wide v106 = pick_wide(v103 <= m5, all_wide(0.0), all_wide(v104));
-    const wide v107 = v100 * v100 + (v98 * v98 + (v96 * v96 + (v92 * v92 + (v90 * v90 + (v88 * v88 +
-        (v84 * v84 + (v80 * v80 + v82 * v82)))))));
-    const wide v108 = v101 * v101 + (v99 * v99 + (v97 * v97 + (v93 * v93 + (v91 * v91 + (v89 * v89 +
-        (v85 * v85 + (v81 * v81 + v83 * v83)))))));
-    const wide v109 = pick_wide(v107 <= m7, all_wide(0.0), all_wide(v104));
-    const wide v110 = pick_wide(v108 <= m7, all_wide(0.0), all_wide(v104));
+    const wide v38 = ca2 * s1_p, v39 = ca2 * v8, v40 = ca2 * c1_p, v41 = ca2 * c1_m,
+        v42 = sa2 * s1_p, v43 = sa2 * v8, v44 = sa2 * c1_p, v45 = sa2 * c1_m,
+        v46 = v34 * v42 + v36 * (2.0 * v44) + ca2 * (sqrt3 * s1_p),
+        v47 = v37 * (2.0 * v45) - v35 * v43 - ca2 * (sqrt3 * v8),
+        v48 = v36 * (2.0 * v42) - v34 * v44 - ca2 * (sqrt3 * c1_p),
+        v49 = v37 * (2.0 * v43) + v35 * v45 + ca2 * (sqrt3 * c1_m), v50 = ca2 - k3 * v34,
+        v51 = ca2 - k3 * v35, v52 = T34 - k1 * (d3 * v50), v53 = T34 - k1 * (d3 * v51),
+        v54 = T33 - k1 * v50, v55 = T33 - k1 * v51,
+        v56 = T31 - k1 * (v34 * (ca2 * (sqrt3 * v25)) + v36 * (sqrt3 * v23) + sa2 * v25),
+        v57 = T31 - k1 * (v35 * (ca2 * (sqrt3 * v26)) + v37 * (sqrt3 * v24) + sa2 * v26),
+        v58 = T24 - k1 * (d3 * v48), v59 = T24 + k1 * (d3 * v49), v60 = T23 - k1 * v48,
+        v61 = T23 + k1 * v49,
+        v62 = T21 - k1 * (v34 * (v23 * (s1_p * 2.0) + v25 * v40) - v36 * (v25 * (2.0 * v38) - c1_p *
+            v23) - sa2 * (sqrt3 * (c1_p * v25))),
+        v63 = T21 - k1 * (v35 * (v26 * v41 - v24 * (v8 * 2.0)) + v37 * (v26 * (2.0 * v39) + c1_m *
+            v24) - sa2 * (sqrt3 * (c1_m * v26))), v64 = T14 - k1 * (d3 * v46),
+        v65 = T14 - k1 * (d3 * v47),
+        v66 = T11 - k1 * (sa2 * (sqrt3 * (s1_p * v25)) - (v34 * (v25 * v38 - v23 * (c1_p * 2.0)) +
+            v36 * (s1_p * v23 + v25 * (2.0 * v40)))),
+        v67 = T11 + k1 * (sa2 * (sqrt3 * (v8 * v26)) + (v37 * (v26 * (2.0 * v41) - v8 * v24) - v35 *
+            (v26 * v39 + v24 * (c1_m * 2.0)))), v68 = T13 - k1 * v46, v69 = T13 - k1 * v47,
+        v70 = v64 * v64 + (v52 * v52 + v58 * v58), v71 = v65 * v65 + (v53 * v53 + v59 * v59),
+        v72 = v68 * v68 + (v66 * v66 + (v62 * v62 + (v60 * v60 + (v54 * v54 + v56 * v56)))),
+        v73 = v69 * v69 + (v67 * v67 + (v63 * v63 + (v61 * v61 + (v55 * v55 + v57 * v57))));
 
     /* joint values */
-    const wide angle1 = atan2_wide(s1_p, c1_p);
-    const wide q1_p = v109 + (v105 + angle1);
-    const wide angle2 = atan2_wide(-v10, c1_m);
-    const wide q1_m = v110 + (v106 + angle2);
-    const wide angle3 = atan2_wide(-v38, -v36);
-    const wide q2_p = v109 + (v105 + angle3);
-    const wide angle4 = atan2_wide(-v39, -v37);
-    const wide q2_m = v110 + (v106 + angle4);
-    const wide angle5 = atan2_wide(-S3_p, -C3_p);
-    const wide q3_p = v109 + (v105 + angle5);
-    const wide angle6 = atan2_wide(-S3_m, -C3_m);
-    const wide q3_m = v110 + (v106 + angle6);
-    const wide_mask doubt1 = (v35 <= m2) | ((v20 <= m2) | ((v34 <= m2) | ((v19 <= m2) | (((m5 <
-        v103) & (v103 <= m6)) | (((m5 < v102) & (v102 <= m6)) | (((m7 < v108) & (v108 <= m8)) |
-        (((N1 <= doubt_limit_squared2) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
-        abs_wide(Z1)))) | ((m7 < v107) & (v107 <= m8)))))))));
+    const double v74 = NAN;
+    const wide v75 = only_wide(((v70 <= m4) & (v72 <= m6)) == 0, v74),
+        v76 = only_wide(((v71 <= m4) & (v73 <= m6)) == 0, v74), angle1 = atan2_wide(s1_p, c1_p),
+        angle2 = atan2_wide(-v8, c1_m), angle3 = atan2_wide(-v36, -v34),
+        angle4 = atan2_wide(-v37, -v35), angle5 = atan2_wide(-S3_p, -C3_p),
+        angle6 = atan2_wide(-S3_m, -C3_m);
+    const wide_mask doubt1 = (v33 <= m2) | (v18 <= m2) | (v32 <= m2) | (v17 <= m2) | ((m4 < v71) &
+        (v71 <= m5)) | ((m4 < v70) & (v70 <= m5)) | ((m6 < v73) & (v73 <= m7)) | (N1 <=
+        doubt_limit_squared2) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1)))
+        | ((m6 < v72) & (v72 <= m7));
 
-    q[0] = q1_p; q[1] = q2_p; q[2] = q3_p;
+    q[0] = v75 + angle1; q[1] = v75 + angle3; q[2] = v75 + angle5;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m; q[4] = q2_m; q[5] = q3_m;
+    q[3] = v76 + angle2; q[4] = v76 + angle4; q[5] = v76 + angle6;
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -569,82 +461,58 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = k1 * (sqrt3 * T14);
-    const double Y1 = k1 * (sqrt3 * T24);
-    const double N1 = v1 * v1 + Y1 * Y1;
-    const double Z1 = k1 * (T34 - k2);
-    const double D1 = N1 - Z1 * Z1;
-    const double w1 = sqrt(D1);
-    const double inverse1 = 1.0 / N1;
-    const double v2 = v1 * Z1, v3 = Y1 * Z1;
-    const four v4 = inverse1 * (e1 * v1);
-    const double v5 = inverse1 * v3;
-    const four c1 = v5 + w1 * v4;
-    const four v6 = inverse1 * (e1 * Y1);
-    const double v7 = inverse1 * v2;
-    const four s1 = w1 * v6 - v7;
+    const double v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
+        Z1 = k1 * (T34 - k2), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = 1.0 / N1, v2 = v1 * Z1,
+        v3 = Y1 * Z1, v4 = inverse1 * v3;
+    const four c1 = v4 + w1 * (inverse1 * (e1 * v1));
+    const double v5 = inverse1 * v2;
+    const four s1 = w1 * (inverse1 * (e1 * Y1)) - v5;
 
     /* theta3 */
-    const double v8 = sqrt3 * T22, v9 = sqrt3 * T12, v10 = sqrt3 * T21, v11 = sqrt3 * T11;
-    const double v12 = Y1 * v11 - v1 * v10, v13 = m1 * (T31 - inverse1 * (v2 * v11 + v3 * v10));
-    const four S3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12)));
-    const double v14 = Y1 * v9 - v1 * v8, v15 = m1 * (T32 - inverse1 * (v2 * v9 + v3 * v8));
-    const four C3 = v15 + w1 * (m1 * (inverse1 * (e1 * v14)));
-    const four v16 = S3 * S3 + C3 * C3;
-    const four w3 = sqrt_four(v16);
-    const four v17 = 1.0 / v16, v18 = w3 * v17, v19 = C3 * v18, v20 = S3 * v18;
+    const double v6 = sqrt3 * T22, v7 = sqrt3 * T12, v8 = sqrt3 * T21, v9 = sqrt3 * T11,
+        v10 = Y1 * v9 - v1 * v8, v11 = m1 * (T31 - inverse1 * (v2 * v9 + v3 * v8));
+    const four S3 = v11 + w1 * (m1 * (inverse1 * (e1 * v10)));
+    const double v12 = Y1 * v7 - v1 * v6, v13 = m1 * (T32 - inverse1 * (v2 * v7 + v3 * v6));
+    const four C3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12))), v14 = S3 * S3 + C3 * C3,
+        w3 = sqrt_four(v14), v15 = 1.0 / v14, v16 = w3 * v15, v17 = C3 * v16, v18 = S3 * v16;
 
     /* theta2 */
-    const four v21 = w3 * (m3 * (v17 * (T32 * (sa2 * (k1 * (T31 + (s1 * v11 - c1 * v10)))) - T31 *
-        (sa2 * (k1 * (T32 + (s1 * v9 - c1 * v8)))))));
-    const double v22 = k5 * (k1 * (2.0 * T33 - ca2)), v23 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const double v24 = v22 * v22;
-    const four v25 = v24 + v21 * v21;
-    const four factor2 = v23 / sqrt_four(v25);
-    const four v26 = v22 * factor2, v27 = v21 * factor2;
+    const four v19 = w3 * (m3 * (v15 * (T32 * (sa2 * (k1 * (T31 + (s1 * v9 - c1 * v8)))) - T31 *
+        (sa2 * (k1 * (T32 + (s1 * v7 - c1 * v6)))))));
+    const double v20 = k5 * (k1 * (2.0 * T33 - ca2)), v21 = (-k6 < 0.0) ? (-1.0) : 1.0,
+        v22 = v20 * v20;
+    const four v23 = v22 + v19 * v19, factor2 = v21 / sqrt_four(v23), v24 = v20 * factor2,
+        v25 = v19 * factor2;
 
     /* is the pose one that the arm can take? */
-    const four v28 = c1 * 2.0, v29 = ca2 * s1, v30 = s1 * v19, v31 = ca2 * c1;
-    const double v32 = m4 * v5;
-    const four v33 = v32 + w1 * (m4 * v4), v34 = s1 * v20, v35 = sa2 * s1, v36 = sa2 * c1;
-    const four v37 = v26 * v35 + v27 * (2.0 * v36) + ca2 * (sqrt3 * s1), v38 = s1 * 2.0;
-    const four v39 = c1 * v19;
-    const double v40 = m4 * v7;
-    const four v41 = w1 * (m4 * v6) - v40, v42 = c1 * v20;
-    const four v43 = v27 * (2.0 * v35) - v26 * v36 - ca2 * (sqrt3 * c1), v44 = sqrt3 * v20;
-    const four v45 = sqrt3 * v19, v46 = ca2 - k3 * v26, v47 = T34 - k1 * (d3 * v46);
-    const four v48 = T33 - k1 * v46, v49 = T32 - k1 * (v26 * (ca2 * v45) - v27 * v44 + sa2 * v19);
-    const four v50 = T31 - k1 * (v26 * (ca2 * v44) + v27 * v45 + sa2 * v20);
-    const four v51 = T24 - k1 * (d3 * v43), v52 = T23 - k1 * v43;
-    const four v53 = T22 + k1 * (v26 * (v20 * v38 - v19 * v31) + v27 * (v42 + v19 * v41) + sa2 *
-        (sqrt3 * v39));
-    const four v54 = T21 - k1 * (v26 * (v19 * v38 + v20 * v31) - v27 * (v20 * v41 - v39) - sa2 *
-        (sqrt3 * v42)), v55 = T14 - k1 * (d3 * v37), v56 = T13 - k1 * v37;
-    const four v57 = T11 - k1 * (sa2 * (sqrt3 * v34) - (v26 * (v20 * v29 - v19 * v28) + v27 * (v30 +
-        v20 * v33)));
-    const four v58 = T12 + k1 * (v26 * (v19 * v29 + v20 * v28) - v27 * (v34 - v19 * v33) - sa2 *
-        (sqrt3 * v30)), v59 = v55 * v55 + (v47 * v47 + v51 * v51);
-    const double v60 = NAN;
-    const four v61 = pick_four(v59 <= m5, all_four(0.0), all_four(v60));
-    const four v62 = v58 * v58 + (v57 * v57 + (v56 * v56 + (v54 * v54 + (v53 * v53 + (v52 * v52 +
-        (v50 * v50 + (v48 * v48 + v49 * v49)))))));
-    const four v63 = pick_four(v62 <= m7, all_four(0.0), all_four(v60));
+    const four v26 = ca2 * s1, v27 = ca2 * c1, v28 = sa2 * s1, v29 = sa2 * c1,
+        v30 = v24 * v28 + v25 * (2.0 * v29) + ca2 * (sqrt3 * s1),
+        v31 = v25 * (2.0 * v28) - v24 * v29 - ca2 * (sqrt3 * c1), v32 = ca2 - k3 * v24,
+        v33 = T34 - k1 * (d3 * v32), v34 = T33 - k1 * v32,
+        v35 = T31 - k1 * (v24 * (ca2 * (sqrt3 * v18)) + v25 * (sqrt3 * v17) + sa2 * v18),
+        v36 = T24 - k1 * (d3 * v31), v37 = T23 - k1 * v31,
+        v38 = T21 - k1 * (v24 * (v17 * (s1 * 2.0) + v18 * v27) - v25 * (v18 * (2.0 * v26) - c1 *
+            v17) - sa2 * (sqrt3 * (c1 * v18))), v39 = T14 - k1 * (d3 * v30),
+        v40 = T11 - k1 * (sa2 * (sqrt3 * (s1 * v18)) - (v24 * (v18 * v26 - v17 * (c1 * 2.0)) + v25 *
+            (s1 * v17 + v18 * (2.0 * v27)))), v41 = T13 - k1 * v30,
+        v42 = v39 * v39 + (v33 * v33 + v36 * v36),
+        v43 = v41 * v41 + (v40 * v40 + (v38 * v38 + (v37 * v37 + (v34 * v34 + v35 * v35))));
 
     /* joint values */
+    const double v44 = NAN;
+    const four v45 = only_four(((v42 <= m4) & (v43 <= m6)) == 0, v44);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
         2.0 * fabs(Z1)));
-    const four_mask doubt2 = (v25 <= m2) | ((v16 <= m2) | (((m7 < v62) & (v62 <= m8)) | ((m5 < v59)
-        & (v59 <= m6))));
+    const four_mask doubt2 = (v23 <= m2) | (v14 <= m2) | ((m6 < v43) & (v43 <= m7)) | ((m4 < v42) &
+        (v42 <= m5));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v27, 0, 1, 6, 7),
-        __builtin_shufflevector(c1, -v26, 0, 1, 6, 7));
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3);
-    const four packed2 = atan2_four(-S3, -C3);
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
-    const four q1 = v63 + (v61 + angle1);
-    const four q2 = v63 + (v61 + angle2);
-    const four q3 = v63 + (v61 + angle3);
+    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v25, 0, 1, 6, 7),
+        __builtin_shufflevector(c1, -v24, 0, 1, 6, 7)),
+        angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
+        angle2 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3),
+        packed2 = atan2_four(-S3, -C3),
+        angle3 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
+    const four q1 = v45 + angle1, q2 = v45 + angle2, q3 = v45 + angle3;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -724,33 +592,26 @@ static void solve(
     const int free1 = N1 <= free_limit_squared2;
     const double Z1 = k1 * (T34 - k2);
     const double D1 = N1 - Z1 * Z1;
-    const double v2 = fabs(Z1);
-    const double v3 = 2.0 * v2;
+    const double v2 = fabs(Z1), v3 = 2.0 * v2;
     const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1;
     if (!(-(reach_slack1 * (v3 + reach_slack1)) <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v2 * sqrt(N1)));
-    const double v4 = v1 * Z1;
-    const double v5 = Y1 * Z1;
+    const double v4 = v1 * Z1, v5 = Y1 * Z1;
 
     /* theta3, type 3: U1[3, 2] and U1[3, 1] */
-    const double v6 = sqrt3 * T22;
-    const double v7 = T12 * sqrt3;
-    const double v8 = sqrt3 * T21;
-    const double v9 = T11 * sqrt3;
+    const double v6 = sqrt3 * T22, v7 = T12 * sqrt3, v8 = sqrt3 * T21, v9 = T11 * sqrt3;
 
     /* theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1] */
-    const double v12 = k1 * (2.0 * T33 - ca2) * k5;
-    const double v13 = -k6 < 0.0 ? -1.0 : 1.0;
-    const double v14 = v12 * v12;
+    const double v12 = k1 * (2.0 * T33 - ca2) * k5, v13 = -k6 < 0.0 ? -1.0 : 1.0, v14 = v12 * v12;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v5 + v1 * root1);
-        const double s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v4);
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v5 + v1 * root1),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v4);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -759,8 +620,8 @@ static void solve(
         const double w3 = sqrt(S3 * S3 + C3 * C3);
         const int free3 = w3 <= free_limit_squared;
         const double v10 = 1.0 / (free3 ? 1.0 : w3);
-        const double c3 = free3 ? cos(seed[2]) : -(C3 * v10);
-        const double s3 = free3 ? sin(seed[2]) : -(S3 * v10);
+        const double c3 = free3 ? cos(seed[2]) : -(C3 * v10),
+            s3 = free3 ? sin(seed[2]) : -(S3 * v10);
         const double q3 = atan2(s3, c3);
 
         /* theta2 */
@@ -768,43 +629,25 @@ static void solve(
         const double w2 = sqrt(v11 * v11 + v14);
         const int free2 = w2 <= free_limit_squared;
         const double factor2 = v13 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : -(v12 * factor2);
-        const double s2 = free2 ? sin(seed[1]) : -(v11 * factor2);
+        const double c2 = free2 ? cos(seed[1]) : -(v12 * factor2),
+            s2 = free2 ? sin(seed[1]) : -(v11 * factor2);
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double v15 = 2.0 * c1;
-        const double v16 = ca2 * s1;
-        const double v17 = s1 * c3;
-        const double v18 = ca2 * c1;
-        const double v19 = 2.0 * v18;
-        const double v20 = s1 * s3;
-        const double v21 = s1 * sa2;
-        const double v22 = c1 * sa2;
-        const double v23 = c2 * v21 + s2 * (2.0 * v22) - ca2 * (sqrt3 * s1);
-        const double v24 = 2.0 * s1;
-        const double v25 = c1 * c3;
-        const double v26 = 2.0 * v16;
-        const double v27 = c1 * s3;
-        const double v28 = c2 * v22 - s2 * (2.0 * v21) - ca2 * (sqrt3 * c1);
-        const double v29 = sqrt3 * s3;
-        const double v30 = sqrt3 * c3;
-        const double v31 = ca2 + k3 * c2;
-        if (!(fabs(T34 - k1 * (d3 * v31)) <= pose_slack1 && (fabs(T33 - k1 * v31) <= pose_slack &&
-            (fabs(T32 - k1 * (c2 * (ca2 * v30) - s2 * v29 - sa2 * c3)) <= pose_slack && (fabs(T31 -
-            k1 * (c2 * (ca2 * v29) + s2 * v30 - sa2 * s3)) <= pose_slack && (fabs(T24 - k1 * (d3 *
-            v28)) <= pose_slack1 && (fabs(T23 - k1 * v28) <= pose_slack && (fabs(T22 - k1 * (c2 *
-            (c3 * v18 - s3 * v24) - s2 * (v27 + c3 * v26) + sa2 * (sqrt3 * v25))) <= pose_slack &&
-            (fabs(T21 - k1 * (c2 * (c3 * v24 + s3 * v18) + s2 * (v25 - s3 * v26) + sa2 * (sqrt3 *
-            v27))) <= pose_slack && (fabs(T14 + k1 * (d3 * v23)) <= pose_slack1 && (fabs(T13 - k1 *
-            -v23) <= pose_slack && (fabs(T11 - k1 * (c2 * (c3 * v15 - s3 * v16) - s2 * (v17 + s3 *
-            v19) - sa2 * (sqrt3 * v20))) <= pose_slack && fabs(T12 + k1 * (c2 * (c3 * v16 + s3 *
-            v15) + s2 * (c3 * v19 - v20) + sa2 * (sqrt3 * v17))) <= pose_slack))))))))))))
+        const double v15 = ca2 * s1, v16 = ca2 * c1, v17 = s1 * sa2, v18 = c1 * sa2,
+            v19 = c2 * v17 + s2 * (2.0 * v18) - ca2 * (sqrt3 * s1),
+            v20 = c2 * v18 - s2 * (2.0 * v17) - ca2 * (sqrt3 * c1), v21 = ca2 + k3 * c2;
+        if (!(fabs(T34 - k1 * (d3 * v21)) <= pose_slack1 && fabs(T33 - k1 * v21) <= pose_slack &&
+            fabs(T31 - k1 * (c2 * (ca2 * (sqrt3 * s3)) + s2 * (sqrt3 * c3) - sa2 * s3)) <=
+            pose_slack && fabs(T24 - k1 * (d3 * v20)) <= pose_slack1 && fabs(T23 - k1 * v20) <=
+            pose_slack && fabs(T21 - k1 * (c2 * (c3 * (2.0 * s1) + s3 * v16) + s2 * (c1 * c3 - s3 *
+            (2.0 * v15)) + sa2 * (sqrt3 * (c1 * s3)))) <= pose_slack && fabs(T14 + k1 * (d3 * v19))
+            <= pose_slack1 && fabs(T11 - k1 * (c2 * (c3 * (2.0 * c1) - s3 * v15) - s2 * (s1 * c3 +
+            s3 * (2.0 * v16)) - sa2 * (sqrt3 * (s1 * s3)))) <= pose_slack && fabs(T13 - k1 * -v19)
+            <= pose_slack))
             continue; /* the arm can't take this pose */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
         status[row] = (free1 || free2 || free3) ? WRIST_OBLIQUE_FREE_JOINT : WRIST_OBLIQUE_OK;
     }
 }

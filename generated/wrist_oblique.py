@@ -107,11 +107,10 @@ doubt_limit_squared2 = 1.0000000000000002e-08  # square of a length that fixes n
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 1e-12  # doubt_limit_squared^2
 m3 = 0.6634139481689384  # a coefficient of v11
-m4 = 1.2855752193730787  # a coefficient of v19
-m5 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
-m6 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
-m7 = 1.0000000000000002e-10  # pose_slack^2
-m8 = 9.000000000000001e-10  # 9 * pose_slack^2
+m4 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
+m5 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
+m6 = 1.0000000000000002e-10  # pose_slack^2
+m7 = 6.000000000000001e-10  # 6 * pose_slack^2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -333,34 +332,22 @@ def _solve(pose, seed, q, status):
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
-        v15 = 2.0 * c1
-        v16 = ca2 * s1
-        v17 = s1 * c3
-        v18 = ca2 * c1
-        v19 = 2.0 * v18
-        v20 = s1 * s3
-        v21 = s1 * sa2
-        v22 = c1 * sa2
-        v23 = c2 * v21 + s2 * (2.0 * v22) - ca2 * (sqrt3 * s1)
-        v24 = 2.0 * s1
-        v25 = c1 * c3
-        v26 = 2.0 * v16
-        v27 = c1 * s3
-        v28 = c2 * v22 - s2 * (2.0 * v21) - ca2 * (sqrt3 * c1)
-        v29 = sqrt3 * s3
-        v30 = sqrt3 * c3
-        v31 = ca2 + k3 * c2
+        v15 = ca2 * s1
+        v16 = ca2 * c1
+        v17 = s1 * sa2
+        v18 = c1 * sa2
+        v19 = c2 * v17 + s2 * (2.0 * v18) - ca2 * (sqrt3 * s1)
+        v20 = c2 * v18 - s2 * (2.0 * v17) - ca2 * (sqrt3 * c1)
+        v21 = ca2 + k3 * c2
         if (
-            not (abs(T34 - k1 * (d3 * v31)) <= pose_slack1 and (abs(T33 - k1 * v31) <= pose_slack
-            and (abs(T32 - k1 * (c2 * (ca2 * v30) - s2 * v29 - sa2 * c3)) <= pose_slack and (abs(T31
-            - k1 * (c2 * (ca2 * v29) + s2 * v30 - sa2 * s3)) <= pose_slack and (abs(T24 - k1 * (d3 *
-            v28)) <= pose_slack1 and (abs(T23 - k1 * v28) <= pose_slack and (abs(T22 - k1 * (c2 *
-            (c3 * v18 - s3 * v24) - s2 * (v27 + c3 * v26) + sa2 * (sqrt3 * v25))) <= pose_slack and
-            (abs(T21 - k1 * (c2 * (c3 * v24 + s3 * v18) + s2 * (v25 - s3 * v26) + sa2 * (sqrt3 *
-            v27))) <= pose_slack and (abs(T14 + k1 * (d3 * v23)) <= pose_slack1 and (abs(T13 - k1 *
-            -v23) <= pose_slack and (abs(T11 - k1 * (c2 * (c3 * v15 - s3 * v16) - s2 * (v17 + s3 *
-            v19) - sa2 * (sqrt3 * v20))) <= pose_slack and abs(T12 + k1 * (c2 * (c3 * v16 + s3 *
-            v15) + s2 * (c3 * v19 - v20) + sa2 * (sqrt3 * v17))) <= pose_slack)))))))))))
+            not (abs(T34 - k1 * (d3 * v21)) <= pose_slack1 and abs(T33 - k1 * v21) <= pose_slack and
+            abs(T31 - k1 * (c2 * (ca2 * (sqrt3 * s3)) + s2 * (sqrt3 * c3) - sa2 * s3)) <= pose_slack
+            and abs(T24 - k1 * (d3 * v20)) <= pose_slack1 and abs(T23 - k1 * v20) <= pose_slack and
+            abs(T21 - k1 * (c2 * (c3 * (2.0 * s1) + s3 * v16) + s2 * (c1 * c3 - s3 * (2.0 * v15)) +
+            sa2 * (sqrt3 * (c1 * s3)))) <= pose_slack and abs(T14 + k1 * (d3 * v19)) <= pose_slack1
+            and abs(T11 - k1 * (c2 * (c3 * (2.0 * c1) - s3 * v15) - s2 * (s1 * c3 + s3 * (2.0 *
+            v16)) - sa2 * (sqrt3 * (s1 * s3)))) <= pose_slack and abs(T13 - k1 * -v19) <=
+            pose_slack)
         ):
             continue  # the arm can't take this pose
         row = i1
@@ -468,170 +455,133 @@ def _regular(pose, q, status):
     inverse1 = 1.0 / N1
     v2 = v1 * Z1
     v3 = Y1 * Z1
-    v4 = v1 * inverse1
-    v5 = inverse1 * v3
-    v6 = w1 * v4
-    c1_p = v5 + v6
-    c1_m = v5 - v6
-    v7 = Y1 * inverse1
-    v8 = inverse1 * v2
-    v9 = w1 * v7
-    s1_p = v9 - v8
-    v10 = v8 + v9
+    v4 = inverse1 * v3
+    v5 = w1 * (v1 * inverse1)
+    c1_p = v4 + v5
+    c1_m = v4 - v5
+    v6 = inverse1 * v2
+    v7 = w1 * (Y1 * inverse1)
+    s1_p = v7 - v6
+    v8 = v6 + v7
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    v11 = sqrt3 * T22
-    v12 = sqrt3 * T12
-    v13 = sqrt3 * T21
-    v14 = sqrt3 * T11
-    v15 = Y1 * v14 - v1 * v13
-    v16 = m1 * (T31 - inverse1 * (v2 * v14 + v3 * v13))
-    S3_p = v16 + w1 * (m1 * (inverse1 * v15))
-    S3_m = v16 + w1 * (m1 * (inverse1 * -v15))
-    v17 = Y1 * v12 - v1 * v11
-    v18 = m1 * (T32 - inverse1 * (v2 * v12 + v3 * v11))
-    C3_p = v18 + w1 * (m1 * (inverse1 * v17))
-    C3_m = v18 + w1 * (m1 * (inverse1 * -v17))
-    v19 = S3_p * S3_p + C3_p * C3_p
-    v20 = S3_m * S3_m + C3_m * C3_m
-    w3_p = math.sqrt(v19)
-    w3_m = math.sqrt(v20)
-    v21 = 1.0 / v19
-    v22 = 1.0 / v20
-    v23 = w3_p * v21
-    v24 = w3_m * v22
-    v25 = C3_p * v23
-    v26 = C3_m * v24
-    v27 = S3_p * v23
-    v28 = S3_m * v24
+    v9 = sqrt3 * T22
+    v10 = sqrt3 * T12
+    v11 = sqrt3 * T21
+    v12 = sqrt3 * T11
+    v13 = Y1 * v12 - v1 * v11
+    v14 = m1 * (T31 - inverse1 * (v2 * v12 + v3 * v11))
+    S3_p = v14 + w1 * (m1 * (inverse1 * v13))
+    S3_m = v14 + w1 * (m1 * (inverse1 * -v13))
+    v15 = Y1 * v10 - v1 * v9
+    v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9))
+    C3_p = v16 + w1 * (m1 * (inverse1 * v15))
+    C3_m = v16 + w1 * (m1 * (inverse1 * -v15))
+    v17 = S3_p * S3_p + C3_p * C3_p
+    v18 = S3_m * S3_m + C3_m * C3_m
+    w3_p = math.sqrt(v17)
+    w3_m = math.sqrt(v18)
+    v19 = 1.0 / v17
+    v20 = 1.0 / v18
+    v21 = w3_p * v19
+    v22 = w3_m * v20
+    v23 = C3_p * v21
+    v24 = C3_m * v22
+    v25 = S3_p * v21
+    v26 = S3_m * v22
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v29 = (
-        w3_p * (m3 * (v21 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v14 - c1_p * v13)))) - T31 * (sa2 *
-        (k1 * (T32 + (s1_p * v12 - c1_p * v11)))))))
+    v27 = (
+        w3_p * (m3 * (v19 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v12 - c1_p * v11)))) - T31 * (sa2 *
+        (k1 * (T32 + (s1_p * v10 - c1_p * v9)))))))
     )
-    v30 = (
-        w3_m * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 - (v10 * v14 + c1_m * v13)))) - T31 * (sa2 *
-        (k1 * (T32 - (v10 * v12 + c1_m * v11)))))))
+    v28 = (
+        w3_m * (m3 * (v20 * (T32 * (sa2 * (k1 * (T31 - (v8 * v12 + c1_m * v11)))) - T31 * (sa2 * (k1
+        * (T32 - (v8 * v10 + c1_m * v9)))))))
     )
-    v31 = k5 * (k1 * (2.0 * T33 - ca2))
-    v32 = -1.0 if -k6 < 0.0 else 1.0
-    v33 = v31 * v31
-    v34 = v33 + v29 * v29
-    v35 = v33 + v30 * v30
-    factor2_p = v32 / math.sqrt(v34)
-    factor2_m = v32 / math.sqrt(v35)
-    v36 = v31 * factor2_p
-    v37 = v31 * factor2_m
-    v38 = v29 * factor2_p
-    v39 = v30 * factor2_m
+    v29 = k5 * (k1 * (2.0 * T33 - ca2))
+    v30 = -1.0 if -k6 < 0.0 else 1.0
+    v31 = v29 * v29
+    v32 = v31 + v27 * v27
+    v33 = v31 + v28 * v28
+    factor2_p = v30 / math.sqrt(v32)
+    factor2_m = v30 / math.sqrt(v33)
+    v34 = v29 * factor2_p
+    v35 = v29 * factor2_m
+    v36 = v27 * factor2_p
+    v37 = v28 * factor2_m
 
     # is the pose one that the arm can take?
-    v40 = c1_p * 2.0
-    v41 = c1_m * 2.0
-    v42 = ca2 * s1_p
-    v43 = ca2 * v10
-    v44 = s1_p * v25
-    v45 = v10 * v26
-    v46 = ca2 * c1_p
-    v47 = ca2 * c1_m
-    v48 = m4 * v5
-    v49 = w1 * (m4 * v4)
-    v50 = v48 + v49
-    v51 = v48 - v49
-    v52 = s1_p * v27
-    v53 = v10 * v28
-    v54 = sa2 * s1_p
-    v55 = sa2 * v10
-    v56 = sa2 * c1_p
-    v57 = sa2 * c1_m
-    v58 = v36 * v54 + v38 * (2.0 * v56) + ca2 * (sqrt3 * s1_p)
-    v59 = v39 * (2.0 * v57) - v37 * v55 - ca2 * (sqrt3 * v10)
-    v60 = s1_p * 2.0
-    v61 = v10 * 2.0
-    v62 = c1_p * v25
-    v63 = c1_m * v26
-    v64 = m4 * v8
-    v65 = w1 * (m4 * v7)
-    v66 = v65 - v64
-    v67 = v64 + v65
-    v68 = c1_p * v27
-    v69 = c1_m * v28
-    v70 = v38 * (2.0 * v54) - v36 * v56 - ca2 * (sqrt3 * c1_p)
-    v71 = v39 * (2.0 * v55) + v37 * v57 + ca2 * (sqrt3 * c1_m)
-    v72 = sqrt3 * v27
-    v73 = sqrt3 * v28
-    v74 = sqrt3 * v25
-    v75 = sqrt3 * v26
-    v76 = ca2 - k3 * v36
-    v77 = ca2 - k3 * v37
-    v78 = T34 - k1 * (d3 * v76)
-    v79 = T34 - k1 * (d3 * v77)
-    v80 = T33 - k1 * v76
-    v81 = T33 - k1 * v77
-    v82 = T32 - k1 * (v36 * (ca2 * v74) - v38 * v72 + sa2 * v25)
-    v83 = T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26)
-    v84 = T31 - k1 * (v36 * (ca2 * v72) + v38 * v74 + sa2 * v27)
-    v85 = T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28)
-    v86 = T24 - k1 * (d3 * v70)
-    v87 = T24 + k1 * (d3 * v71)
-    v88 = T23 - k1 * v70
-    v89 = T23 + k1 * v71
-    v90 = T22 + k1 * (v36 * (v27 * v60 - v25 * v46) + v38 * (v68 + v25 * v66) + sa2 * (sqrt3 * v62))
-    v91 = T22 + k1 * (v39 * (v69 - v26 * v67) - v37 * (v28 * v61 + v26 * v47) + sa2 * (sqrt3 * v63))
-    v92 = T21 - k1 * (v36 * (v25 * v60 + v27 * v46) - v38 * (v27 * v66 - v62) - sa2 * (sqrt3 * v68))
-    v93 = T21 - k1 * (v37 * (v28 * v47 - v26 * v61) + v39 * (v63 + v28 * v67) - sa2 * (sqrt3 * v69))
-    v94 = T14 - k1 * (d3 * v58)
-    v95 = T14 - k1 * (d3 * v59)
-    v96 = T13 - k1 * v58
-    v97 = T13 - k1 * v59
-    v98 = (
-        T11 - k1 * (sa2 * (sqrt3 * v52) - (v36 * (v27 * v42 - v25 * v40) + v38 * (v44 + v27 * v50)))
+    v38 = ca2 * s1_p
+    v39 = ca2 * v8
+    v40 = ca2 * c1_p
+    v41 = ca2 * c1_m
+    v42 = sa2 * s1_p
+    v43 = sa2 * v8
+    v44 = sa2 * c1_p
+    v45 = sa2 * c1_m
+    v46 = v34 * v42 + v36 * (2.0 * v44) + ca2 * (sqrt3 * s1_p)
+    v47 = v37 * (2.0 * v45) - v35 * v43 - ca2 * (sqrt3 * v8)
+    v48 = v36 * (2.0 * v42) - v34 * v44 - ca2 * (sqrt3 * c1_p)
+    v49 = v37 * (2.0 * v43) + v35 * v45 + ca2 * (sqrt3 * c1_m)
+    v50 = ca2 - k3 * v34
+    v51 = ca2 - k3 * v35
+    v52 = T34 - k1 * (d3 * v50)
+    v53 = T34 - k1 * (d3 * v51)
+    v54 = T33 - k1 * v50
+    v55 = T33 - k1 * v51
+    v56 = T31 - k1 * (v34 * (ca2 * (sqrt3 * v25)) + v36 * (sqrt3 * v23) + sa2 * v25)
+    v57 = T31 - k1 * (v35 * (ca2 * (sqrt3 * v26)) + v37 * (sqrt3 * v24) + sa2 * v26)
+    v58 = T24 - k1 * (d3 * v48)
+    v59 = T24 + k1 * (d3 * v49)
+    v60 = T23 - k1 * v48
+    v61 = T23 + k1 * v49
+    v62 = (
+        T21 - k1 * (v34 * (v23 * (s1_p * 2.0) + v25 * v40) - v36 * (v25 * (2.0 * v38) - c1_p * v23)
+        - sa2 * (sqrt3 * (c1_p * v25)))
     )
-    v99 = (
-        T11 + k1 * (sa2 * (sqrt3 * v53) + (v39 * (v28 * v51 - v45) - v37 * (v28 * v43 + v26 * v41)))
+    v63 = (
+        T21 - k1 * (v35 * (v26 * v41 - v24 * (v8 * 2.0)) + v37 * (v26 * (2.0 * v39) + c1_m * v24) -
+        sa2 * (sqrt3 * (c1_m * v26)))
     )
-    v100 = (
-        T12 + k1 * (v36 * (v25 * v42 + v27 * v40) - v38 * (v52 - v25 * v50) - sa2 * (sqrt3 * v44))
+    v64 = T14 - k1 * (d3 * v46)
+    v65 = T14 - k1 * (d3 * v47)
+    v66 = (
+        T11 - k1 * (sa2 * (sqrt3 * (s1_p * v25)) - (v34 * (v25 * v38 - v23 * (c1_p * 2.0)) + v36 *
+        (s1_p * v23 + v25 * (2.0 * v40))))
     )
-    v101 = (
-        T12 + k1 * (v37 * (v28 * v41 - v26 * v43) + v39 * (v53 + v26 * v51) + sa2 * (sqrt3 * v45))
+    v67 = (
+        T11 + k1 * (sa2 * (sqrt3 * (v8 * v26)) + (v37 * (v26 * (2.0 * v41) - v8 * v24) - v35 * (v26
+        * v39 + v24 * (c1_m * 2.0))))
     )
-    v102 = v94 * v94 + (v78 * v78 + v86 * v86)
-    v103 = v95 * v95 + (v79 * v79 + v87 * v87)
-    v104 = math.sqrt(-1.0)
-    v105 = 0.0 if v102 <= m5 else v104
-    v106 = 0.0 if v103 <= m5 else v104
-    v107 = (
-        v100 * v100 + (v98 * v98 + (v96 * v96 + (v92 * v92 + (v90 * v90 + (v88 * v88 + (v84 * v84 +
-        (v80 * v80 + v82 * v82)))))))
-    )
-    v108 = (
-        v101 * v101 + (v99 * v99 + (v97 * v97 + (v93 * v93 + (v91 * v91 + (v89 * v89 + (v85 * v85 +
-        (v81 * v81 + v83 * v83)))))))
-    )
-    v109 = 0.0 if v107 <= m7 else v104
-    v110 = 0.0 if v108 <= m7 else v104
+    v68 = T13 - k1 * v46
+    v69 = T13 - k1 * v47
+    v70 = v64 * v64 + (v52 * v52 + v58 * v58)
+    v71 = v65 * v65 + (v53 * v53 + v59 * v59)
+    v72 = v68 * v68 + (v66 * v66 + (v62 * v62 + (v60 * v60 + (v54 * v54 + v56 * v56))))
+    v73 = v69 * v69 + (v67 * v67 + (v63 * v63 + (v61 * v61 + (v55 * v55 + v57 * v57))))
 
     # joint values
+    v74 = math.sqrt(-1.0)
+    v75 = 0.0 if (v70 <= m4 and v72 <= m6) else v74
+    v76 = 0.0 if (v71 <= m4 and v73 <= m6) else v74
     doubt1 = (
-        v35 <= m2 or (v20 <= m2 or (v34 <= m2 or (v19 <= m2 or ((m5 < v103 and v103 <= m6) or ((m5 <
-        v102 and v102 <= m6) or ((m7 < v108 and v108 <= m8) or (N1 <= doubt_limit_squared2 or
-        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m7 < v107 and v107 <=
-        m8))))))))
+        v33 <= m2 or v18 <= m2 or v32 <= m2 or v17 <= m2 or (m4 < v71 and v71 <= m5) or (m4 < v70
+        and v70 <= m5) or (m6 < v73 and v73 <= m7) or N1 <= doubt_limit_squared2 or abs(D1) <=
+        reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v72 and v72 <= m7)
     )
 
     # angles, side by side
     room[0] = s1_p
-    room[1] = -v10
-    room[2] = -v38
-    room[3] = -v39
+    room[1] = -v8
+    room[2] = -v36
+    room[3] = -v37
     room[4] = -S3_p
     room[5] = -S3_m
     room[8] = c1_p
     room[9] = c1_m
-    room[10] = -v36
-    room[11] = -v37
+    room[10] = -v34
+    room[11] = -v35
     room[12] = -C3_p
     room[13] = -C3_m
     for k in range(6, 8):
@@ -646,12 +596,12 @@ def _regular(pose, q, status):
     angle6 = room[5]
 
     # joint values
-    q1_p = v109 + (v105 + angle1)
-    q1_m = v110 + (v106 + angle2)
-    q2_p = v109 + (v105 + angle3)
-    q2_m = v110 + (v106 + angle4)
-    q3_p = v109 + (v105 + angle5)
-    q3_m = v110 + (v106 + angle6)
+    q1_p = v75 + angle1
+    q1_m = v76 + angle2
+    q2_p = v75 + angle3
+    q2_m = v76 + angle4
+    q3_p = v75 + angle5
+    q3_m = v76 + angle6
 
     # a joint is free, or branches meet
     if doubt1:
@@ -829,10 +779,10 @@ def _one_by_one(T, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [544, 560, 576],
-    [592, 608, 624],
+    [512, 528, 544],
+    [560, 576, 592],
 ])
-_KINDS = np.array([640, 656])
+_KINDS = np.array([608, 624])
 
 
 @njit(nogil=True, **_OPTIONS)
@@ -842,7 +792,7 @@ def _in_tiles(T, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer stay unsolved.
     """
-    work = np.empty(672)
+    work = np.empty(640)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -887,217 +837,160 @@ def _in_tiles(T, q, status):
             inverse1 = 1.0 / N1
             v2 = v1 * Z1
             v3 = Y1 * Z1
-            v4 = v1 * inverse1
-            v5 = inverse1 * v3
-            v6 = w1 * v4
-            c1_p = v5 + v6
-            c1_m = v5 - v6
-            v7 = Y1 * inverse1
-            v8 = inverse1 * v2
-            v9 = w1 * v7
-            s1_p = v9 - v8
-            v10 = v8 + v9
-            v11 = sqrt3 * T22
-            v12 = sqrt3 * T12
-            v13 = sqrt3 * T21
-            v14 = sqrt3 * T11
-            v15 = Y1 * v14 - v1 * v13
-            v16 = m1 * (T31 - inverse1 * (v2 * v14 + v3 * v13))
-            S3_p = v16 + w1 * (m1 * (inverse1 * v15))
-            S3_m = v16 + w1 * (m1 * (inverse1 * -v15))
-            v17 = Y1 * v12 - v1 * v11
-            v18 = m1 * (T32 - inverse1 * (v2 * v12 + v3 * v11))
-            C3_p = v18 + w1 * (m1 * (inverse1 * v17))
-            C3_m = v18 + w1 * (m1 * (inverse1 * -v17))
-            v19 = S3_p * S3_p + C3_p * C3_p
-            v20 = S3_m * S3_m + C3_m * C3_m
-            w3_p = math.sqrt(v19)
-            w3_m = math.sqrt(v20)
-            v21 = 1.0 / v19
-            v22 = 1.0 / v20
-            v23 = w3_p * v21
-            v24 = w3_m * v22
-            v25 = C3_p * v23
-            v26 = C3_m * v24
-            v27 = S3_p * v23
-            v28 = S3_m * v24
-            v29 = (
-                w3_p * (m3 * (v21 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v14 - c1_p * v13)))) - T31 *
-                (sa2 * (k1 * (T32 + (s1_p * v12 - c1_p * v11)))))))
+            v4 = inverse1 * v3
+            v5 = w1 * (v1 * inverse1)
+            c1_p = v4 + v5
+            c1_m = v4 - v5
+            v6 = inverse1 * v2
+            v7 = w1 * (Y1 * inverse1)
+            s1_p = v7 - v6
+            v8 = v6 + v7
+            v9 = sqrt3 * T22
+            v10 = sqrt3 * T12
+            v11 = sqrt3 * T21
+            v12 = sqrt3 * T11
+            v13 = Y1 * v12 - v1 * v11
+            v14 = m1 * (T31 - inverse1 * (v2 * v12 + v3 * v11))
+            S3_p = v14 + w1 * (m1 * (inverse1 * v13))
+            S3_m = v14 + w1 * (m1 * (inverse1 * -v13))
+            v15 = Y1 * v10 - v1 * v9
+            v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9))
+            C3_p = v16 + w1 * (m1 * (inverse1 * v15))
+            C3_m = v16 + w1 * (m1 * (inverse1 * -v15))
+            v17 = S3_p * S3_p + C3_p * C3_p
+            v18 = S3_m * S3_m + C3_m * C3_m
+            w3_p = math.sqrt(v17)
+            w3_m = math.sqrt(v18)
+            v19 = 1.0 / v17
+            v20 = 1.0 / v18
+            v21 = w3_p * v19
+            v22 = w3_m * v20
+            v23 = C3_p * v21
+            v24 = C3_m * v22
+            v25 = S3_p * v21
+            v26 = S3_m * v22
+            v27 = (
+                w3_p * (m3 * (v19 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v12 - c1_p * v11)))) - T31 *
+                (sa2 * (k1 * (T32 + (s1_p * v10 - c1_p * v9)))))))
             )
-            v30 = (
-                w3_m * (m3 * (v22 * (T32 * (sa2 * (k1 * (T31 - (v10 * v14 + c1_m * v13)))) - T31 *
-                (sa2 * (k1 * (T32 - (v10 * v12 + c1_m * v11)))))))
+            v28 = (
+                w3_m * (m3 * (v20 * (T32 * (sa2 * (k1 * (T31 - (v8 * v12 + c1_m * v11)))) - T31 *
+                (sa2 * (k1 * (T32 - (v8 * v10 + c1_m * v9)))))))
             )
-            v31 = k5 * (k1 * (2.0 * T33 - ca2))
-            v32 = -1.0 if -k6 < 0.0 else 1.0
-            v33 = v31 * v31
-            v34 = v33 + v29 * v29
-            v35 = v33 + v30 * v30
-            factor2_p = v32 / math.sqrt(v34)
-            factor2_m = v32 / math.sqrt(v35)
-            v36 = v31 * factor2_p
-            v37 = v31 * factor2_m
-            v38 = v29 * factor2_p
-            v39 = v30 * factor2_m
-            v40 = c1_p * 2.0
-            v41 = c1_m * 2.0
-            v42 = ca2 * s1_p
-            v43 = ca2 * v10
-            v44 = s1_p * v25
-            v45 = v10 * v26
-            v46 = ca2 * c1_p
-            v47 = ca2 * c1_m
-            v48 = m4 * v5
-            v49 = w1 * (m4 * v4)
-            v50 = v48 + v49
-            v51 = v48 - v49
-            v52 = s1_p * v27
-            v53 = v10 * v28
-            v54 = sa2 * s1_p
-            v55 = sa2 * v10
-            v56 = sa2 * c1_p
-            v57 = sa2 * c1_m
-            v58 = v36 * v54 + v38 * (2.0 * v56) + ca2 * (sqrt3 * s1_p)
-            v59 = v39 * (2.0 * v57) - v37 * v55 - ca2 * (sqrt3 * v10)
-            v60 = s1_p * 2.0
-            v61 = v10 * 2.0
-            v62 = c1_p * v25
-            v63 = c1_m * v26
-            v64 = m4 * v8
-            v65 = w1 * (m4 * v7)
-            v66 = v65 - v64
-            v67 = v64 + v65
-            v68 = c1_p * v27
-            v69 = c1_m * v28
-            v70 = v38 * (2.0 * v54) - v36 * v56 - ca2 * (sqrt3 * c1_p)
-            v71 = v39 * (2.0 * v55) + v37 * v57 + ca2 * (sqrt3 * c1_m)
-            v72 = sqrt3 * v27
-            v73 = sqrt3 * v28
-            v74 = sqrt3 * v25
-            v75 = sqrt3 * v26
-            v76 = ca2 - k3 * v36
-            v77 = ca2 - k3 * v37
-            v78 = T34 - k1 * (d3 * v76)
-            v79 = T34 - k1 * (d3 * v77)
-            v80 = T33 - k1 * v76
-            v81 = T33 - k1 * v77
-            v82 = T32 - k1 * (v36 * (ca2 * v74) - v38 * v72 + sa2 * v25)
-            v83 = T32 - k1 * (v37 * (ca2 * v75) - v39 * v73 + sa2 * v26)
-            v84 = T31 - k1 * (v36 * (ca2 * v72) + v38 * v74 + sa2 * v27)
-            v85 = T31 - k1 * (v37 * (ca2 * v73) + v39 * v75 + sa2 * v28)
-            v86 = T24 - k1 * (d3 * v70)
-            v87 = T24 + k1 * (d3 * v71)
-            v88 = T23 - k1 * v70
-            v89 = T23 + k1 * v71
-            v90 = (
-                T22 + k1 * (v36 * (v27 * v60 - v25 * v46) + v38 * (v68 + v25 * v66) + sa2 * (sqrt3 *
-                v62))
+            v29 = k5 * (k1 * (2.0 * T33 - ca2))
+            v30 = -1.0 if -k6 < 0.0 else 1.0
+            v31 = v29 * v29
+            v32 = v31 + v27 * v27
+            v33 = v31 + v28 * v28
+            factor2_p = v30 / math.sqrt(v32)
+            factor2_m = v30 / math.sqrt(v33)
+            v34 = v29 * factor2_p
+            v35 = v29 * factor2_m
+            v36 = v27 * factor2_p
+            v37 = v28 * factor2_m
+            v38 = ca2 * s1_p
+            v39 = ca2 * v8
+            v40 = ca2 * c1_p
+            v41 = ca2 * c1_m
+            v42 = sa2 * s1_p
+            v43 = sa2 * v8
+            v44 = sa2 * c1_p
+            v45 = sa2 * c1_m
+            v46 = v34 * v42 + v36 * (2.0 * v44) + ca2 * (sqrt3 * s1_p)
+            v47 = v37 * (2.0 * v45) - v35 * v43 - ca2 * (sqrt3 * v8)
+            v48 = v36 * (2.0 * v42) - v34 * v44 - ca2 * (sqrt3 * c1_p)
+            v49 = v37 * (2.0 * v43) + v35 * v45 + ca2 * (sqrt3 * c1_m)
+            v50 = ca2 - k3 * v34
+            v51 = ca2 - k3 * v35
+            v52 = T34 - k1 * (d3 * v50)
+            v53 = T34 - k1 * (d3 * v51)
+            v54 = T33 - k1 * v50
+            v55 = T33 - k1 * v51
+            v56 = T31 - k1 * (v34 * (ca2 * (sqrt3 * v25)) + v36 * (sqrt3 * v23) + sa2 * v25)
+            v57 = T31 - k1 * (v35 * (ca2 * (sqrt3 * v26)) + v37 * (sqrt3 * v24) + sa2 * v26)
+            v58 = T24 - k1 * (d3 * v48)
+            v59 = T24 + k1 * (d3 * v49)
+            v60 = T23 - k1 * v48
+            v61 = T23 + k1 * v49
+            v62 = (
+                T21 - k1 * (v34 * (v23 * (s1_p * 2.0) + v25 * v40) - v36 * (v25 * (2.0 * v38) - c1_p
+                * v23) - sa2 * (sqrt3 * (c1_p * v25)))
             )
-            v91 = (
-                T22 + k1 * (v39 * (v69 - v26 * v67) - v37 * (v28 * v61 + v26 * v47) + sa2 * (sqrt3 *
-                v63))
+            v63 = (
+                T21 - k1 * (v35 * (v26 * v41 - v24 * (v8 * 2.0)) + v37 * (v26 * (2.0 * v39) + c1_m *
+                v24) - sa2 * (sqrt3 * (c1_m * v26)))
             )
-            v92 = (
-                T21 - k1 * (v36 * (v25 * v60 + v27 * v46) - v38 * (v27 * v66 - v62) - sa2 * (sqrt3 *
-                v68))
+            v64 = T14 - k1 * (d3 * v46)
+            v65 = T14 - k1 * (d3 * v47)
+            v66 = (
+                T11 - k1 * (sa2 * (sqrt3 * (s1_p * v25)) - (v34 * (v25 * v38 - v23 * (c1_p * 2.0)) +
+                v36 * (s1_p * v23 + v25 * (2.0 * v40))))
             )
-            v93 = (
-                T21 - k1 * (v37 * (v28 * v47 - v26 * v61) + v39 * (v63 + v28 * v67) - sa2 * (sqrt3 *
-                v69))
+            v67 = (
+                T11 + k1 * (sa2 * (sqrt3 * (v8 * v26)) + (v37 * (v26 * (2.0 * v41) - v8 * v24) - v35
+                * (v26 * v39 + v24 * (c1_m * 2.0))))
             )
-            v94 = T14 - k1 * (d3 * v58)
-            v95 = T14 - k1 * (d3 * v59)
-            v96 = T13 - k1 * v58
-            v97 = T13 - k1 * v59
-            v98 = (
-                T11 - k1 * (sa2 * (sqrt3 * v52) - (v36 * (v27 * v42 - v25 * v40) + v38 * (v44 + v27
-                * v50)))
-            )
-            v99 = (
-                T11 + k1 * (sa2 * (sqrt3 * v53) + (v39 * (v28 * v51 - v45) - v37 * (v28 * v43 + v26
-                * v41)))
-            )
-            v100 = (
-                T12 + k1 * (v36 * (v25 * v42 + v27 * v40) - v38 * (v52 - v25 * v50) - sa2 * (sqrt3 *
-                v44))
-            )
-            v101 = (
-                T12 + k1 * (v37 * (v28 * v41 - v26 * v43) + v39 * (v53 + v26 * v51) + sa2 * (sqrt3 *
-                v45))
-            )
-            v102 = v94 * v94 + (v78 * v78 + v86 * v86)
-            v103 = v95 * v95 + (v79 * v79 + v87 * v87)
-            v104 = math.sqrt(-1.0)
-            v105 = 0.0 if v102 <= m5 else v104
-            v106 = 0.0 if v103 <= m5 else v104
-            v107 = (
-                v100 * v100 + (v98 * v98 + (v96 * v96 + (v92 * v92 + (v90 * v90 + (v88 * v88 + (v84
-                * v84 + (v80 * v80 + v82 * v82)))))))
-            )
-            v108 = (
-                v101 * v101 + (v99 * v99 + (v97 * v97 + (v93 * v93 + (v91 * v91 + (v89 * v89 + (v85
-                * v85 + (v81 * v81 + v83 * v83)))))))
-            )
-            v109 = 0.0 if v107 <= m7 else v104
-            v110 = 0.0 if v108 <= m7 else v104
+            v68 = T13 - k1 * v46
+            v69 = T13 - k1 * v47
+            v70 = v64 * v64 + (v52 * v52 + v58 * v58)
+            v71 = v65 * v65 + (v53 * v53 + v59 * v59)
+            v72 = v68 * v68 + (v66 * v66 + (v62 * v62 + (v60 * v60 + (v54 * v54 + v56 * v56))))
+            v73 = v69 * v69 + (v67 * v67 + (v63 * v63 + (v61 * v61 + (v55 * v55 + v57 * v57))))
+            v74 = math.sqrt(-1.0)
+            v75 = 0.0 if (v70 <= m4 and v72 <= m6) else v74
+            v76 = 0.0 if (v71 <= m4 and v73 <= m6) else v74
             doubt1 = (
-                v35 <= m2 or (v20 <= m2 or (v34 <= m2 or (v19 <= m2 or ((m5 < v103 and v103 <= m6)
-                or ((m5 < v102 and v102 <= m6) or ((m7 < v108 and v108 <= m8) or (N1 <=
-                doubt_limit_squared2 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or
-                (m7 < v107 and v107 <= m8))))))))
+                v33 <= m2 or v18 <= m2 or v32 <= m2 or v17 <= m2 or (m4 < v71 and v71 <= m5) or (m4
+                < v70 and v70 <= m5) or (m6 < v73 and v73 <= m7) or N1 <= doubt_limit_squared2 or
+                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v72 and v72 <= m7)
             )
-            work[272 + k] = v105
-            work[288 + k] = v106
-            work[304 + k] = v109
-            work[320 + k] = v110
-            work[336 + k] = doubt1
-            work[352 + k] = s1_p
-            work[368 + k] = -v10
-            work[384 + k] = -v38
-            work[400 + k] = -v39
-            work[416 + k] = -S3_p
-            work[432 + k] = -S3_m
-            work[448 + k] = c1_p
-            work[464 + k] = c1_m
-            work[480 + k] = -v36
-            work[496 + k] = -v37
-            work[512 + k] = -C3_p
-            work[528 + k] = -C3_m
-        for k in range(352, 448):
+            work[272 + k] = v75
+            work[288 + k] = v76
+            work[304 + k] = doubt1
+            work[320 + k] = s1_p
+            work[336 + k] = -v8
+            work[352 + k] = -v36
+            work[368 + k] = -v37
+            work[384 + k] = -S3_p
+            work[400 + k] = -S3_m
+            work[416 + k] = c1_p
+            work[432 + k] = c1_m
+            work[448 + k] = -v34
+            work[464 + k] = -v35
+            work[480 + k] = -C3_p
+            work[496 + k] = -C3_m
+        for k in range(320, 416):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 16):
-            v105 = work[272 + k]
-            v106 = work[288 + k]
-            v109 = work[304 + k]
-            v110 = work[320 + k]
-            doubt1 = work[336 + k] != 0.0
-            angle1 = work[352 + k]
-            angle2 = work[368 + k]
-            angle3 = work[384 + k]
-            angle4 = work[400 + k]
-            angle5 = work[416 + k]
-            angle6 = work[432 + k]
-            q1_p = v109 + (v105 + angle1)
-            q1_m = v110 + (v106 + angle2)
-            q2_p = v109 + (v105 + angle3)
-            q2_m = v110 + (v106 + angle4)
-            q3_p = v109 + (v105 + angle5)
-            q3_m = v110 + (v106 + angle6)
-            _544 = q1_p
+            v75 = work[272 + k]
+            v76 = work[288 + k]
+            doubt1 = work[304 + k] != 0.0
+            angle1 = work[320 + k]
+            angle2 = work[336 + k]
+            angle3 = work[352 + k]
+            angle4 = work[368 + k]
+            angle5 = work[384 + k]
+            angle6 = work[400 + k]
+            q1_p = v75 + angle1
+            q1_m = v76 + angle2
+            q2_p = v75 + angle3
+            q2_m = v76 + angle4
+            q3_p = v75 + angle5
+            q3_m = v76 + angle6
+            _512 = q1_p
+            work[512 + k] = _512
+            _528 = q2_p
+            work[528 + k] = _528
+            _544 = q3_p
             work[544 + k] = _544
-            _560 = q2_p
+            _560 = q1_m
             work[560 + k] = _560
-            _576 = q3_p
+            _576 = q2_m
             work[576 + k] = _576
-            _592 = q1_m
+            _592 = q3_m
             work[592 + k] = _592
-            _608 = q2_m
-            work[608 + k] = _608
-            _624 = q3_m
-            work[624 + k] = _624
-            work[640 + k] = UNREACHABLE if _544 != _544 else OK
-            work[656 + k] = UNREACHABLE if _592 != _592 else OK
+            work[608 + k] = UNREACHABLE if _512 != _512 else OK
+            work[624 + k] = UNREACHABLE if _560 != _560 else OK
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
         for k in range(count):
             if work[256 + k] != 0.0:

@@ -82,56 +82,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -169,20 +134,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
-HELPER void store_4(
-    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
-{
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
+/* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -266,6 +218,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -290,20 +244,14 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void wrist_zxz_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double T13_ = s1 * s2;
     const double y2_x = s1 * c2;
     const double v1 = c1 * c2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double T11_ = c1 * c3 - y2_x * s3;
-    const double T21_ = s1 * c3 + v1 * s3;
-    const double T31_ = s2 * s3;
-    const double T22_ = v1 * c3 - s1 * s3;
-    const double T32_ = s2 * c3;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double T11_ = c1 * c3 - y2_x * s3, T21_ = s1 * c3 + v1 * s3, T31_ = s2 * s3,
+        T22_ = v1 * c3 - s1 * s3, T32_ = s2 * c3;
     T[0] = T11_; T[1] = -(y2_x * c3 + c1 * s3); T[2] = T13_; T[3] = 0.0;
     T[4] = T21_; T[5] = T22_; T[6] = -(c1 * s2); T[7] = 0.0;
     T[8] = T31_; T[9] = T32_; T[10] = c2; T[11] = 0.0;
@@ -313,10 +261,8 @@ void wrist_zxz_fk(const double q[3], double T[16])
 
 void wrist_zxz_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
     const double J43 = s1 * s2;
     J[0] = 0.0; J[1] = 0.0; J[2] = 0.0;
     J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
@@ -330,13 +276,16 @@ void wrist_zxz_jacobian(const double q[3], double J[18])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -382,19 +331,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
     const wide v1 = T23 * T23 + T13 * T13;
     const wide_mask doubt1 = v1 <= m1;
     const wide angle1 = atan2_wide(-T13, T23);
-    const wide q1_m = angle1 - copysign_wide(all_wide(half_turn), -T13) * h1;
 
     /* theta2 */
     const wide angle2 = atan2_wide(-sqrt_wide(v1), T33);
 
     /* theta3 */
-    const wide v2 = T13 * T22 - T23 * T12;
-    const wide angle3 = atan2_wide(v2, T23 * T11 - T13 * T21);
-    const wide q3_m = angle3 - h1 * copysign_wide(all_wide(half_turn), v2);
+    const wide v2 = T13 * T22 - T23 * T12, angle3 = atan2_wide(v2, T23 * T11 - T13 * T21);
 
     q[0] = angle1; q[1] = angle2; q[2] = angle3;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[3] = q1_m; q[4] = -angle2; q[5] = q3_m;
+    q[3] = angle1 - copysign_wide(all_wide(half_turn), -T13) * h1; q[4] = -angle2;
+    q[5] = angle3 - h1 * copysign_wide(all_wide(half_turn), v2);
     kind[1] = kind_of(q[3] != q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -422,13 +369,10 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const double v4 = T13 * T22 - T23 * T12, v5 = copysign(half_turn, v4);
 
     const four packed1 = atan2_four((four){ -T13, -sqrt(v1), v4, -T13 }, (four){ T23, T33, T23 * T11
-        - T13 * T21, T23 });
-    const four angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
-    const four angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
-    const four angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
-    const four q1 = angle1 + v2 * v3;
-    const four q3 = angle3 + v3 * v5;
-    const four q2 = e1 * angle2;
+        - T13 * T21, T23 }), angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
+        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1),
+        angle3 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2);
+    const four q1 = angle1 + v2 * v3, q3 = angle3 + v3 * v5, q2 = e1 * angle2;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -511,8 +455,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : T23 * factor1;
-        const double s1 = free1 ? sin(seed[0]) : -(T13 * factor1);
+        const double c1 = free1 ? cos(seed[0]) : T23 * factor1,
+            s1 = free1 ? sin(seed[0]) : -(T13 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta2, type 3: U1[3, 3] and U1[2, 3] */
@@ -522,9 +466,7 @@ static void solve(
         const double c3 = T11 * c1 + T21 * s1;
         const double q3 = atan2(-(T12 * c1 + T22 * s1), c3);
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
         status[row] = (free1) ? WRIST_ZXZ_FREE_JOINT : WRIST_ZXZ_OK;
     }
 }

@@ -87,56 +87,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -176,7 +141,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -188,16 +153,6 @@ HELPER void store_4(
     *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-}
-
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -274,6 +229,8 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
 #define kind_of(none, outside) \
@@ -339,42 +296,26 @@ static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void xarm5_fk(const double q[5], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v6 = v3 * c3 + x2_x * s3;
-    const double v7 = v4 * c3 + x2_y * s3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
     const double v8 = q[3] + offset4;
-    const double c4 = cos(v8);
-    const double s4 = sin(v8);
-    const double x4_x = x3_x * c4 - v6 * s4;
-    const double x4_y = x3_y * c4 - v7 * s4;
-    const double x4_z = x3_z * c4 + y3_z * s4;
-    const double v9 = v6 * c4 + x3_x * s4;
-    const double v10 = v7 * c4 + x3_y * s4;
+    const double c4 = cos(v8), s4 = sin(v8);
+    const double x4_x = x3_x * c4 - v6 * s4, x4_y = x3_y * c4 - v7 * s4,
+        x4_z = x3_z * c4 + y3_z * s4;
+    const double v9 = v6 * c4 + x3_x * s4, v10 = v7 * c4 + x3_y * s4;
     const double T33_ = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 - s1 * s5;
-    const double T21_ = x4_y * c5 + c1 * s5;
-    const double T31_ = x4_z * c5;
-    const double T22_ = c1 * c5 - x4_y * s5;
-    const double T14_ = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5;
-    const double T24_ = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5;
-    const double T34_ = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + T33_ * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double T11_ = x4_x * c5 - s1 * s5, T21_ = x4_y * c5 + c1 * s5, T31_ = x4_z * c5,
+        T22_ = c1 * c5 - x4_y * s5, T14_ = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5,
+        T24_ = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5,
+        T34_ = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + T33_ * d5;
     T[0] = T11_; T[1] = -(s1 * c5 + x4_x * s5); T[2] = -v9; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -v10; T[7] = T24_;
     T[8] = T31_; T[9] = -(x4_z * s5); T[10] = T33_; T[11] = T34_;
@@ -385,53 +326,34 @@ void xarm5_fk(const double q[5], double T[16])
 void xarm5_jacobian(const double q[5], double J[30])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double v3 = c1 * s2;
-    const double v4 = s1 * s2;
-    const double p2_x = x2_x * a2;
-    const double p2_y = x2_y * a2;
-    const double p2_z = d1 + s2 * a2;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
     const double v5 = q[2] + offset3;
-    const double c3 = cos(v5);
-    const double s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3;
-    const double x3_y = x2_y * c3 - v4 * s3;
-    const double x3_z = s2 * c3 + c2 * s3;
-    const double v6 = v3 * c3 + x2_x * s3;
-    const double v7 = v4 * c3 + x2_y * s3;
+    const double c3 = cos(v5), s3 = sin(v5);
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
+    const double v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3;
     const double y3_z = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
     const double v8 = q[3] + offset4;
-    const double c4 = cos(v8);
-    const double s4 = sin(v8);
-    const double v9 = v6 * c4 + x3_x * s4;
-    const double v10 = v7 * c4 + x3_y * s4;
+    const double c4 = cos(v8), s4 = sin(v8);
+    const double v9 = v6 * c4 + x3_x * s4, v10 = v7 * c4 + x3_y * s4;
     const double J65 = y3_z * c4 - x3_z * s4;
-    const double p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4;
-    const double p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4;
-    const double p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4;
+    const double p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4, p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4,
+        p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4;
     const double J21 = p4_x - v9 * d5;
-    const double p5_y = p4_y - v10 * d5;
-    const double p5_z = p4_z + J65 * d5;
+    const double p5_y = p4_y - v10 * d5, p5_z = p4_z + J65 * d5;
     const double v11 = p5_z - d1;
     const double J32 = s1 * p5_y + c1 * J21;
     const double v12 = p5_z - p2_z;
     const double J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x);
     const double v13 = p5_z - p3_z;
     const double J34 = s1 * (p5_y - p3_y) + c1 * (J21 - p3_x);
-    const double v14 = J21 - p4_x;
-    const double v15 = p5_y - p4_y;
-    const double v16 = p5_z - p4_z;
-    const double J25 = J65 * v14 + v9 * v16;
-    const double J35 = v10 * v14 - v9 * v15;
+    const double v14 = J21 - p4_x, v15 = p5_y - p4_y, v16 = p5_z - p4_z;
+    const double J25 = J65 * v14 + v9 * v16, J35 = v10 * v14 - v9 * v15;
     J[0] = -p5_y; J[1] = -(c1 * v11); J[2] = -(c1 * v12); J[3] = -(c1 * v13);
     J[4] = -(v10 * v16 + J65 * v15);
     J[5] = J21; J[6] = -(s1 * v11); J[7] = -(s1 * v12); J[8] = -(s1 * v13); J[9] = J25;
@@ -445,13 +367,16 @@ void xarm5_jacobian(const double q[5], double J[30])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -495,133 +420,102 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 {
     const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23);
-    const wide v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const wide w1 = sqrt_wide(v4);
-    const wide v5 = 1.0 / v4;
-    const wide factor1 = w1 * v5;
-    const wide c1 = v2 * factor1;
-    const wide s1 = v3 * factor1;
+    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
+        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
+        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
 
     /* theta234 */
-    const wide v6 = v5 * (T13 * v2 + T23 * v3);
-    const wide Z2_234 = w1 * v6;
-    const wide v7 = T33 * T33 + Z2_234 * Z2_234;
-    const wide factor234 = sqrt_wide(v7) * (1.0 / v7);
-    const wide angle1 = atan2_wide(-Z2_234, T33);
+    const wide v6 = v5 * (T13 * v2 + T23 * v3), Z2_234 = w1 * v6, v7 = T33 * T33 + Z2_234 * Z2_234,
+        factor234 = sqrt_wide(v7) * (1.0 / v7), angle1 = atan2_wide(-Z2_234, T33);
 
     /* theta5 */
-    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
-    const wide Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
-    const wide v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt_wide(v8) * (1.0 / v8), v10 = Z1_5 * v9;
-    const wide v11 = Z2_5 * v9;
-    const wide angle2 = atan2_wide(-Z2_5, -Z1_5);
+    const wide Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
+        v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt_wide(v8) * (1.0 / v8), v10 = Z1_5 * v9,
+        v11 = Z2_5 * v9, angle2 = atan2_wide(-Z2_5, -Z1_5);
 
     /* theta3 */
-    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = w1 * (m4 * v6), v15 = factor234 * (v12 - v14);
-    const wide v16 = factor234 * (v12 + v14);
-    const wide Z1_3_p = v13 - v15, Z1_3_m = v13 - v16;
-    const wide v17 = a4 * T33, v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6);
-    const wide v20 = factor234 * (v17 + v19), v21 = factor234 * (v17 - v19);
-    const wide Z2_3_p = v18 - v20;
-    const wide v22 = v18 + v21;
-    const wide N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, N3_m = Z1_3_m * Z1_3_m + v22 * v22;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide v23 = w3_p - w3_p, v24 = w3_m - w3_m;
-    const wide angle3 = atan2_wide(w3_p, N3_p - k1), angle4 = atan2_wide(w3_m, N3_m - k1);
+    const wide v12 = d5 * T33, v13 = T34 - d1, v14 = w1 * (m4 * v6), v15 = factor234 * (v12 - v14),
+        v16 = factor234 * (v12 + v14), Z1_3_p = v13 - v15, Z1_3_m = v13 - v16, v17 = a4 * T33,
+        v18 = T14 * c1 + T24 * s1, v19 = w1 * (m5 * v6), v20 = factor234 * (v17 + v19),
+        v21 = factor234 * (v17 - v19), Z2_3_p = v18 - v20, v22 = v18 + v21,
+        N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, N3_m = Z1_3_m * Z1_3_m + v22 * v22,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)), v23 = w3_p - w3_p,
+        v24 = w3_m - w3_m, angle3 = atan2_wide(w3_p, N3_p - k1),
+        angle4 = atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
-    const wide v25 = m6 * N3_p - m7, v26 = m6 * N3_m - m7, v27 = Z1_3_p * v25, v28 = Z1_3_m * v26;
-    const wide S2_pp = v27 - w3_p * (m6 * Z2_3_p), S2_pm = v27 - w3_p * (m6 * -Z2_3_p);
-    const wide v29 = w3_m * (m6 * v22);
-    const wide S2_mp = v28 + v29, S2_mm = v28 - v29;
-    const wide v30 = Z2_3_p * v25, v31 = v22 * v26;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
-    const wide angle5 = atan2_wide(S2_pp, v30 + w3_p * (m6 * Z1_3_p));
-    const wide angle6 = atan2_wide(S2_pm, v30 + w3_p * (m6 * -Z1_3_p));
-    const wide angle7 = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v31);
-    const wide angle8 = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v31);
+    const wide v25 = m6 * N3_p - m7, v26 = m6 * N3_m - m7, v27 = Z1_3_p * v25, v28 = Z1_3_m * v26,
+        S2_pp = v27 - w3_p * (m6 * Z2_3_p), S2_pm = v27 - w3_p * (m6 * -Z2_3_p),
+        v29 = w3_m * (m6 * v22), S2_mp = v28 + v29, S2_mm = v28 - v29, v30 = Z2_3_p * v25,
+        v31 = v22 * v26, factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m,
+        angle5 = atan2_wide(S2_pp, v30 + w3_p * (m6 * Z1_3_p)),
+        angle6 = atan2_wide(S2_pm, v30 + w3_p * (m6 * -Z1_3_p)),
+        angle7 = atan2_wide(S2_mp, w3_m * (m6 * Z1_3_m) - v31),
+        angle8 = atan2_wide(S2_mm, w3_m * (m6 * -Z1_3_m) - v31);
 
     /* is the pose one that the arm can take? */
-    const wide v32 = c1 * T33, v33 = Z1_3_p * (m8 + m9 * factor2_p);
-    const wide v34 = Z1_3_m * (m8 + m9 * factor2_m), v35 = v20 + Z2_3_p, v36 = v21 - v22;
-    const wide v37 = s1 * T33, v38 = d1 + v15, v39 = d1 + v16, v40 = T33 - T33 * factor234;
-    const wide v41 = T32 + factor234 * (Z2_234 * v11), v42 = T31 - factor234 * (Z2_234 * v10);
-    const wide v43 = T23 - factor234 * (s1 * Z2_234);
-    const wide v44 = T22 - (factor234 * (v11 * v37) - c1 * v10);
-    const wide v45 = T21 + (c1 * v11 + factor234 * (v10 * v37));
-    const wide v46 = T13 - factor234 * (c1 * Z2_234);
-    const wide v47 = T11 - (s1 * v11 - factor234 * (v10 * v32));
-    const wide v48 = T12 - (s1 * v10 + factor234 * (v11 * v32));
-    const wide v49 = T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp *
-        factor2_p)));
-    const wide v50 = T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm *
-        factor2_p))), v51 = w3_m * (m8 * (v22 * factor2_m));
-    const wide v52 = T34 - (a3 * (v34 - v51) + (v39 + a2 * (S2_mp * factor2_m)));
-    const wide v53 = T34 - (a3 * (v34 + v51) + (v39 + a2 * (S2_mm * factor2_m)));
-    const wide v54 = T14 - c1 * v35, v55 = T14 + c1 * v36, v56 = v54 * v54, v57 = v55 * v55;
-    const wide v58 = T24 - s1 * v35, v59 = T24 + s1 * v36, v60 = v58 * v58, v61 = v59 * v59;
-    const wide v62 = v60 + (v56 + v49 * v49), v63 = v60 + (v56 + v50 * v50);
-    const wide v64 = v61 + (v57 + v52 * v52), v65 = v61 + (v57 + v53 * v53);
-    const double v66 = NAN;
-    const wide v67 = pick_wide(v62 <= m11, all_wide(0.0), all_wide(v66));
-    const wide v68 = pick_wide(v63 <= m11, all_wide(0.0), all_wide(v66));
-    const wide v69 = pick_wide(v64 <= m11, all_wide(0.0), all_wide(v66));
-    const wide v70 = pick_wide(v65 <= m11, all_wide(0.0), all_wide(v66));
+    const wide v32 = Z1_3_p * (m8 + m9 * factor2_p), v33 = Z1_3_m * (m8 + m9 * factor2_m),
+        v34 = v20 + Z2_3_p, v35 = v21 - v22, v36 = d1 + v15, v37 = d1 + v16,
+        v38 = T33 - T33 * factor234, v39 = T31 - factor234 * (Z2_234 * v10),
+        v40 = T23 - factor234 * (s1 * Z2_234),
+        v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
+        v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
+        v43 = T13 - factor234 * (c1 * Z2_234),
+        v44 = T34 - (a3 * (v32 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
+            factor2_p))),
+        v45 = T34 - (a3 * (v32 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
+            factor2_p))), v46 = w3_m * (m8 * (v22 * factor2_m)),
+        v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m))),
+        v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m))), v49 = T14 - c1 * v34,
+        v50 = T14 + c1 * v35, v51 = v49 * v49, v52 = v50 * v50, v53 = T24 - s1 * v34,
+        v54 = T24 + s1 * v35, v55 = v53 * v53, v56 = v54 * v54, v57 = v55 + (v51 + v44 * v44),
+        v58 = v55 + (v51 + v45 * v45), v59 = v56 + (v52 + v47 * v47), v60 = v56 + (v52 + v48 * v48);
 
     /* joint values */
-    const wide angle9 = atan2_wide(v3, v2);
-    const wide v71 = angle9 - offset1;
-    const wide v72 = angle9 - h1 * copysign_wide(all_wide(half_turn), v3) - offset1;
-    const wide v73 = angle5 - offset2, v74 = angle6 - offset2, v75 = angle7 - offset2;
-    const wide v76 = angle8 - offset2, v77 = angle3 - offset3, v78 = offset3 + angle3;
-    const wide v79 = angle4 - offset3, v80 = offset3 + angle4;
-    const wide v81 = angle1 - (angle3 + angle5) - offset4;
-    const wide v82 = angle1 - (angle6 - angle3) - offset4;
-    const wide v83 = offset4 + (angle1 + (angle4 + angle7));
-    const wide v84 = offset4 + (angle1 + (angle8 - angle4));
-    const wide v85 = v81 - only_wide(half_turn < v81, m13) + only_wide(v81 <= -half_turn, m13);
-    const wide v86 = v82 - only_wide(half_turn < v82, m13) + only_wide(v82 <= -half_turn, m13);
-    const wide v87 = only_wide(-v83 <= -half_turn, m13) - (v83 + only_wide(half_turn < -v83, m13));
-    const wide v88 = only_wide(-v84 <= -half_turn, m13) - (v84 + only_wide(half_turn < -v84, m13));
-    const wide v89 = v23 + (v71 + only_wide(v71 <= -half_turn, m13));
-    const wide v90 = v24 + (v72 + only_wide(v72 <= -half_turn, m13));
-    const wide q1_pp = v67 + v89, q1_pm = v68 + v89, q1_mp = v69 + v90, q1_mm = v70 + v90;
-    const wide q2_pp = v67 + (v73 + only_wide(v73 <= -half_turn, m13));
-    const wide q2_pm = v68 + (v74 + only_wide(v74 <= -half_turn, m13));
-    const wide q2_mp = v69 + (v75 + only_wide(v75 <= -half_turn, m13));
-    const wide q2_mm = v70 + (v76 + only_wide(v76 <= -half_turn, m13));
-    const wide q3_pp = v67 + (v77 + only_wide(v77 <= -half_turn, m13));
-    const wide q3_pm = v68 + (only_wide(-v78 <= -half_turn, m13) - v78);
-    const wide q3_mp = v69 + (v79 + only_wide(v79 <= -half_turn, m13));
-    const wide q3_mm = v70 + (only_wide(-v80 <= -half_turn, m13) - v80);
-    const wide q4_pp = v67 + (v85 - only_wide(half_turn < v85, m13));
-    const wide q4_pm = v68 + (v86 - only_wide(half_turn < v86, m13));
-    const wide q4_mp = v69 + (v87 - only_wide(half_turn < v87, m13));
-    const wide q4_mm = v70 + (v88 - only_wide(half_turn < v88, m13));
-    const wide v91 = angle2 + v23;
-    const wide v92 = v24 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1);
-    const wide q5_pp = v67 + v91, q5_pm = v68 + v91, q5_mp = v69 + v92, q5_mm = v70 + v92;
-    const wide_mask doubt1 = (v7 <= m2) | ((v4 <= m1) | ((v8 <= m2) | ((N3_m <=
-        doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)) &
-        (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p <=
-        doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((m10 < v48 * v48 + (v47 *
-        v47 + (v46 * v46 + (v45 * v45 + (v44 * v44 + (v43 * v43 + (v42 * v42 + (v40 * v40 + v41 *
-        v41)))))))) | (((m11 < v65) & (v65 <= m12)) | (((m11 < v64) & (v64 <= m12)) | (((m11 < v62)
-        & (v62 <= m12)) | ((m11 < v63) & (v63 <= m12))))))))))));
+    const wide angle9 = atan2_wide(v3, v2), v61 = angle9 - offset1,
+        v62 = angle9 - h1 * copysign_wide(all_wide(half_turn), v3) - offset1,
+        v63 = angle5 - offset2, v64 = angle6 - offset2, v65 = angle7 - offset2,
+        v66 = angle8 - offset2, v67 = angle3 - offset3, v68 = offset3 + angle3,
+        v69 = angle4 - offset3, v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
+        v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
+        v74 = offset4 + (angle1 + (angle8 - angle4)),
+        v75 = v71 - only_wide(half_turn < v71, m13) + only_wide(v71 <= -half_turn, m13),
+        v76 = v72 - only_wide(half_turn < v72, m13) + only_wide(v72 <= -half_turn, m13),
+        v77 = only_wide(-v73 <= -half_turn, m13) - (v73 + only_wide(half_turn < -v73, m13)),
+        v78 = only_wide(-v74 <= -half_turn, m13) - (v74 + only_wide(half_turn < -v74, m13));
+    const double v79 = NAN;
+    const wide v80 = only_wide((v57 <= m11) == 0, v79), v81 = only_wide((v58 <= m11) == 0, v79),
+        v82 = only_wide((v59 <= m11) == 0, v79), v83 = only_wide((v60 <= m11) == 0, v79),
+        v84 = v23 + (v61 + only_wide(v61 <= -half_turn, m13)),
+        v85 = v24 + (v62 + only_wide(v62 <= -half_turn, m13)), v86 = angle2 + v23,
+        v87 = v24 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1);
+    const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (N3_m <= doubt_limit_squared2) |
+        ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
+        longest3_apart)) == 0)) | (N3_p <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) &
+        (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) |
+        (m10 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40 * v40 + (v38 * v38 + v39 * v39))))) |
+        ((m11 < v60) & (v60 <= m12)) | ((m11 < v59) & (v59 <= m12)) | ((m11 < v57) & (v57 <= m12)) |
+        ((m11 < v58) & (v58 <= m12));
 
-    q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp; q[3] = q4_pp; q[4] = q5_pp;
+    q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, m13));
+    q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, m13));
+    q[3] = v80 + (v75 - only_wide(half_turn < v75, m13)); q[4] = v80 + v86;
     kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = q1_pm; q[6] = q2_pm; q[7] = q3_pm; q[8] = q4_pm; q[9] = q5_pm;
+    q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, m13));
+    q[7] = v81 + (only_wide(-v68 <= -half_turn, m13) - v68);
+    q[8] = v81 + (v76 - only_wide(half_turn < v76, m13)); q[9] = v81 + v86;
     kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = q1_mp; q[11] = q2_mp; q[12] = q3_mp; q[13] = q4_mp; q[14] = q5_mp;
+    q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, m13));
+    q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, m13));
+    q[13] = v82 + (v77 - only_wide(half_turn < v77, m13)); q[14] = v82 + v87;
     kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = q1_mm; q[16] = q2_mm; q[17] = q3_mm; q[18] = q4_mm; q[19] = q5_mm;
+    q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, m13));
+    q[17] = v83 + (only_wide(-v70 <= -half_turn, m13) - v70);
+    q[18] = v83 + (v78 - only_wide(half_turn < v78, m13)); q[19] = v83 + v87;
     kind[3] = kind_of(q[15] != q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -638,96 +532,75 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3;
-    const double w1 = sqrt(v4);
-    const double v5 = 1.0 / v4;
-    const double factor1 = w1 * v5;
-    const double c1 = v2 * factor1;
-    const double s1 = v3 * factor1;
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
 
     /* theta234 */
-    const double v6 = T13 * v2 + T23 * v3;
-    const double Z2_234 = w1 * (v5 * v6);
-    const double v7 = T33 * T33 + Z2_234 * Z2_234;
-    const double factor234 = sqrt(v7) * (1.0 / v7);
+    const double v6 = T13 * v2 + T23 * v3, Z2_234 = w1 * (v5 * v6),
+        v7 = T33 * T33 + Z2_234 * Z2_234, factor234 = sqrt(v7) * (1.0 / v7);
 
     /* theta5 */
-    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22));
-    const double Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21));
-    const double v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt(v8) * (1.0 / v8), v10 = Z1_5 * v9;
-    const double v11 = Z2_5 * v9, v12 = copysign(half_turn, -Z2_5);
+    const double Z1_5 = w1 * (v5 * (v3 * T12 - v2 * T22)), Z2_5 = w1 * (v5 * (v3 * T11 - v2 * T21)),
+        v8 = Z2_5 * Z2_5 + Z1_5 * Z1_5, v9 = sqrt(v8) * (1.0 / v8), v10 = Z1_5 * v9,
+        v11 = Z2_5 * v9, v12 = copysign(half_turn, -Z2_5);
     const four v13 = m3 * (e1 - 1.0);
 
     /* theta3 */
     const double v14 = d5 * T33;
     const four v15 = v5 * (e1 * v6);
     const double v16 = T34 - d1;
-    const four v17 = factor234 * (v14 - w1 * (m4 * v15));
-    const four Z1_3 = v16 - v17;
+    const four v17 = factor234 * (v14 - w1 * (m4 * v15)), Z1_3 = v16 - v17;
     const double v18 = a4 * T33, v19 = T14 * c1 + T24 * s1;
-    const four v20 = factor234 * (v18 + w1 * (m5 * v15));
-    const four Z2_3 = e1 * v19 - v20;
-    const four N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
-    const four v21 = w3 - w3;
+    const four v20 = factor234 * (v18 + w1 * (m5 * v15)), Z2_3 = e1 * v19 - v20,
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3)),
+        v21 = w3 - w3;
 
     /* theta2 */
-    const four v22 = e2 * Z2_3, v23 = m6 * N3 - m7, v24 = Z1_3 * v23;
-    const four S2 = v24 - w3 * (m6 * v22);
-    const four v25 = Z2_3 * v23;
-    const four factor2 = 1.0 / N3;
+    const four v22 = e2 * Z2_3, v23 = m6 * N3 - m7, v24 = Z1_3 * v23, S2 = v24 - w3 * (m6 * v22),
+        v25 = Z2_3 * v23, factor2 = 1.0 / N3;
 
     /* is the pose one that the arm can take? */
-    const double v26 = c1 * T33;
-    const four v27 = Z1_3 * (m8 + m9 * factor2), v28 = v20 + Z2_3;
-    const double v29 = s1 * T33;
-    const four v30 = d1 + v17;
-    const double v31 = T33 - T33 * factor234, v32 = T32 + factor234 * (Z2_234 * v11);
-    const double v33 = T31 - factor234 * (Z2_234 * v10), v34 = T23 - factor234 * (s1 * Z2_234);
-    const double v35 = T22 - (factor234 * (v11 * v29) - c1 * v10);
-    const double v36 = T21 + (c1 * v11 + factor234 * (v10 * v29));
-    const double v37 = T13 - factor234 * (c1 * Z2_234);
-    const double v38 = T11 - (s1 * v11 - factor234 * (v10 * v26));
-    const double v39 = T12 - (s1 * v10 + factor234 * (v11 * v26));
-    const four v40 = T34 - (a3 * (v27 + w3 * (m8 * (v22 * factor2))) + (v30 + a2 * (S2 * factor2)));
-    const four v41 = T14 - e1 * (c1 * v28), v42 = v41 * v41, v43 = T24 - e1 * (s1 * v28);
-    const four v44 = v43 * v43, v45 = v44 + (v42 + v40 * v40);
-    const double v46 = NAN;
-    const four v47 = pick_four(v45 <= m11, all_four(0.0), all_four(v46));
-    const four_mask doubt3 = (m11 < v45) & (v45 <= m12);
+    const four v26 = Z1_3 * (m8 + m9 * factor2), v27 = v20 + Z2_3, v28 = d1 + v17;
+    const double v29 = T33 - T33 * factor234, v30 = T31 - factor234 * (Z2_234 * v10),
+        v31 = T23 - factor234 * (s1 * Z2_234),
+        v32 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33))),
+        v33 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33))),
+        v34 = T13 - factor234 * (c1 * Z2_234);
+    const four v35 = T34 - (a3 * (v26 + w3 * (m8 * (v22 * factor2))) + (v28 + a2 * (S2 * factor2))),
+        v36 = T14 - e1 * (c1 * v27), v37 = v36 * v36, v38 = T24 - e1 * (s1 * v27), v39 = v38 * v38,
+        v40 = v39 + (v37 + v35 * v35);
+    const four_mask doubt3 = (m11 < v40) & (v40 <= m12);
 
     /* joint values */
-    const double v48 = copysign(half_turn, v3);
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
-    const int doubt1 = (v7 <= m2) | ((v4 <= m1) | ((m10 < v39 * v39 + (v38 * v38 + (v37 * v37 + (v36
-        * v36 + (v35 * v35 + (v34 * v34 + (v33 * v33 + (v31 * v31 + v32 * v32)))))))) | (v8 <=
-        m2)));
+    const double v41 = copysign(half_turn, v3), v49 = NAN;
+    const four v50 = only_four((v40 <= m11) == 0, v49);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m10 < v34 * v34 + (v33 * v33 + (v32 * v32 + (v31 *
+        v31 + (v29 * v29 + v30 * v30))))) | (v8 <= m2);
 
-    const four angle4 = atan2_four(S2, v25 + w3 * (m6 * (e2 * Z1_3)));
-    const four packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3,
-        all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
-        all_four(-Z1_5), 0, 1, 2, 7));
-    const four angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
-    const four angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
-    const four packed3 = atan2_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 });
-    const four angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four v49 = angle5 + v13 * v48 - offset1, v50 = angle4 - offset2, v51 = e2 * angle3;
-    const four v52 = v51 - offset3, v53 = e1 * angle1, v54 = v53 - (angle4 + v51) - offset4;
-    const four v55 = v54 - only_four(half_turn < v54, m13) + only_four(v54 <= -half_turn, m13);
-    const four v56 = v21 + (v49 + only_four(v49 <= -half_turn, m13));
-    const four q1 = v47 + v56;
-    const four q2 = v47 + (v50 + only_four(v50 <= -half_turn, m13));
-    const four q3 = v47 + (v52 + only_four(v52 <= -half_turn, m13));
-    const four q4 = v47 + (v55 - only_four(half_turn < v55, m13));
-    const four v57 = v21 + (angle2 + v12 * v13);
-    const four q5 = v47 + v57;
+    const four angle4 = atan2_four(S2, v25 + w3 * (m6 * (e2 * Z1_3))),
+        packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3, all_four(-Z2_234),
+            0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
+            __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
+            all_four(-Z1_5), 0, 1, 2, 7)),
+        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
+        angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3),
+        packed3 = atan2_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),
+        angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
+        v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
+        v48 = v47 - only_four(half_turn < v47, m13) + only_four(v47 <= -half_turn, m13),
+        v51 = v21 + (v42 + only_four(v42 <= -half_turn, m13)), q1 = v50 + v51,
+        q2 = v50 + (v43 + only_four(v43 <= -half_turn, m13)),
+        q3 = v50 + (v45 + only_four(v45 <= -half_turn, m13)),
+        q4 = v50 + (v48 - only_four(half_turn < v48, m13)), v52 = v21 + (angle2 + v12 * v13),
+        q5 = v50 + v52;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -796,6 +669,13 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
 
+/* Notes why a row is lost, and how far it is from a solution. */
+static void lose(int why, double off, double q[5], unsigned char *status)
+{
+    *status = (unsigned char)why;
+    q[0] = off;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
@@ -803,21 +683,19 @@ static void solve(
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    const double T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1, type 2: U1[3, 4] and U1[3, 3] */
-    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23);
-    const double v2 = T14 + T13 * v1;
-    const double v3 = T24 + T23 * v1;
+    const double v1 = copysign(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1;
     const double w1 = sqrt(v2 * v2 + v3 * v3);
     const int free1 = w1 <= free_limit1;
     const double divisor1 = free1 ? 1.0 : w1;
     const double v4 = seed[0] + offset1;
 
     /* theta234, type 3: U1[2, 3] and U1[1, 3] */
-    const double v5 = T33 * T33;
-    const double v6 = seed[1] + offset2;
-    const double v7 = v6 + (seed[2] + offset3) + (seed[3] + offset4);
+    const double v5 = T33 * T33, v6 = seed[1] + offset2,
+        v7 = v6 + (seed[2] + offset3) + (seed[3] + offset4);
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v10 = T34 - d1;
@@ -827,16 +705,15 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(v4) : v2 * factor1;
-        const double s1 = free1 ? sin(v4) : v3 * factor1;
+        const double c1 = free1 ? cos(v4) : v2 * factor1, s1 = free1 ? sin(v4) : v3 * factor1;
 
         /* theta234 */
         const double Z2_234 = T13 * c1 + T23 * s1;
         const double w234 = sqrt(Z2_234 * Z2_234 + v5);
         const int free234 = w234 <= free_limit_squared;
         const double factor234 = 1.0 / (free234 ? 1.0 : w234);
-        const double c234 = free234 ? cos(v7) : T33 * factor234;
-        const double s234 = free234 ? sin(v7) : -(Z2_234 * factor234);
+        const double c234 = free234 ? cos(v7) : T33 * factor234,
+            s234 = free234 ? sin(v7) : -(Z2_234 * factor234);
         const double theta234 = atan2(s234, c234);
 
         /* theta5, type 3: U1[3, 2] and U1[3, 1] */
@@ -845,8 +722,8 @@ static void solve(
         const double w5 = sqrt(Z2_5 * Z2_5 + Z1_5 * Z1_5);
         const int free5 = w5 <= free_limit_squared;
         const double v8 = 1.0 / (free5 ? 1.0 : w5);
-        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v8);
-        const double s5 = free5 ? sin(seed[4]) : -(Z2_5 * v8);
+        const double c5 = free5 ? cos(seed[4]) : -(Z1_5 * v8),
+            s5 = free5 ? sin(seed[4]) : -(Z2_5 * v8);
         const double q5 = atan2(s5, c5);
 
         /* theta3 */
@@ -859,22 +736,10 @@ static void solve(
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) {
-                status[2 * i1] = LOST + 1;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 2;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 3;
-                q[2 * i1][0] = D3;
-            }
-            if (free234) {
-                status[2 * i1] = LOST + 4;
-                q[2 * i1][0] = D3;
-            }
+            if (free1) lose(LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 2, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 3, D3, q[2 * i1], &status[2 * i1]);
+            if (free234) lose(LOST + 4, D3, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
         const double w3 = sqrt(apart3 ? D3 : 0.0);
@@ -882,18 +747,14 @@ static void solve(
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
-        const double v12 = Z1_3 * X1_2;
-        const double v13 = Z2_3 * X1_2;
+        const double v12 = Z1_3 * X1_2, v13 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v14 = c1 * c234;
-        const double v16 = s1 * c234;
-        const double v17 = d1 + v9;
-        if (!(fabs(T33 - c234) <= pose_slack && (fabs(T32 + s234 * s5) <= pose_slack && (fabs(T31 -
-            s234 * c5) <= pose_slack && (fabs(T23 + s1 * s234) <= pose_slack && (fabs(T22 - (c1 * c5
-            - s5 * v16)) <= pose_slack && (fabs(T21 - (c5 * v16 + c1 * s5)) <= pose_slack &&
-            (fabs(T13 + c1 * s234) <= pose_slack && (fabs(T11 - (c5 * v14 - s1 * s5)) <= pose_slack
-            && fabs(T12 + (s1 * c5 + s5 * v14)) <= pose_slack)))))))))
+        const double v15 = d1 + v9;
+        if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - s234 * c5) <= pose_slack && fabs(T23 + s1
+            * s234) <= pose_slack && fabs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack &&
+            fabs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack && fabs(T13 + c1 * s234) <=
+            pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */
@@ -913,16 +774,14 @@ static void solve(
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2;
-            const double s2 = free2 ? sin(v6) : S2 * factor2;
+            const double c2 = free2 ? cos(v6) : C2 * factor2, s2 = free2 ? sin(v6) : S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
-            const double c23 = c3 * c2 - s3 * s2;
-            const double s23 = c3 * s2 + s3 * c2;
-            const double v15 = a3 * c23 + (a2 * c2 + -v11);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 && (fabs(T14 - c1 * v15)
-                <= pose_slack1 && fabs(T24 - s1 * v15) <= pose_slack1)))
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
+            const double v14 = a3 * c23 + (a2 * c2 + -v11);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && fabs(T14 - c1 * v14) <=
+                pose_slack1 && fabs(T24 - s1 * v14) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -931,11 +790,7 @@ static void solve(
             const double q4 = wrap(theta234 - (theta3 + theta2) - offset4);
             const int free2_ = free234 || free2;
             const int row = 2 * i1 + i2;
-            q[row][0] = q1;
-            q[row][1] = q2;
-            q[row][2] = q3;
-            q[row][3] = q4;
-            q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             status[row] = (free1 || free2_ || free234 || free234 || free5) ? XARM5_FREE_JOINT :
                 XARM5_OK;
         }
@@ -962,6 +817,13 @@ static double attempt(struct search *lost, double moved)
     return lost->status[lost->row] == XARM5_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *lost)
+{
+    const int status = lost->status[lost->row];
+    return status != XARM5_UNREACHABLE && status < LOST;
+}
+
 /* Golden section for a move between low and high that serves; NaN if there is none. */
 static double summit(struct search *lost, double low, double high)
 {
@@ -975,7 +837,11 @@ static double summit(struct search *lost, double low, double high)
         else
             low += third;
     }
-    return NAN;
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+        return NAN;
+    (void)attempt(lost, low);
+    return serves(lost) ? low : NAN;
 }
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
@@ -1024,16 +890,21 @@ static double serving_digits(struct search *lost)
 }
 
 /* Another value for a joint that had been chosen, if one serves. */
-static void choose_again(struct search *lost, int nearly, double q[5], unsigned char *status)
+static void choose_again(
+    const double T[16], const double seed[5], int row, double q[4][5], unsigned char status[4])
 {
-    double nearest = nearly ? serving_digits(lost) : serving_value(lost);
-    *status = XARM5_UNREACHABLE;
-    if (isnan(nearest) || attempt(lost, nearest) != 0.0)
-        nearest = NAN;
-    else
-        *status = lost->status[lost->row];
+    const int nearly = status[row] > NEARLY;
+    struct search lost = { .T = T, .row = row };
+    lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
     for (int i = 0; i < 5; i++)
-        q[i] = isnan(nearest) ? NAN : lost->q[lost->row][i];
+        lost.seed[i] = seed[i];
+    lost.start = nearly ? q[row][1] : seed[lost.joint];
+    const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
+    (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
+    const int served = !isnan(nearest) && serves(&lost);
+    status[row] = served ? lost.status[row] : XARM5_UNREACHABLE;
+    for (int i = 0; i < 5; i++)
+        q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -1070,16 +941,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5],
     if (!valid)
         return -XARM5_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 4; row++)
+        if (status[row] >= LOST)
+            choose_again(pose, seed, row, q, status);
     for (int row = 0; row < 4; row++) {
-        if (status[row] >= LOST) {
-            const int nearly = status[row] > NEARLY;
-            struct search lost = { .T = pose, .row = row };
-            lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-            lost.start = nearly ? q[row][1] : seed[lost.joint];
-            for (int i = 0; i < 5; i++)
-                lost.seed[i] = seed[i];
-            choose_again(&lost, nearly, q[row], &status[row]);
-        }
         if (status[row] == XARM5_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {

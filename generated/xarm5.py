@@ -343,7 +343,7 @@ def _solve(pose, seed, q, status):
 
     The first value of a row that is _LOST says how far it is from a solution (negative).
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
 
     # theta1, type 2: U1[3, 4] and U1[3, 3]
     v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
@@ -422,15 +422,12 @@ def _solve(pose, seed, q, status):
         v13 = Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v14 = c1 * c234
-        v16 = s1 * c234
-        v17 = d1 + v9
+        v15 = d1 + v9
         if (
-            not (abs(T33 - c234) <= pose_slack and (abs(T32 + s234 * s5) <= pose_slack and (abs(T31
-            - s234 * c5) <= pose_slack and (abs(T23 + s1 * s234) <= pose_slack and (abs(T22 - (c1 *
-            c5 - s5 * v16)) <= pose_slack and (abs(T21 - (c5 * v16 + c1 * s5)) <= pose_slack and
-            (abs(T13 + c1 * s234) <= pose_slack and (abs(T11 - (c5 * v14 - s1 * s5)) <= pose_slack
-            and abs(T12 + (s1 * c5 + s5 * v14)) <= pose_slack))))))))
+            not (abs(T33 - c234) <= pose_slack and abs(T31 - s234 * c5) <= pose_slack and abs(T23 +
+            s1 * s234) <= pose_slack and abs(T21 - (c5 * (s1 * c234) + c1 * s5)) <= pose_slack and
+            abs(T11 - (c5 * (c1 * c234) - s1 * s5)) <= pose_slack and abs(T13 + c1 * s234) <=
+            pose_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -459,10 +456,10 @@ def _solve(pose, seed, q, status):
             # is the pose one that the arm can take?
             c23 = c3 * c2 - s3 * s2
             s23 = c3 * s2 + s3 * c2
-            v15 = a3 * c23 + (a2 * c2 + -v11)
+            v14 = a3 * c23 + (a2 * c2 + -v11)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v17))) <= pose_slack1 and (abs(T14 - c1 * v15)
-                <= pose_slack1 and abs(T24 - s1 * v15) <= pose_slack1))
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 and abs(T14 - c1 * v14)
+                <= pose_slack1 and abs(T24 - s1 * v14) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -538,6 +535,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _serves(status, row):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    return status[row] != UNREACHABLE and status[row] < _LOST
+
+
+@_inner
 def _attempt(pose, seed, lost, moved, q, status):
     """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
 
@@ -568,7 +571,12 @@ def _summit(pose, seed, lost, low, high, q, status):
             high -= third
         else:
             low += third
-    return math.nan
+    # beside a place where the branches meet, this one has no solution of its own
+    for moved in (low - 1e-09, high + 1e-09):
+        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+            return math.nan
+    _attempt(pose, seed, lost, low, q, status)
+    return low if _serves(status, lost[0]) else math.nan
 
 
 @_part
@@ -634,7 +642,8 @@ def _choose_again(pose, given, row, q, status):
         moved = _serving_digits(pose, seed, lost, trial, result)
     else:
         moved = _serving(pose, seed, lost, trial, result)
-    served = _attempt(pose, seed, lost, moved, trial, result) == 0.0
+    _attempt(pose, seed, lost, moved, trial, result)
+    served = not math.isnan(moved) and _serves(result, row)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(5):
         q[row, i] = trial[row, i] if served else math.nan
@@ -648,10 +657,11 @@ def _whole(pose, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    count = 0
     for row in range(4):
         if status[row] >= _LOST:
             _choose_again(pose, seed, row, q, status)
+    count = 0
+    for row in range(4):
         if status[row] == UNREACHABLE:
             continue
         for i in range(5):
@@ -670,7 +680,7 @@ def _regular(pose, q, status):
 
     What can't be reached is NaN by itself: it has the root of a negative number in it.
     """
-    T11, T12, T13, T14, T21, T22, T23, T24, T31, T32, T33, T34 = pose
+    T11, T12, T13, T14, T21, T22, T23, T24, T31, _, T33, T34 = pose
     room = carray(_room(32), 32)
 
     # theta1, type 2: U1[3, 4] and U1[3, 3]
@@ -736,57 +746,51 @@ def _regular(pose, q, status):
     factor2_m = 1.0 / N3_m
 
     # is the pose one that the arm can take?
-    v32 = c1 * T33
-    v33 = Z1_3_p * (m8 + m9 * factor2_p)
-    v34 = Z1_3_m * (m8 + m9 * factor2_m)
-    v35 = v20 + Z2_3_p
-    v36 = v21 - v22
-    v37 = s1 * T33
-    v38 = d1 + v15
-    v39 = d1 + v16
-    v40 = T33 - T33 * factor234
-    v41 = T32 + factor234 * (Z2_234 * v11)
-    v42 = T31 - factor234 * (Z2_234 * v10)
-    v43 = T23 - factor234 * (s1 * Z2_234)
-    v44 = T22 - (factor234 * (v11 * v37) - c1 * v10)
-    v45 = T21 + (c1 * v11 + factor234 * (v10 * v37))
-    v46 = T13 - factor234 * (c1 * Z2_234)
-    v47 = T11 - (s1 * v11 - factor234 * (v10 * v32))
-    v48 = T12 - (s1 * v10 + factor234 * (v11 * v32))
-    v49 = T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp * factor2_p)))
-    v50 = (
-        T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm * factor2_p)))
+    v32 = Z1_3_p * (m8 + m9 * factor2_p)
+    v33 = Z1_3_m * (m8 + m9 * factor2_m)
+    v34 = v20 + Z2_3_p
+    v35 = v21 - v22
+    v36 = d1 + v15
+    v37 = d1 + v16
+    v38 = T33 - T33 * factor234
+    v39 = T31 - factor234 * (Z2_234 * v10)
+    v40 = T23 - factor234 * (s1 * Z2_234)
+    v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
+    v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
+    v43 = T13 - factor234 * (c1 * Z2_234)
+    v44 = T34 - (a3 * (v32 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp * factor2_p)))
+    v45 = (
+        T34 - (a3 * (v32 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm * factor2_p)))
     )
-    v51 = w3_m * (m8 * (v22 * factor2_m))
-    v52 = T34 - (a3 * (v34 - v51) + (v39 + a2 * (S2_mp * factor2_m)))
-    v53 = T34 - (a3 * (v34 + v51) + (v39 + a2 * (S2_mm * factor2_m)))
-    v54 = T14 - c1 * v35
-    v55 = T14 + c1 * v36
+    v46 = w3_m * (m8 * (v22 * factor2_m))
+    v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m)))
+    v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
+    v49 = T14 - c1 * v34
+    v50 = T14 + c1 * v35
+    v51 = v49 * v49
+    v52 = v50 * v50
+    v53 = T24 - s1 * v34
+    v54 = T24 + s1 * v35
+    v55 = v53 * v53
     v56 = v54 * v54
-    v57 = v55 * v55
-    v58 = T24 - s1 * v35
-    v59 = T24 + s1 * v36
-    v60 = v58 * v58
-    v61 = v59 * v59
-    v62 = v60 + (v56 + v49 * v49)
-    v63 = v60 + (v56 + v50 * v50)
-    v64 = v61 + (v57 + v52 * v52)
-    v65 = v61 + (v57 + v53 * v53)
-    v66 = math.sqrt(-1.0)
-    v67 = 0.0 if v62 <= m11 else v66
-    v68 = 0.0 if v63 <= m11 else v66
-    v69 = 0.0 if v64 <= m11 else v66
-    v70 = 0.0 if v65 <= m11 else v66
+    v57 = v55 + (v51 + v44 * v44)
+    v58 = v55 + (v51 + v45 * v45)
+    v59 = v56 + (v52 + v47 * v47)
+    v60 = v56 + (v52 + v48 * v48)
 
     # joint values
+    v79 = math.sqrt(-1.0)
+    v80 = 0.0 if v57 <= m11 else v79
+    v81 = 0.0 if v58 <= m11 else v79
+    v82 = 0.0 if v59 <= m11 else v79
+    v83 = 0.0 if v60 <= m11 else v79
     doubt1 = (
-        v7 <= m2 or (v4 <= m1 or (v8 <= m2 or (N3_m <= doubt_limit_squared2 or ((shortest3_reach <=
-        N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart))
-        or (N3_p <= doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and
-        not (shortest3_apart < N3_p and N3_p < longest3_apart)) or (m10 < v48 * v48 + (v47 * v47 +
-        (v46 * v46 + (v45 * v45 + (v44 * v44 + (v43 * v43 + (v42 * v42 + (v40 * v40 + v41 *
-        v41))))))) or ((m11 < v65 and v65 <= m12) or ((m11 < v64 and v64 <= m12) or ((m11 < v62 and
-        v62 <= m12) or (m11 < v63 and v63 <= m12)))))))))))
+        v7 <= m2 or v4 <= m1 or v8 <= m2 or N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m
+        and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or
+        N3_p <= doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+        (shortest3_apart < N3_p and N3_p < longest3_apart)) or m10 < v43 * v43 + (v42 * v42 + (v41 *
+        v41 + (v40 * v40 + (v38 * v38 + v39 * v39)))) or (m11 < v60 and v60 <= m12) or (m11 < v59
+        and v59 <= m12) or (m11 < v57 and v57 <= m12) or (m11 < v58 and v58 <= m12)
     )
 
     # angles, side by side
@@ -823,48 +827,48 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # joint values
-    v71 = angle9 - offset1
-    v72 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
-    v73 = angle5 - offset2
-    v74 = angle6 - offset2
-    v75 = angle7 - offset2
-    v76 = angle8 - offset2
-    v77 = angle3 - offset3
-    v78 = offset3 + angle3
-    v79 = angle4 - offset3
-    v80 = offset3 + angle4
-    v81 = angle1 - (angle3 + angle5) - offset4
-    v82 = angle1 - (angle6 - angle3) - offset4
-    v83 = offset4 + (angle1 + (angle4 + angle7))
-    v84 = offset4 + (angle1 + (angle8 - angle4))
-    v85 = v81 - (m13 if half_turn < v81 else 0.0) + (m13 if v81 <= -half_turn else 0.0)
-    v86 = v82 - (m13 if half_turn < v82 else 0.0) + (m13 if v82 <= -half_turn else 0.0)
-    v87 = (m13 if -v83 <= -half_turn else 0.0) - (v83 + (m13 if half_turn < -v83 else 0.0))
-    v88 = (m13 if -v84 <= -half_turn else 0.0) - (v84 + (m13 if half_turn < -v84 else 0.0))
-    v89 = v23 + (v71 + (m13 if v71 <= -half_turn else 0.0))
-    v90 = v24 + (v72 + (m13 if v72 <= -half_turn else 0.0))
-    q1_pp = v67 + v89
-    q1_pm = v68 + v89
-    q1_mp = v69 + v90
-    q1_mm = v70 + v90
-    q2_pp = v67 + (v73 + (m13 if v73 <= -half_turn else 0.0))
-    q2_pm = v68 + (v74 + (m13 if v74 <= -half_turn else 0.0))
-    q2_mp = v69 + (v75 + (m13 if v75 <= -half_turn else 0.0))
-    q2_mm = v70 + (v76 + (m13 if v76 <= -half_turn else 0.0))
-    q3_pp = v67 + (v77 + (m13 if v77 <= -half_turn else 0.0))
-    q3_pm = v68 + ((m13 if -v78 <= -half_turn else 0.0) - v78)
-    q3_mp = v69 + (v79 + (m13 if v79 <= -half_turn else 0.0))
-    q3_mm = v70 + ((m13 if -v80 <= -half_turn else 0.0) - v80)
-    q4_pp = v67 + (v85 - (m13 if half_turn < v85 else 0.0))
-    q4_pm = v68 + (v86 - (m13 if half_turn < v86 else 0.0))
-    q4_mp = v69 + (v87 - (m13 if half_turn < v87 else 0.0))
-    q4_mm = v70 + (v88 - (m13 if half_turn < v88 else 0.0))
-    v91 = angle2 + v23
-    v92 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
-    q5_pp = v67 + v91
-    q5_pm = v68 + v91
-    q5_mp = v69 + v92
-    q5_mm = v70 + v92
+    v61 = angle9 - offset1
+    v62 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+    v63 = angle5 - offset2
+    v64 = angle6 - offset2
+    v65 = angle7 - offset2
+    v66 = angle8 - offset2
+    v67 = angle3 - offset3
+    v68 = offset3 + angle3
+    v69 = angle4 - offset3
+    v70 = offset3 + angle4
+    v71 = angle1 - (angle3 + angle5) - offset4
+    v72 = angle1 - (angle6 - angle3) - offset4
+    v73 = offset4 + (angle1 + (angle4 + angle7))
+    v74 = offset4 + (angle1 + (angle8 - angle4))
+    v75 = v71 - (m13 if half_turn < v71 else 0.0) + (m13 if v71 <= -half_turn else 0.0)
+    v76 = v72 - (m13 if half_turn < v72 else 0.0) + (m13 if v72 <= -half_turn else 0.0)
+    v77 = (m13 if -v73 <= -half_turn else 0.0) - (v73 + (m13 if half_turn < -v73 else 0.0))
+    v78 = (m13 if -v74 <= -half_turn else 0.0) - (v74 + (m13 if half_turn < -v74 else 0.0))
+    v84 = v23 + (v61 + (m13 if v61 <= -half_turn else 0.0))
+    v85 = v24 + (v62 + (m13 if v62 <= -half_turn else 0.0))
+    q1_pp = v80 + v84
+    q1_pm = v81 + v84
+    q1_mp = v82 + v85
+    q1_mm = v83 + v85
+    q2_pp = v80 + (v63 + (m13 if v63 <= -half_turn else 0.0))
+    q2_pm = v81 + (v64 + (m13 if v64 <= -half_turn else 0.0))
+    q2_mp = v82 + (v65 + (m13 if v65 <= -half_turn else 0.0))
+    q2_mm = v83 + (v66 + (m13 if v66 <= -half_turn else 0.0))
+    q3_pp = v80 + (v67 + (m13 if v67 <= -half_turn else 0.0))
+    q3_pm = v81 + ((m13 if -v68 <= -half_turn else 0.0) - v68)
+    q3_mp = v82 + (v69 + (m13 if v69 <= -half_turn else 0.0))
+    q3_mm = v83 + ((m13 if -v70 <= -half_turn else 0.0) - v70)
+    q4_pp = v80 + (v75 - (m13 if half_turn < v75 else 0.0))
+    q4_pm = v81 + (v76 - (m13 if half_turn < v76 else 0.0))
+    q4_mp = v82 + (v77 - (m13 if half_turn < v77 else 0.0))
+    q4_mm = v83 + (v78 - (m13 if half_turn < v78 else 0.0))
+    v86 = angle2 + v23
+    v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
+    q5_pp = v80 + v86
+    q5_pm = v81 + v86
+    q5_mp = v82 + v87
+    q5_mm = v83 + v87
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1106,7 +1110,6 @@ def _in_tiles(T, q, status):
             T23 = work[96 + k]
             T24 = work[112 + k]
             T31 = work[128 + k]
-            T32 = work[144 + k]
             T33 = work[160 + k]
             T34 = work[176 + k]
             v1 = math.copysign(second_weight, T14 * T13 + T24 * T23)
@@ -1161,69 +1164,63 @@ def _in_tiles(T, q, status):
             v31 = v22 * v26
             factor2_p = 1.0 / N3_p
             factor2_m = 1.0 / N3_m
-            v32 = c1 * T33
-            v33 = Z1_3_p * (m8 + m9 * factor2_p)
-            v34 = Z1_3_m * (m8 + m9 * factor2_m)
-            v35 = v20 + Z2_3_p
-            v36 = v21 - v22
-            v37 = s1 * T33
-            v38 = d1 + v15
-            v39 = d1 + v16
-            v40 = T33 - T33 * factor234
-            v41 = T32 + factor234 * (Z2_234 * v11)
-            v42 = T31 - factor234 * (Z2_234 * v10)
-            v43 = T23 - factor234 * (s1 * Z2_234)
-            v44 = T22 - (factor234 * (v11 * v37) - c1 * v10)
-            v45 = T21 + (c1 * v11 + factor234 * (v10 * v37))
-            v46 = T13 - factor234 * (c1 * Z2_234)
-            v47 = T11 - (s1 * v11 - factor234 * (v10 * v32))
-            v48 = T12 - (s1 * v10 + factor234 * (v11 * v32))
-            v49 = (
-                T34 - (a3 * (v33 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pp *
+            v32 = Z1_3_p * (m8 + m9 * factor2_p)
+            v33 = Z1_3_m * (m8 + m9 * factor2_m)
+            v34 = v20 + Z2_3_p
+            v35 = v21 - v22
+            v36 = d1 + v15
+            v37 = d1 + v16
+            v38 = T33 - T33 * factor234
+            v39 = T31 - factor234 * (Z2_234 * v10)
+            v40 = T23 - factor234 * (s1 * Z2_234)
+            v41 = T21 + (c1 * v11 + factor234 * (v10 * (s1 * T33)))
+            v42 = T11 - (s1 * v11 - factor234 * (v10 * (c1 * T33)))
+            v43 = T13 - factor234 * (c1 * Z2_234)
+            v44 = (
+                T34 - (a3 * (v32 + w3_p * (m8 * (Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pp *
                 factor2_p)))
             )
-            v50 = (
-                T34 - (a3 * (v33 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v38 + a2 * (S2_pm *
+            v45 = (
+                T34 - (a3 * (v32 + w3_p * (m8 * (-Z2_3_p * factor2_p))) + (v36 + a2 * (S2_pm *
                 factor2_p)))
             )
-            v51 = w3_m * (m8 * (v22 * factor2_m))
-            v52 = T34 - (a3 * (v34 - v51) + (v39 + a2 * (S2_mp * factor2_m)))
-            v53 = T34 - (a3 * (v34 + v51) + (v39 + a2 * (S2_mm * factor2_m)))
-            v54 = T14 - c1 * v35
-            v55 = T14 + c1 * v36
+            v46 = w3_m * (m8 * (v22 * factor2_m))
+            v47 = T34 - (a3 * (v33 - v46) + (v37 + a2 * (S2_mp * factor2_m)))
+            v48 = T34 - (a3 * (v33 + v46) + (v37 + a2 * (S2_mm * factor2_m)))
+            v49 = T14 - c1 * v34
+            v50 = T14 + c1 * v35
+            v51 = v49 * v49
+            v52 = v50 * v50
+            v53 = T24 - s1 * v34
+            v54 = T24 + s1 * v35
+            v55 = v53 * v53
             v56 = v54 * v54
-            v57 = v55 * v55
-            v58 = T24 - s1 * v35
-            v59 = T24 + s1 * v36
-            v60 = v58 * v58
-            v61 = v59 * v59
-            v62 = v60 + (v56 + v49 * v49)
-            v63 = v60 + (v56 + v50 * v50)
-            v64 = v61 + (v57 + v52 * v52)
-            v65 = v61 + (v57 + v53 * v53)
-            v66 = math.sqrt(-1.0)
-            v67 = 0.0 if v62 <= m11 else v66
-            v68 = 0.0 if v63 <= m11 else v66
-            v69 = 0.0 if v64 <= m11 else v66
-            v70 = 0.0 if v65 <= m11 else v66
+            v57 = v55 + (v51 + v44 * v44)
+            v58 = v55 + (v51 + v45 * v45)
+            v59 = v56 + (v52 + v47 * v47)
+            v60 = v56 + (v52 + v48 * v48)
+            v79 = math.sqrt(-1.0)
+            v80 = 0.0 if v57 <= m11 else v79
+            v81 = 0.0 if v58 <= m11 else v79
+            v82 = 0.0 if v59 <= m11 else v79
+            v83 = 0.0 if v60 <= m11 else v79
             doubt1 = (
-                v7 <= m2 or (v4 <= m1 or (v8 <= m2 or (N3_m <= doubt_limit_squared2 or
-                ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m
-                and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or ((shortest3_reach <=
-                N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p <
-                longest3_apart)) or (m10 < v48 * v48 + (v47 * v47 + (v46 * v46 + (v45 * v45 + (v44 *
-                v44 + (v43 * v43 + (v42 * v42 + (v40 * v40 + v41 * v41))))))) or ((m11 < v65 and v65
-                <= m12) or ((m11 < v64 and v64 <= m12) or ((m11 < v62 and v62 <= m12) or (m11 < v63
-                and v63 <= m12)))))))))))
+                v7 <= m2 or v4 <= m1 or v8 <= m2 or N3_m <= doubt_limit_squared2 or (shortest3_reach
+                <= N3_m and N3_m <= longest3_reach and not (shortest3_apart < N3_m and N3_m <
+                longest3_apart)) or N3_p <= doubt_limit_squared2 or (shortest3_reach <= N3_p and
+                N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p < longest3_apart))
+                or m10 < v43 * v43 + (v42 * v42 + (v41 * v41 + (v40 * v40 + (v38 * v38 + v39 *
+                v39)))) or (m11 < v60 and v60 <= m12) or (m11 < v59 and v59 <= m12) or (m11 < v57
+                and v57 <= m12) or (m11 < v58 and v58 <= m12)
             )
             work[272 + k] = v3
             work[288 + k] = Z2_5
             work[304 + k] = v23
             work[320 + k] = v24
-            work[336 + k] = v67
-            work[352 + k] = v68
-            work[368 + k] = v69
-            work[384 + k] = v70
+            work[336 + k] = v80
+            work[352 + k] = v81
+            work[368 + k] = v82
+            work[384 + k] = v83
             work[400 + k] = doubt1
             work[416 + k] = -Z2_234
             work[432 + k] = -Z2_5
@@ -1250,10 +1247,10 @@ def _in_tiles(T, q, status):
             Z2_5 = work[288 + k]
             v23 = work[304 + k]
             v24 = work[320 + k]
-            v67 = work[336 + k]
-            v68 = work[352 + k]
-            v69 = work[368 + k]
-            v70 = work[384 + k]
+            v80 = work[336 + k]
+            v81 = work[352 + k]
+            v82 = work[368 + k]
+            v83 = work[384 + k]
             doubt1 = work[400 + k] != 0.0
             angle1 = work[416 + k]
             angle2 = work[432 + k]
@@ -1264,48 +1261,48 @@ def _in_tiles(T, q, status):
             angle7 = work[512 + k]
             angle8 = work[528 + k]
             angle9 = work[544 + k]
-            v71 = angle9 - offset1
-            v72 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
-            v73 = angle5 - offset2
-            v74 = angle6 - offset2
-            v75 = angle7 - offset2
-            v76 = angle8 - offset2
-            v77 = angle3 - offset3
-            v78 = offset3 + angle3
-            v79 = angle4 - offset3
-            v80 = offset3 + angle4
-            v81 = angle1 - (angle3 + angle5) - offset4
-            v82 = angle1 - (angle6 - angle3) - offset4
-            v83 = offset4 + (angle1 + (angle4 + angle7))
-            v84 = offset4 + (angle1 + (angle8 - angle4))
-            v85 = v81 - (m13 if half_turn < v81 else 0.0) + (m13 if v81 <= -half_turn else 0.0)
-            v86 = v82 - (m13 if half_turn < v82 else 0.0) + (m13 if v82 <= -half_turn else 0.0)
-            v87 = (m13 if -v83 <= -half_turn else 0.0) - (v83 + (m13 if half_turn < -v83 else 0.0))
-            v88 = (m13 if -v84 <= -half_turn else 0.0) - (v84 + (m13 if half_turn < -v84 else 0.0))
-            v89 = v23 + (v71 + (m13 if v71 <= -half_turn else 0.0))
-            v90 = v24 + (v72 + (m13 if v72 <= -half_turn else 0.0))
-            q1_pp = v67 + v89
-            q1_pm = v68 + v89
-            q1_mp = v69 + v90
-            q1_mm = v70 + v90
-            q2_pp = v67 + (v73 + (m13 if v73 <= -half_turn else 0.0))
-            q2_pm = v68 + (v74 + (m13 if v74 <= -half_turn else 0.0))
-            q2_mp = v69 + (v75 + (m13 if v75 <= -half_turn else 0.0))
-            q2_mm = v70 + (v76 + (m13 if v76 <= -half_turn else 0.0))
-            q3_pp = v67 + (v77 + (m13 if v77 <= -half_turn else 0.0))
-            q3_pm = v68 + ((m13 if -v78 <= -half_turn else 0.0) - v78)
-            q3_mp = v69 + (v79 + (m13 if v79 <= -half_turn else 0.0))
-            q3_mm = v70 + ((m13 if -v80 <= -half_turn else 0.0) - v80)
-            q4_pp = v67 + (v85 - (m13 if half_turn < v85 else 0.0))
-            q4_pm = v68 + (v86 - (m13 if half_turn < v86 else 0.0))
-            q4_mp = v69 + (v87 - (m13 if half_turn < v87 else 0.0))
-            q4_mm = v70 + (v88 - (m13 if half_turn < v88 else 0.0))
-            v91 = angle2 + v23
-            v92 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
-            q5_pp = v67 + v91
-            q5_pm = v68 + v91
-            q5_mp = v69 + v92
-            q5_mm = v70 + v92
+            v61 = angle9 - offset1
+            v62 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+            v63 = angle5 - offset2
+            v64 = angle6 - offset2
+            v65 = angle7 - offset2
+            v66 = angle8 - offset2
+            v67 = angle3 - offset3
+            v68 = offset3 + angle3
+            v69 = angle4 - offset3
+            v70 = offset3 + angle4
+            v71 = angle1 - (angle3 + angle5) - offset4
+            v72 = angle1 - (angle6 - angle3) - offset4
+            v73 = offset4 + (angle1 + (angle4 + angle7))
+            v74 = offset4 + (angle1 + (angle8 - angle4))
+            v75 = v71 - (m13 if half_turn < v71 else 0.0) + (m13 if v71 <= -half_turn else 0.0)
+            v76 = v72 - (m13 if half_turn < v72 else 0.0) + (m13 if v72 <= -half_turn else 0.0)
+            v77 = (m13 if -v73 <= -half_turn else 0.0) - (v73 + (m13 if half_turn < -v73 else 0.0))
+            v78 = (m13 if -v74 <= -half_turn else 0.0) - (v74 + (m13 if half_turn < -v74 else 0.0))
+            v84 = v23 + (v61 + (m13 if v61 <= -half_turn else 0.0))
+            v85 = v24 + (v62 + (m13 if v62 <= -half_turn else 0.0))
+            q1_pp = v80 + v84
+            q1_pm = v81 + v84
+            q1_mp = v82 + v85
+            q1_mm = v83 + v85
+            q2_pp = v80 + (v63 + (m13 if v63 <= -half_turn else 0.0))
+            q2_pm = v81 + (v64 + (m13 if v64 <= -half_turn else 0.0))
+            q2_mp = v82 + (v65 + (m13 if v65 <= -half_turn else 0.0))
+            q2_mm = v83 + (v66 + (m13 if v66 <= -half_turn else 0.0))
+            q3_pp = v80 + (v67 + (m13 if v67 <= -half_turn else 0.0))
+            q3_pm = v81 + ((m13 if -v68 <= -half_turn else 0.0) - v68)
+            q3_mp = v82 + (v69 + (m13 if v69 <= -half_turn else 0.0))
+            q3_mm = v83 + ((m13 if -v70 <= -half_turn else 0.0) - v70)
+            q4_pp = v80 + (v75 - (m13 if half_turn < v75 else 0.0))
+            q4_pm = v81 + (v76 - (m13 if half_turn < v76 else 0.0))
+            q4_mp = v82 + (v77 - (m13 if half_turn < v77 else 0.0))
+            q4_mm = v83 + (v78 - (m13 if half_turn < v78 else 0.0))
+            v86 = angle2 + v23
+            v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
+            q5_pp = v80 + v86
+            q5_pm = v81 + v86
+            q5_mp = v82 + v87
+            q5_mm = v83 + v87
             _704 = q1_pp
             work[704 + k] = _704
             _720 = q2_pp

@@ -18,6 +18,8 @@ static const double measure[6] = {
     0.8347245409015025, 0.8347245409015025, 0.8347245409015025, 0.8347245409015025,
     0.8347245409015025, 0.8347245409015025,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -46,15 +48,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     xarm6_fk(d->q, P);
     xarm6_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.198;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.198;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[6 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.198;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[12 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.198;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[6 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -69,6 +68,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -103,14 +116,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -119,12 +124,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3347,48 +3346,31 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void xarm6_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * s2;
-    const double x2_y = s1 * s2;
-    const double y2_x = c1 * c2;
-    const double y2_y = s1 * c2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * c3 - s2 * s3;
-    const double y3_x = y2_x * c3 - x2_x * s3;
-    const double y3_y = y2_y * c3 - x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * s2, x2_y = s1 * s2;
+    const double y2_x = c1 * c2, y2_y = s1 * c2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * c3 - s2 * s3;
+    const double y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3;
     const double v1 = s2 * c3 + c2 * s3;
-    const double c4 = cos(-q[3]);
-    const double s4 = sin(-q[3]);
-    const double x4_x = y3_x * c4 - s1 * s4;
-    const double x4_y = y3_y * c4 + c1 * s4;
-    const double v2 = v1 * c4;
-    const double v3 = s1 * c4 + y3_x * s4;
-    const double y4_y = c1 * c4 - y3_y * s4;
-    const double y4_z = v1 * s4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x3_x * c5 + x4_x * s5;
-    const double x5_y = x3_y * c5 + x4_y * s5;
-    const double x5_z = x3_z * c5 - v2 * s5;
-    const double y5_x = x4_x * c5 - x3_x * s5;
-    const double y5_y = x4_y * c5 - x3_y * s5;
+    const double c4 = cos(-q[3]), s4 = sin(-q[3]);
+    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4;
+    const double v2 = v1 * c4, v3 = s1 * c4 + y3_x * s4;
+    const double y4_y = c1 * c4 - y3_y * s4, y4_z = v1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x3_x * c5 + x4_x * s5, x5_y = x3_y * c5 + x4_y * s5,
+        x5_z = x3_z * c5 - v2 * s5;
+    const double y5_x = x4_x * c5 - x3_x * s5, y5_y = x4_y * c5 - x3_y * s5;
     const double v4 = v2 * c5 + x3_z * s5;
-    const double c6 = cos(-q[5]);
-    const double s6 = sin(-q[5]);
-    const double T11_ = y5_x * c6 - v3 * s6;
-    const double T21_ = y5_y * c6 + y4_y * s6;
-    const double T31_ = y4_z * s6 - v4 * c6;
-    const double T12_ = v3 * c6 + y5_x * s6;
-    const double T14_ = x2_x * h2 + y2_x * b2 + y3_x * a3 - x3_x * d4 + y5_x * a5 - x5_x * d6;
-    const double T24_ = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6;
-    const double T34_ = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6;
-    const double T22_ = y5_y * s6 - y4_y * c6;
+    const double c6 = cos(-q[5]), s6 = sin(-q[5]);
+    const double T11_ = y5_x * c6 - v3 * s6, T21_ = y5_y * c6 + y4_y * s6,
+        T31_ = y4_z * s6 - v4 * c6, T12_ = v3 * c6 + y5_x * s6,
+        T14_ = x2_x * h2 + y2_x * b2 + y3_x * a3 - x3_x * d4 + y5_x * a5 - x5_x * d6,
+        T24_ = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6,
+        T34_ = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6,
+        T22_ = y5_y * s6 - y4_y * c6;
     T[0] = T11_; T[1] = T12_; T[2] = -x5_x; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = -x5_y; T[7] = T24_;
     T[8] = T31_; T[9] = -(y4_z * c6 + v4 * s6); T[10] = -x5_z; T[11] = T34_;
@@ -3398,71 +3380,39 @@ void xarm6_fk(const double q[6], double T[16])
 
 void xarm6_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double c2 = cos(q[1]);
-    const double s2 = sin(q[1]);
-    const double x2_x = c1 * s2;
-    const double x2_y = s1 * s2;
-    const double y2_x = c1 * c2;
-    const double y2_y = s1 * c2;
-    const double p3_x = x2_x * h2 + y2_x * b2;
-    const double p3_y = x2_y * h2 + y2_y * b2;
-    const double p3_z = d1 + c2 * h2 - s2 * b2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * c3 - s2 * s3;
-    const double y3_x = y2_x * c3 - x2_x * s3;
-    const double y3_y = y2_y * c3 - x2_y * s3;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double c2 = cos(q[1]), s2 = sin(q[1]);
+    const double x2_x = c1 * s2, x2_y = s1 * s2;
+    const double y2_x = c1 * c2, y2_y = s1 * c2;
+    const double p3_x = x2_x * h2 + y2_x * b2, p3_y = x2_y * h2 + y2_y * b2,
+        p3_z = d1 + c2 * h2 - s2 * b2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * c3 - s2 * s3;
+    const double y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3;
     const double v1 = s2 * c3 + c2 * s3;
-    const double p4_x = p3_x + y3_x * a3;
-    const double p4_y = p3_y + y3_y * a3;
-    const double p4_z = p3_z - v1 * a3;
-    const double c4 = cos(-q[3]);
-    const double s4 = sin(-q[3]);
-    const double x4_x = y3_x * c4 - s1 * s4;
-    const double x4_y = y3_y * c4 + c1 * s4;
-    const double v2 = v1 * c4;
-    const double v3 = s1 * c4 + y3_x * s4;
-    const double J55 = c1 * c4 - y3_y * s4;
-    const double J65 = v1 * s4;
-    const double p5_x = p4_x - x3_x * d4;
-    const double p5_y = p4_y - x3_y * d4;
-    const double p5_z = p4_z - x3_z * d4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x3_x * c5 + x4_x * s5;
-    const double x5_y = x3_y * c5 + x4_y * s5;
-    const double x5_z = x3_z * c5 - v2 * s5;
-    const double p6_x = p5_x + (x4_x * c5 - x3_x * s5) * a5;
-    const double p6_y = p5_y + (x4_y * c5 - x3_y * s5) * a5;
-    const double p6_z = p5_z - (v2 * c5 + x3_z * s5) * a5;
+    const double p4_x = p3_x + y3_x * a3, p4_y = p3_y + y3_y * a3, p4_z = p3_z - v1 * a3;
+    const double c4 = cos(-q[3]), s4 = sin(-q[3]);
+    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4;
+    const double v2 = v1 * c4, v3 = s1 * c4 + y3_x * s4;
+    const double J55 = c1 * c4 - y3_y * s4, J65 = v1 * s4;
+    const double p5_x = p4_x - x3_x * d4, p5_y = p4_y - x3_y * d4, p5_z = p4_z - x3_z * d4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x3_x * c5 + x4_x * s5, x5_y = x3_y * c5 + x4_y * s5,
+        x5_z = x3_z * c5 - v2 * s5;
+    const double p6_x = p5_x + (x4_x * c5 - x3_x * s5) * a5,
+        p6_y = p5_y + (x4_y * c5 - x3_y * s5) * a5, p6_z = p5_z - (v2 * c5 + x3_z * s5) * a5;
     const double J21 = p6_x - x5_x * d6;
-    const double v4 = p6_y - x5_y * d6;
-    const double v5 = p6_z - x5_z * d6;
-    const double v6 = v5 - d1;
-    const double J12 = c1 * v6;
-    const double J22 = s1 * v6;
+    const double v4 = p6_y - x5_y * d6, v5 = p6_z - x5_z * d6, v6 = v5 - d1;
+    const double J12 = c1 * v6, J22 = s1 * v6;
     const double v7 = v5 - p3_z;
-    const double J13 = c1 * v7;
-    const double J23 = s1 * v7;
-    const double v8 = J21 - p4_x;
-    const double v9 = v4 - p4_y;
-    const double v10 = v5 - p4_z;
-    const double J24 = -x3_z * v8 + x3_x * v10;
-    const double J34 = x3_y * v8 - x3_x * v9;
-    const double v11 = J21 - p5_x;
-    const double v12 = v4 - p5_y;
-    const double v13 = v5 - p5_z;
-    const double J15 = J55 * v13 - J65 * v12;
-    const double J25 = J65 * v11 + v3 * v13;
-    const double v14 = J21 - p6_x;
-    const double v15 = v4 - p6_y;
-    const double v16 = v5 - p6_z;
-    const double J26 = -x5_z * v14 + x5_x * v16;
-    const double J36 = x5_y * v14 - x5_x * v15;
+    const double J13 = c1 * v7, J23 = s1 * v7;
+    const double v8 = J21 - p4_x, v9 = v4 - p4_y, v10 = v5 - p4_z;
+    const double J24 = -x3_z * v8 + x3_x * v10, J34 = x3_y * v8 - x3_x * v9;
+    const double v11 = J21 - p5_x, v12 = v4 - p5_y, v13 = v5 - p5_z;
+    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 + v3 * v13;
+    const double v14 = J21 - p6_x, v15 = v4 - p6_y, v16 = v5 - p6_z;
+    const double J26 = -x5_z * v14 + x5_x * v16, J36 = x5_y * v14 - x5_x * v15;
     J[0] = -v4; J[1] = J12; J[2] = J13; J[3] = -(x3_y * v10 + -x3_z * v9); J[4] = J15;
     J[5] = -(x5_y * v16 + -x5_z * v15);
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -3477,13 +3427,16 @@ void xarm6_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3543,11 +3496,7 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
         q[row][5] = q6;
         status[row] = (chosen) ? XARM6_FREE_JOINT : XARM6_OK;
     }

@@ -18,6 +18,8 @@ static const double measure[6] = {
     0.8295313148071338, 0.8295313148071338, 0.8295313148071338, 0.8295313148071338,
     0.8295313148071338, 0.8295313148071338,
 };
+/* Rows of the translation that count. */
+static const int coordinate[3] = { 0, 1, 2 };
 
 /* A descent towards a pose: u are the joints that are solved for, in units. */
 struct descent {
@@ -46,15 +48,12 @@ static void look(struct descent *d, const double u[6])
         d->q[solved[j]] = unit[j] * u[j];
     xarm7_fk(d->q, P);
     xarm7_jacobian(d->q, J);
-    d->e[0] = (d->T[3] - P[3]) / 1.2055000000000002;
-    for (int j = 0; j < 6; j++)
-        d->A[0][j] = measure[j] * J[0 + solved[j]];
-    d->e[1] = (d->T[7] - P[7]) / 1.2055000000000002;
-    for (int j = 0; j < 6; j++)
-        d->A[1][j] = measure[j] * J[7 + solved[j]];
-    d->e[2] = (d->T[11] - P[11]) / 1.2055000000000002;
-    for (int j = 0; j < 6; j++)
-        d->A[2][j] = measure[j] * J[14 + solved[j]];
+    for (int i = 0; i < 3; i++) {
+        const int row = coordinate[i];
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.2055000000000002;
+        for (int j = 0; j < 6; j++)
+            d->A[i][j] = measure[j] * J[7 * row + solved[j]];
+    }
     double R[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
@@ -69,6 +68,20 @@ static void look(struct descent *d, const double u[6])
     for (int i = 0; i < 6; i++)
         square += d->e[i] * d->e[i];
     d->length = sqrt(square);
+}
+
+static void copy(const double from[6], double to[6])
+{
+    for (int j = 0; j < 6; j++)
+        to[j] = from[j];
+}
+
+/* Moves angles by whole turns to (-pi, pi]. */
+static void wrap_angles(double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        if (turning[j])
+            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
 /* The damped least squares step A' (A A' + damping)^-1 e. */
@@ -103,14 +116,6 @@ static void damped_step(
     }
 }
 
-/* Moves angles by whole turns to (-pi, pi]. */
-static void wrap_angles(double u[6])
-{
-    for (int j = 0; j < 6; j++)
-        if (turning[j])
-            u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -119,12 +124,6 @@ static void shorten(double step[6])
         longest = fmax(longest, fabs(step[j]));
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
-}
-
-static void copy(const double from[6], double to[6])
-{
-    for (int j = 0; j < 6; j++)
-        to[j] = from[j];
 }
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
@@ -3119,58 +3118,36 @@ static const double highest[7] = {
 void xarm7_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double z2_x = c1 * s2;
-    const double z2_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = x2_y * c3 - c1 * s3;
-    const double x3_z = s2 * c3;
-    const double z3_y = c1 * c3 + x2_y * s3;
-    const double z3_z = s2 * s3;
-    const double z3_x = x2_x * s3 - s1 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z2_x * s4;
-    const double x4_y = x3_y * c4 + z2_y * s4;
-    const double x4_z = x3_z * c4 - c2 * s4;
-    const double z4_z = c2 * c4 + x3_z * s4;
-    const double z4_x = x3_x * s4 - z2_x * c4;
-    const double z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double y6_x = z3_x * c5 - x4_x * s5;
-    const double y6_y = z3_y * c5 - x4_y * s5;
-    const double y6_z = z3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double x6_x = x5_x * c6 + z4_x * s6;
-    const double x6_y = x5_y * c6 + z4_y * s6;
-    const double x6_z = x5_z * c6 + z4_z * s6;
-    const double T13_ = z4_x * c6 - x5_x * s6;
-    const double T23_ = z4_y * c6 - x5_y * s6;
-    const double T33_ = z4_z * c6 - x5_z * s6;
-    const double c7 = cos(q[6]);
-    const double s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + y6_x * s7;
-    const double T21_ = x6_y * c7 + y6_y * s7;
-    const double T31_ = x6_z * c7 + y6_z * s7;
-    const double T12_ = y6_x * c7 - x6_x * s7;
-    const double T22_ = y6_y * c7 - x6_y * s7;
-    const double T32_ = y6_z * c7 - x6_z * s7;
-    const double T14_ = x3_x * a3 + z2_x * d3 + x4_x * a4 + z4_x * d5 + x6_x * a6 + T13_ * d7;
-    const double T24_ = x3_y * a3 + z2_y * d3 + x4_y * a4 + z4_y * d5 + x6_y * a6 + T23_ * d7;
-    const double T34_ = d1 + x3_z * a3 - c2 * d3 + x4_z * a4 + z4_z * d5 + x6_z * a6 + T33_ * d7;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
+    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
+        x4_z = x3_z * c4 - c2 * s4;
+    const double z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
+        z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double y6_x = z3_x * c5 - x4_x * s5, y6_y = z3_y * c5 - x4_y * s5,
+        y6_z = z3_z * c5 - x4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
+        x6_z = x5_z * c6 + z4_z * s6;
+    const double T13_ = z4_x * c6 - x5_x * s6, T23_ = z4_y * c6 - x5_y * s6,
+        T33_ = z4_z * c6 - x5_z * s6;
+    const double c7 = cos(q[6]), s7 = sin(q[6]);
+    const double T11_ = x6_x * c7 + y6_x * s7, T21_ = x6_y * c7 + y6_y * s7,
+        T31_ = x6_z * c7 + y6_z * s7, T12_ = y6_x * c7 - x6_x * s7, T22_ = y6_y * c7 - x6_y * s7,
+        T32_ = y6_z * c7 - x6_z * s7,
+        T14_ = x3_x * a3 + z2_x * d3 + x4_x * a4 + z4_x * d5 + x6_x * a6 + T13_ * d7,
+        T24_ = x3_y * a3 + z2_y * d3 + x4_y * a4 + z4_y * d5 + x6_y * a6 + T23_ * d7,
+        T34_ = d1 + x3_z * a3 - c2 * d3 + x4_z * a4 + z4_z * d5 + x6_z * a6 + T33_ * d7;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3181,87 +3158,47 @@ void xarm7_fk(const double q[7], double T[16])
 void xarm7_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1);
-    const double s1 = sin(v1);
+    const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
-    const double c2 = cos(v2);
-    const double s2 = sin(v2);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double J43 = c1 * s2;
-    const double J53 = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3;
-    const double x3_y = x2_y * c3 - c1 * s3;
-    const double x3_z = s2 * c3;
-    const double J54 = c1 * c3 + x2_y * s3;
-    const double J64 = s2 * s3;
-    const double p3_x = x3_x * a3 + J43 * d3;
-    const double p3_y = x3_y * a3 + J53 * d3;
-    const double p3_z = d1 + x3_z * a3 - c2 * d3;
+    const double c2 = cos(v2), s2 = sin(v2);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double J43 = c1 * s2, J53 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
+    const double J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3;
+    const double p3_x = x3_x * a3 + J43 * d3, p3_y = x3_y * a3 + J53 * d3,
+        p3_z = d1 + x3_z * a3 - c2 * d3;
     const double J44 = x2_x * s3 - s1 * c3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4;
-    const double x4_y = x3_y * c4 + J53 * s4;
-    const double x4_z = x3_z * c4 - c2 * s4;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
+        x4_z = x3_z * c4 - c2 * s4;
     const double J65 = c2 * c4 + x3_z * s4;
-    const double p4_x = p3_x + x4_x * a4;
-    const double p4_y = p3_y + x4_y * a4;
-    const double p4_z = p3_z + x4_z * a4;
-    const double J45 = x3_x * s4 - J43 * c4;
-    const double J55 = x3_y * s4 - J53 * c4;
-    const double c5 = cos(q[4]);
-    const double s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + J44 * s5;
-    const double x5_y = x4_y * c5 + J54 * s5;
-    const double x5_z = x4_z * c5 + J64 * s5;
-    const double p5_x = p4_x + J45 * d5;
-    const double p5_y = p4_y + J55 * d5;
-    const double p5_z = p4_z + J65 * d5;
-    const double J46 = x4_x * s5 - J44 * c5;
-    const double J56 = x4_y * s5 - J54 * c5;
-    const double J66 = x4_z * s5 - J64 * c5;
-    const double c6 = cos(q[5]);
-    const double s6 = sin(q[5]);
-    const double J47 = J45 * c6 - x5_x * s6;
-    const double J57 = J55 * c6 - x5_y * s6;
-    const double J67 = J65 * c6 - x5_z * s6;
-    const double p6_x = p5_x + (x5_x * c6 + J45 * s6) * a6;
-    const double p6_y = p5_y + (x5_y * c6 + J55 * s6) * a6;
-    const double p6_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
+    const double p4_x = p3_x + x4_x * a4, p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4;
+    const double J45 = x3_x * s4 - J43 * c4, J55 = x3_y * s4 - J53 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]);
+    const double x5_x = x4_x * c5 + J44 * s5, x5_y = x4_y * c5 + J54 * s5,
+        x5_z = x4_z * c5 + J64 * s5;
+    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
+    const double J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]);
+    const double J47 = J45 * c6 - x5_x * s6, J57 = J55 * c6 - x5_y * s6, J67 = J65 * c6 - x5_z * s6;
+    const double p6_x = p5_x + (x5_x * c6 + J45 * s6) * a6,
+        p6_y = p5_y + (x5_y * c6 + J55 * s6) * a6, p6_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
     const double J21 = p6_x + J47 * d7;
-    const double p7_y = p6_y + J57 * d7;
-    const double p7_z = p6_z + J67 * d7;
+    const double p7_y = p6_y + J57 * d7, p7_z = p6_z + J67 * d7;
     const double v3 = p7_z - d1;
-    const double J32 = s1 * p7_y + c1 * J21;
-    const double J13 = J53 * v3 + c2 * p7_y;
-    const double J33 = J43 * p7_y - J53 * J21;
-    const double v4 = J21 - p3_x;
-    const double v5 = p7_y - p3_y;
-    const double v6 = p7_z - p3_z;
-    const double J14 = J54 * v6 - J64 * v5;
-    const double J24 = J64 * v4 - J44 * v6;
-    const double J34 = J44 * v5 - J54 * v4;
-    const double v7 = J21 - p4_x;
-    const double v8 = p7_y - p4_y;
-    const double v9 = p7_z - p4_z;
-    const double J15 = J55 * v9 - J65 * v8;
-    const double J25 = J65 * v7 - J45 * v9;
-    const double J35 = J45 * v8 - J55 * v7;
-    const double v10 = J21 - p5_x;
-    const double v11 = p7_y - p5_y;
-    const double v12 = p7_z - p5_z;
-    const double J16 = J56 * v12 - J66 * v11;
-    const double J26 = J66 * v10 - J46 * v12;
-    const double J36 = J46 * v11 - J56 * v10;
-    const double v13 = J21 - p6_x;
-    const double v14 = p7_y - p6_y;
-    const double v15 = p7_z - p6_z;
-    const double J17 = J57 * v15 - J67 * v14;
-    const double J27 = J67 * v13 - J47 * v15;
-    const double J37 = J47 * v14 - J57 * v13;
+    const double J32 = s1 * p7_y + c1 * J21, J13 = J53 * v3 + c2 * p7_y,
+        J33 = J43 * p7_y - J53 * J21;
+    const double v4 = J21 - p3_x, v5 = p7_y - p3_y, v6 = p7_z - p3_z;
+    const double J14 = J54 * v6 - J64 * v5, J24 = J64 * v4 - J44 * v6, J34 = J44 * v5 - J54 * v4;
+    const double v7 = J21 - p4_x, v8 = p7_y - p4_y, v9 = p7_z - p4_z;
+    const double J15 = J55 * v9 - J65 * v8, J25 = J65 * v7 - J45 * v9, J35 = J45 * v8 - J55 * v7;
+    const double v10 = J21 - p5_x, v11 = p7_y - p5_y, v12 = p7_z - p5_z;
+    const double J16 = J56 * v12 - J66 * v11, J26 = J66 * v10 - J46 * v12,
+        J36 = J46 * v11 - J56 * v10;
+    const double v13 = J21 - p6_x, v14 = p7_y - p6_y, v15 = p7_z - p6_z;
+    const double J17 = J57 * v15 - J67 * v14, J27 = J67 * v13 - J47 * v15,
+        J37 = J47 * v14 - J57 * v13;
     J[0] = -p7_y; J[1] = -(c1 * v3); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
     J[7] = J21; J[8] = -(s1 * v3); J[9] = -(c2 * J21 + J43 * v3); J[10] = J24; J[11] = J25;
     J[12] = J26; J[13] = J27;
@@ -3275,13 +3212,16 @@ void xarm7_jacobian(const double q[7], double J[42])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3343,13 +3283,8 @@ static void solve(
         /* all joints: the general 6R loop */
         if (!found) continue; /* out of reach */
         const int row = i1;
-        q[row][0] = q1;
-        q[row][1] = q2;
-        q[row][2] = q3;
-        q[row][3] = q4;
-        q[row][4] = q5;
-        q[row][5] = q6;
-        q[row][6] = q7;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
+        q[row][5] = q6; q[row][6] = q7;
         status[row] = (chosen) ? XARM7_FREE_JOINT : XARM7_OK;
     }
 }

@@ -88,56 +88,21 @@ HELPER v atan2_##v(v y, v x) \
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
-typedef double four __attribute__((vector_size(8 * 4)));
-typedef four four_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((four){ 0 } < (four){ 0 }) four_mask;
+#define VECTOR(v, lanes) \
+typedef double v __attribute__((vector_size(8 * lanes))); \
+typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
+typedef __typeof__((v){ 0 } < (v){ 0 }) v##_mask; \
+HELPER v all_##v(double x) { return x - (v){ 0 }; } \
+HELPER v only_##v(v##_mask m, double x) { return (v)(m & (v##_mask)all_##v(x)); } \
+HELPER v copysign_##v(v x, v y) \
+{ \
+    const v##_mask sign = (v##_mask)all_##v(-0.0); \
+    return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
+} \
+HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
-HELPER four all_four(double x)
-{
-    return x - (four){ 0 };
-}
-
-HELPER four only_four(four_mask m, double x)
-{
-    return (four)(m & (four_mask)all_four(x));
-}
-
-HELPER four copysign_four(four x, four y)
-{
-    const four_mask sign = (four_mask)all_four(-0.0);
-    return (four)((sign & (four_mask)y) | (~sign & (four_mask)x));
-}
-
-HELPER four abs_four(four x)
-{
-    return copysign_four(x, all_four(0.0));
-}
-
-typedef double wide __attribute__((vector_size(8 * LANES)));
-typedef wide wide_at __attribute__((aligned(8), may_alias)); /* in memory */
-typedef __typeof__((wide){ 0 } < (wide){ 0 }) wide_mask;
-
-HELPER wide all_wide(double x)
-{
-    return x - (wide){ 0 };
-}
-
-HELPER wide only_wide(wide_mask m, double x)
-{
-    return (wide)(m & (wide_mask)all_wide(x));
-}
-
-HELPER wide copysign_wide(wide x, wide y)
-{
-    const wide_mask sign = (wide_mask)all_wide(-0.0);
-    return (wide)((sign & (wide_mask)y) | (~sign & (wide_mask)x));
-}
-
-HELPER wide abs_wide(wide x)
-{
-    return copysign_wide(x, all_wide(0.0));
-}
-
+VECTOR(four, 4)
+VECTOR(wide, LANES)
 ARCTANGENT(four)
 #else
 #define LANES 1
@@ -177,7 +142,7 @@ HELPER wide irregularity_wide(const wide T[16])
 }
 
 #if LANES > 1
-/* Writes four joint values, or two, or one, of four rows. */
+/* Writes joint values of four rows. */
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
@@ -199,14 +164,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
     *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
     *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -274,6 +231,8 @@ HELPER void transpose(wide x[LANES])
 #endif
 }
 #endif
+
+#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -346,52 +305,33 @@ static const double highest[6] = { 2.967, 2.5307, 3.3161, 3.3161, 2.3561, 6.2944
 
 void yaskawa_gp7_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double y2_x = c1 * s2;
-    const double y2_y = s1 * s2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * s3 - s2 * c3;
-    const double z3_x = y2_x * c3 - x2_x * s3;
-    const double z3_y = y2_y * c3 - x2_y * s3;
-    const double z3_z = c2 * c3 + s2 * s3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4;
-    const double x4_y = x3_y * c4 + c1 * s4;
-    const double x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4;
-    const double z4_z = x3_z * s4;
-    const double z4_y = x3_y * s4 - c1 * c4;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double y2_x = c1 * s2, y2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * s3 - s2 * c3;
+    const double z3_x = y2_x * c3 - x2_x * s3, z3_y = y2_y * c3 - x2_y * s3,
+        z3_z = c2 * c3 + s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
+    const double z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4;
     const double v2 = q[4] + offset5;
-    const double c5 = cos(v2);
-    const double s5 = sin(v2);
-    const double x5_x = x4_x * c5 + z3_x * s5;
-    const double x5_y = x4_y * c5 + z3_y * s5;
-    const double x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = z3_x * c5 - x4_x * s5;
-    const double T23_ = z3_y * c5 - x4_y * s5;
-    const double T33_ = z3_z * c5 - x4_z * s5;
+    const double c5 = cos(v2), s5 = sin(v2);
+    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5;
+    const double T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
+        T33_ = z3_z * c5 - x4_z * s5;
     const double v3 = q[5] + offset6;
-    const double c6 = cos(v3);
-    const double s6 = sin(v3);
-    const double T11_ = x5_x * c6 + z4_x * s6;
-    const double T21_ = x5_y * c6 + z4_y * s6;
-    const double T31_ = x5_z * c6 + z4_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T13_ * d6;
-    const double T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T23_ * d6;
-    const double T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T33_ * d6;
-    const double T12_ = x5_x * s6 - z4_x * c6;
-    const double T22_ = x5_y * s6 - z4_y * c6;
-    const double T32_ = x5_z * s6 - z4_z * c6;
+    const double c6 = cos(v3), s6 = sin(v3);
+    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
+        T31_ = x5_z * c6 + z4_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T13_ * d6,
+        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T23_ * d6,
+        T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T33_ * d6, T12_ = x5_x * s6 - z4_x * c6,
+        T22_ = x5_y * s6 - z4_y * c6, T32_ = x5_z * s6 - z4_z * c6;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -401,68 +341,37 @@ void yaskawa_gp7_fk(const double q[6], double T[16])
 
 void yaskawa_gp7_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]);
-    const double s1 = sin(q[0]);
-    const double p1_x = c1 * a1;
-    const double p1_y = s1 * a1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]);
+    const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double v1 = q[1] + offset2;
-    const double c2 = cos(v1);
-    const double s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double x2_y = s1 * c2;
-    const double y2_x = c1 * s2;
-    const double y2_y = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2;
-    const double p2_y = p1_y + x2_y * a2;
-    const double p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]);
-    const double s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3;
-    const double x3_y = x2_y * c3 + y2_y * s3;
-    const double x3_z = c2 * s3 - s2 * c3;
-    const double J44 = y2_x * c3 - x2_x * s3;
-    const double J54 = y2_y * c3 - x2_y * s3;
-    const double J64 = c2 * c3 + s2 * s3;
-    const double p3_x = p2_x + x3_x * a3;
-    const double p3_y = p2_y + x3_y * a3;
-    const double p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]);
-    const double s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4;
-    const double J65 = x3_z * s4;
-    const double p4_x = p3_x - J44 * d4;
-    const double p4_y = p3_y - J54 * d4;
-    const double p4_z = p3_z - J64 * d4;
+    const double c2 = cos(v1), s2 = sin(v1);
+    const double x2_x = c1 * c2, x2_y = s1 * c2;
+    const double y2_x = c1 * s2, y2_y = s1 * s2;
+    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]);
+    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
+        x3_z = c2 * s3 - s2 * c3;
+    const double J44 = y2_x * c3 - x2_x * s3, J54 = y2_y * c3 - x2_y * s3, J64 = c2 * c3 + s2 * s3;
+    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]);
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
+    const double p4_x = p3_x - J44 * d4, p4_y = p3_y - J54 * d4, p4_z = p3_z - J64 * d4;
     const double J55 = x3_y * s4 - c1 * c4;
     const double v2 = q[4] + offset5;
-    const double c5 = cos(v2);
-    const double s5 = sin(v2);
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5;
-    const double J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5;
-    const double J66 = x3_z * c4 * s5 - J64 * c5;
-    const double J21 = p4_x - J46 * d6;
-    const double p6_y = p4_y - J56 * d6;
-    const double p6_z = p4_z - J66 * d6;
+    const double c5 = cos(v2), s5 = sin(v2);
+    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
+        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
+        J21 = p4_x - J46 * d6;
+    const double p6_y = p4_y - J56 * d6, p6_z = p4_z - J66 * d6;
     const double v3 = p6_z - d1;
-    const double J12 = c1 * v3;
-    const double J22 = s1 * v3;
+    const double J12 = c1 * v3, J22 = s1 * v3;
     const double v4 = p6_z - p2_z;
     const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
-    const double v5 = J21 - p3_x;
-    const double v6 = p6_y - p3_y;
-    const double v7 = p6_z - p3_z;
-    const double J14 = J54 * v7 - J64 * v6;
-    const double J24 = J64 * v5 - J44 * v7;
-    const double J34 = J44 * v6 - J54 * v5;
-    const double v8 = J21 - p4_x;
-    const double v9 = p6_y - p4_y;
-    const double v10 = p6_z - p4_z;
-    const double J15 = J55 * v10 - J65 * v9;
-    const double J25 = J65 * v8 - J45 * v10;
-    const double J35 = J45 * v9 - J55 * v8;
-    const double J16 = J56 * v10 - J66 * v9;
-    const double J26 = J66 * v8 - J46 * v10;
-    const double J36 = J46 * v9 - J56 * v8;
+    const double v5 = J21 - p3_x, v6 = p6_y - p3_y, v7 = p6_z - p3_z;
+    const double J14 = J54 * v7 - J64 * v6, J24 = J64 * v5 - J44 * v7, J34 = J44 * v6 - J54 * v5;
+    const double v8 = J21 - p4_x, v9 = p6_y - p4_y, v10 = p6_z - p4_z;
+    const double J15 = J55 * v10 - J65 * v9, J25 = J65 * v8 - J45 * v10, J35 = J45 * v9 - J55 * v8,
+        J16 = J56 * v10 - J66 * v9, J26 = J66 * v8 - J46 * v10, J36 = J46 * v9 - J56 * v8;
     J[0] = -p6_y; J[1] = J12; J[2] = -(c1 * v4); J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = -(s1 * v4); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = -(s1 * (p6_y - p1_y) + c1 * (J21 - p1_x)); J[14] = J33; J[15] = J34;
@@ -476,13 +385,16 @@ void yaskawa_gp7_jacobian(const double q[6], double J[36])
 static double misfit(const double T[16])
 {
     const double *x = T, *y = T + 4, *z = T + 8;
-    const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0;
-    const double yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0;
-    const double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    const double z0 = x[1] * y[2] - x[2] * y[1] - z[0];
-    const double z1 = x[2] * y[0] - x[0] * y[2] - z[1];
-    const double z2 = x[0] * y[1] - x[1] * y[0] - z[2];
-    return xx * xx + yy * yy + 2.0 * xy * xy + z0 * z0 + z1 * z1 + z2 * z2;
+    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
+        xx += x[i] * x[i];
+        yy += y[i] * y[i];
+        xy += x[i] * y[i];
+        zz += off * off;
+    }
+    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -529,160 +441,140 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide wx = T14 - d6 * T13;
-    const wide Y1 = d6 * T23 - T24;
-    const wide v1 = wx * wx + Y1 * Y1;
-    const wide w1 = sqrt_wide(v1);
-    const wide v2 = 1.0 / v1;
-    const wide angle1 = atan2_wide(Y1, -wx);
-    const wide q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
+    const wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt_wide(v1),
+        v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -wx),
+        q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
 
     /* theta3 */
-    const wide Z1_3 = T34 - d6 * T33 - d1;
-    const wide v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3;
-    const wide N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4;
-    const wide w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3));
-    const wide w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3));
-    const wide angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3);
-    const wide q3__pp = angle2 - turn1;
-    const wide v6 = turn1 + angle2;
-    const wide q3__mp = angle3 - turn1;
-    const wide v7 = turn1 + angle3;
+    const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        w3_p = sqrt_wide((longest3 - N3_p) * (N3_p - shortest3)),
+        w3_m = sqrt_wide((longest3 - N3_m) * (N3_m - shortest3)),
+        angle2 = atan2_wide(w3_p, N3_p - k3), angle3 = atan2_wide(w3_m, N3_m - k3),
+        q3__pp = angle2 - turn1, v6 = turn1 + angle2, q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
     /* theta2 */
-    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m;
-    const wide v8 = Z1_3 * Y1_2_p, v9 = Z1_3 * Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m;
-    const wide v12 = m3 * Z1_3, v13 = m3 * -Z1_3;
-    const wide factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
+    const wide Y1_2_p = m4 + m3 * N3_p, Y1_2_m = m4 + m3 * N3_m, v8 = Z1_3 * Y1_2_p,
+        v9 = Z1_3 * Y1_2_m, v10 = v3 * Y1_2_p, v11 = v4 * Y1_2_m, v12 = m3 * Z1_3, v13 = m3 * -Z1_3,
+        factor2_p = 1.0 / N3_p, factor2_m = 1.0 / N3_m;
 
     /* theta4 */
-    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m7 * factor2_p - m6;
-    const wide v18 = m7 * factor2_m - m6, v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5;
-    const wide v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20;
-    const wide c2m3_pp = v21 + w3_p * (factor2_p * v15), c2m3_pm = v21 + w3_p * (factor2_p * -v15);
-    const wide c2m3_mp = v22 + w3_m * (factor2_m * v16), c2m3_mm = v22 + w3_m * (factor2_m * -v16);
-    const wide v23 = m6 * Z1_3, v24 = Z1_3 * v19 + v3 * -v17, v25 = Z1_3 * v20 + v4 * -v18;
-    const wide v26 = w3_p * (factor2_p * (v23 + m5 * v3));
-    const wide s2m3_pp = v24 + v26, s2m3_pm = v24 - v26;
-    const wide v27 = w3_m * (factor2_m * (v23 + m5 * v4));
-    const wide s2m3_mp = v25 + v27, s2m3_mm = v25 - v27;
-    const wide v28 = w1 * (v2 * (T23 * Y1 - T13 * wx));
-    const wide X4_pp = T33 * s2m3_pp - c2m3_pp * v28, X4_pm = T33 * s2m3_pm - c2m3_pm * v28;
-    const wide X4_mp = T33 * s2m3_mp + c2m3_mp * v28, X4_mm = T33 * s2m3_mm + c2m3_mm * v28;
-    const wide v29 = w1 * (v2 * (T13 * Y1 + wx * T23)), v30 = v29 * v29, v31 = v30 + X4_pp * X4_pp;
-    const wide v32 = v30 + X4_pm * X4_pm, v33 = v30 + X4_mp * X4_mp, v34 = v30 + X4_mm * X4_mm;
-    const wide angle4 = atan2_wide(-v29, -X4_pp), angle5 = atan2_wide(-v29, -X4_pm);
-    const wide angle6 = atan2_wide(v29, -X4_mp), angle7 = atan2_wide(v29, -X4_mm);
-    const wide v35 = h1 * copysign_wide(all_wide(half_turn), -v29);
-    const wide v36 = h1 * copysign_wide(all_wide(half_turn), v29);
-    const wide q4_ppm = angle4 - v35, q4_pmm = angle5 - v35, q4_mpm = angle6 - v36;
-    const wide q4_mmm = angle7 - v36;
+    const wide v14 = m5 * Z1_3, v15 = m6 * v3 - v14, v16 = m6 * v4 - v14, v17 = m7 * factor2_p - m6,
+        v18 = m7 * factor2_m - m6, v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5,
+        v21 = Z1_3 * v17 + v3 * v19, v22 = Z1_3 * v18 + v4 * v20,
+        c2m3_pp = v21 + w3_p * (factor2_p * v15), c2m3_pm = v21 + w3_p * (factor2_p * -v15),
+        c2m3_mp = v22 + w3_m * (factor2_m * v16), c2m3_mm = v22 + w3_m * (factor2_m * -v16),
+        v23 = m6 * Z1_3, v24 = Z1_3 * v19 + v3 * -v17, v25 = Z1_3 * v20 + v4 * -v18,
+        v26 = w3_p * (factor2_p * (v23 + m5 * v3)), s2m3_pp = v24 + v26, s2m3_pm = v24 - v26,
+        v27 = w3_m * (factor2_m * (v23 + m5 * v4)), s2m3_mp = v25 + v27, s2m3_mm = v25 - v27,
+        v28 = w1 * (v2 * (T23 * Y1 - T13 * wx)), X4_pp = T33 * s2m3_pp - c2m3_pp * v28,
+        X4_pm = T33 * s2m3_pm - c2m3_pm * v28, X4_mp = T33 * s2m3_mp + c2m3_mp * v28,
+        X4_mm = T33 * s2m3_mm + c2m3_mm * v28, v29 = w1 * (v2 * (T13 * Y1 + wx * T23)),
+        v30 = v29 * v29, v31 = v30 + X4_pp * X4_pp, v32 = v30 + X4_pm * X4_pm,
+        v33 = v30 + X4_mp * X4_mp, v34 = v30 + X4_mm * X4_mm, angle4 = atan2_wide(-v29, -X4_pp),
+        angle5 = atan2_wide(-v29, -X4_pm), angle6 = atan2_wide(v29, -X4_mp),
+        angle7 = atan2_wide(v29, -X4_mm), v35 = h1 * copysign_wide(all_wide(half_turn), -v29),
+        v36 = h1 * copysign_wide(all_wide(half_turn), v29);
 
     /* theta6 */
-    const wide v37 = w1 * (v2 * (wx * T22 + Y1 * T12)), v38 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const wide v39 = w1 * (v2 * (wx * T21 + Y1 * T11)), v40 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const wide v37 = w1 * (v2 * (wx * T22 + Y1 * T12)), v38 = w1 * (v2 * (Y1 * T22 - wx * T12)),
+        v39 = w1 * (v2 * (wx * T21 + Y1 * T11)), v40 = w1 * (v2 * (Y1 * T21 - wx * T11));
 
     /* joint values */
-    const wide v41 = w3_p * (m3 * v3);
-    const wide angle8 = atan2_wide(-(v8 + v41), w3_p * v12 - v10);
-    const wide v42 = angle8 - offset2;
-    const wide angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10);
-    const wide v43 = angle9 - offset2;
-    const wide angle10 = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11);
-    const wide v44 = angle10 - offset2;
-    const wide angle11 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11);
-    const wide v45 = angle11 - offset2;
-    const wide q2_ppp = v42 - only_wide(half_turn < v42, m10);
-    const wide q2_pmp = v43 - only_wide(half_turn < v43, m10);
-    const wide q2_mpp = v44 - only_wide(half_turn < v44, m10);
-    const wide q2_mmp = v45 - only_wide(half_turn < v45, m10);
-    const wide angle12 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28);
-    const wide angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28);
-    const wide angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28);
-    const wide angle15 = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm - s2m3_mm * v28);
-    const wide v46 = angle12 - offset5, v47 = offset5 + angle12, v48 = angle13 - offset5;
-    const wide v49 = offset5 + angle13, v50 = angle14 - offset5, v51 = offset5 + angle14;
-    const wide v52 = angle15 - offset5, v53 = offset5 + angle15;
-    const wide q5_ppp = v46 + only_wide(v46 <= -half_turn, m10);
-    const wide q5_ppm = only_wide(-v47 <= -half_turn, m10) - v47;
-    const wide q5_pmp = v48 + only_wide(v48 <= -half_turn, m10);
-    const wide q5_pmm = only_wide(-v49 <= -half_turn, m10) - v49;
-    const wide q5_mpp = v50 + only_wide(v50 <= -half_turn, m10);
-    const wide q5_mpm = only_wide(-v51 <= -half_turn, m10) - v51;
-    const wide q5_mmp = v52 + only_wide(v52 <= -half_turn, m10);
-    const wide q5_mmm = only_wide(-v53 <= -half_turn, m10) - v53;
-    const wide v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31);
-    const wide v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31);
-    const wide v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31);
-    const wide v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31);
-    const wide angle16 = atan2_wide(v54, v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37);
-    const wide angle17 = atan2_wide(v55, v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37);
-    const wide angle18 = atan2_wide(v56, v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37);
-    const wide angle19 = atan2_wide(v57, v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37);
-    const wide v58 = angle16 - offset6;
-    const wide v59 = angle16 - h1 * copysign_wide(all_wide(half_turn), v54) - offset6;
-    const wide v60 = angle17 - offset6;
-    const wide v61 = angle17 - h1 * copysign_wide(all_wide(half_turn), v55) - offset6;
-    const wide v62 = angle18 - offset6;
-    const wide v63 = angle18 - h1 * copysign_wide(all_wide(half_turn), v56) - offset6;
-    const wide v64 = angle19 - offset6;
-    const wide v65 = angle19 - h1 * copysign_wide(all_wide(half_turn), v57) - offset6;
-    const wide q6_ppp = v58 + only_wide(v58 <= -half_turn, m10);
-    const wide q6_ppm = v59 + only_wide(v59 <= -half_turn, m10);
-    const wide q6_pmp = v60 + only_wide(v60 <= -half_turn, m10);
-    const wide q6_pmm = v61 + only_wide(v61 <= -half_turn, m10);
-    const wide q6_mpp = v62 + only_wide(v62 <= -half_turn, m10);
-    const wide q6_mpm = v63 + only_wide(v63 <= -half_turn, m10);
-    const wide q6_mmp = v64 + only_wide(v64 <= -half_turn, m10);
-    const wide q6_mmm = v65 + only_wide(v65 <= -half_turn, m10);
-    const wide v66 = q3__pp - only_wide(half_turn < q3__pp, m10);
-    const wide v67 = v6 + only_wide(half_turn < -v6, m10);
-    const wide v68 = q3__mp - only_wide(half_turn < q3__mp, m10);
-    const wide v69 = v7 + only_wide(half_turn < -v7, m10);
-    const wide_mask v70 = (angle1 < low1) | (high1 < angle1);
-    const wide_mask v71 = (q1__m < low1) | (high1 < q1__m);
-    const wide v72 = v66 + only_wide(v66 < low3, whole_turn);
-    const wide v73 = only_wide(-v67 < low3, whole_turn) - v67;
-    const wide v74 = v68 + only_wide(v68 < low3, whole_turn);
-    const wide v75 = only_wide(-v69 < low3, whole_turn) - v69;
-    const wide_mask v76 = (v72 < low3) | (high3 < v72), v77 = (v73 < low3) | (high3 < v73);
-    const wide_mask v78 = (v74 < low3) | (high3 < v74), v79 = (v75 < low3) | (high3 < v75);
-    const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, -v67, v73);
-    const wide q3_mpp = pick_wide(v78, v68, v74), q3_mmp = pick_wide(v79, -v69, v75);
-    const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v80 = v76 | (v70 | ((q2_ppp < low2) | (high2 < q2_ppp)));
-    const wide_mask v81 = v77 | (v70 | ((q2_pmp < low2) | (high2 < q2_pmp)));
-    const wide_mask v82 = v78 | (v71 | ((q2_mpp < low2) | (high2 < q2_mpp)));
-    const wide_mask v83 = v79 | (v71 | ((q2_mmp < low2) | (high2 < q2_mmp)));
-    const wide_mask outside_ppp = v80 | ((q5_ppp < low5) | (high5 < q5_ppp));
-    const wide_mask outside_ppm = v80 | ((q5_ppm < low5) | (high5 < q5_ppm));
-    const wide_mask outside_pmp = v81 | ((q5_pmp < low5) | (high5 < q5_pmp));
-    const wide_mask outside_pmm = v81 | ((q5_pmm < low5) | (high5 < q5_pmm));
-    const wide_mask outside_mpp = v82 | ((q5_mpp < low5) | (high5 < q5_mpp));
-    const wide_mask outside_mpm = v82 | ((q5_mpm < low5) | (high5 < q5_mpm));
-    const wide_mask outside_mmp = v83 | ((q5_mmp < low5) | (high5 < q5_mmp));
-    const wide_mask outside_mmm = v83 | ((q5_mmm < low5) | (high5 < q5_mmm));
-    const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((((shortest3_reach <= N3_m) & (N3_m
-        <= longest3_reach)) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | ((N3_p
-        <= doubt_limit_squared2) | ((((shortest3_reach <= N3_p) & (N3_p <= longest3_reach)) &
-        (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | ((v34 <= m9) | ((v33 <= m9) |
-        ((v32 <= m9) | ((v1 <= m1) | (v31 <= m9))))))));
+    const wide v41 = w3_p * (m3 * v3), angle8 = atan2_wide(-(v8 + v41), w3_p * v12 - v10),
+        v42 = angle8 - offset2, angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10),
+        v43 = angle9 - offset2, angle10 = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11),
+        v44 = angle10 - offset2, angle11 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11),
+        v45 = angle11 - offset2, q2_ppp = v42 - only_wide(half_turn < v42, m10),
+        q2_pmp = v43 - only_wide(half_turn < v43, m10),
+        q2_mpp = v44 - only_wide(half_turn < v44, m10),
+        q2_mmp = v45 - only_wide(half_turn < v45, m10),
+        angle12 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28),
+        angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28),
+        angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28),
+        angle15 = atan2_wide(-sqrt_wide(v34), T33 * c2m3_mm - s2m3_mm * v28),
+        v46 = angle12 - offset5, v47 = offset5 + angle12, v48 = angle13 - offset5,
+        v49 = offset5 + angle13, v50 = angle14 - offset5, v51 = offset5 + angle14,
+        v52 = angle15 - offset5, v53 = offset5 + angle15,
+        q5_ppp = v46 + only_wide(v46 <= -half_turn, m10),
+        q5_ppm = only_wide(-v47 <= -half_turn, m10) - v47,
+        q5_pmp = v48 + only_wide(v48 <= -half_turn, m10),
+        q5_pmm = only_wide(-v49 <= -half_turn, m10) - v49,
+        q5_mpp = v50 + only_wide(v50 <= -half_turn, m10),
+        q5_mpm = only_wide(-v51 <= -half_turn, m10) - v51,
+        q5_mmp = v52 + only_wide(v52 <= -half_turn, m10),
+        q5_mmm = only_wide(-v53 <= -half_turn, m10) - v53,
+        v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31),
+        v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31),
+        v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31),
+        v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31),
+        angle16 = atan2_wide(v54, v29 * (c2m3_pp * v38 - s2m3_pp * T32) - -X4_pp * v37),
+        angle17 = atan2_wide(v55, v29 * (c2m3_pm * v38 - s2m3_pm * T32) - -X4_pm * v37),
+        angle18 = atan2_wide(v56, v29 * (c2m3_mp * v38 + s2m3_mp * T32) - X4_mp * v37),
+        angle19 = atan2_wide(v57, v29 * (c2m3_mm * v38 + s2m3_mm * T32) - X4_mm * v37),
+        v58 = angle16 - offset6,
+        v59 = angle16 - h1 * copysign_wide(all_wide(half_turn), v54) - offset6,
+        v60 = angle17 - offset6,
+        v61 = angle17 - h1 * copysign_wide(all_wide(half_turn), v55) - offset6,
+        v62 = angle18 - offset6,
+        v63 = angle18 - h1 * copysign_wide(all_wide(half_turn), v56) - offset6,
+        v64 = angle19 - offset6,
+        v65 = angle19 - h1 * copysign_wide(all_wide(half_turn), v57) - offset6,
+        v66 = q3__pp - only_wide(half_turn < q3__pp, m10),
+        v67 = v6 + only_wide(half_turn < -v6, m10),
+        v68 = q3__mp - only_wide(half_turn < q3__mp, m10),
+        v69 = v7 + only_wide(half_turn < -v7, m10);
+    const wide_mask v70 = beyond(angle1, low1, high1), v71 = beyond(q1__m, low1, high1);
+    const wide v72 = v66 + only_wide(v66 < low3, whole_turn),
+        v73 = only_wide(-v67 < low3, whole_turn) - v67,
+        v74 = v68 + only_wide(v68 < low3, whole_turn),
+        v75 = only_wide(-v69 < low3, whole_turn) - v69;
+    const wide_mask v76 = beyond(v72, low3, high3), v77 = beyond(v73, low3, high3),
+        v78 = beyond(v74, low3, high3), v79 = beyond(v75, low3, high3);
+    const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, -v67, v73),
+        q3_mpp = pick_wide(v78, v68, v74), q3_mmp = pick_wide(v79, -v69, v75),
+        q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
+    const wide_mask v80 = v76 | v70 | beyond(q2_ppp, low2, high2),
+        v81 = v77 | v70 | beyond(q2_pmp, low2, high2),
+        v82 = v78 | v71 | beyond(q2_mpp, low2, high2),
+        v83 = v79 | v71 | beyond(q2_mmp, low2, high2),
+        outside_ppp = v80 | beyond(q5_ppp, low5, high5),
+        outside_ppm = v80 | beyond(q5_ppm, low5, high5),
+        outside_pmp = v81 | beyond(q5_pmp, low5, high5),
+        outside_pmm = v81 | beyond(q5_pmm, low5, high5),
+        outside_mpp = v82 | beyond(q5_mpp, low5, high5),
+        outside_mpm = v82 | beyond(q5_mpm, low5, high5),
+        outside_mmp = v83 | beyond(q5_mmp, low5, high5),
+        outside_mmm = v83 | beyond(q5_mmm, low5, high5),
+        doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
+            longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
+            <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
+            (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (v34 <= m9) | (v33 <= m9)
+            | (v32 <= m9) | (v1 <= m1) | (v31 <= m9);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
+    q[5] = v58 + only_wide(v58 <= -half_turn, m10);
     kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = q5_ppm; q[11] = q6_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v35; q[10] = q5_ppm;
+    q[11] = v59 + only_wide(v59 <= -half_turn, m10);
     kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp;
+    q[17] = v60 + only_wide(v60 <= -half_turn, m10);
     kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = q4_pmm; q[22] = q5_pmm; q[23] = q6_pmm;
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v35; q[22] = q5_pmm;
+    q[23] = v61 + only_wide(v61 <= -half_turn, m10);
     kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp;
+    q[29] = v62 + only_wide(v62 <= -half_turn, m10);
     kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = q4_mpm; q[34] = q5_mpm; q[35] = q6_mpm;
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v36; q[34] = q5_mpm;
+    q[35] = v63 + only_wide(v63 <= -half_turn, m10);
     kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp;
+    q[41] = v64 + only_wide(v64 <= -half_turn, m10);
     kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mmm; q[46] = q5_mmm; q[47] = q6_mmm;
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v36; q[46] = q5_mmm;
+    q[47] = v65 + only_wide(v65 <= -half_turn, m10);
     kind[7] = kind_of(q[42] != q[42], outside_mmm);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -702,10 +594,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const double wx = T14 - d6 * T13;
-    const double Y1 = d6 * T23 - T24;
-    const double v1 = wx * wx + Y1 * Y1;
-    const double w1 = sqrt(v1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt(v1);
     const int doubt1 = v1 <= m1;
     const double v2 = 1.0 / v1, v3 = copysign(half_turn, Y1);
 
@@ -713,22 +602,19 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Z1_3 = T34 - d6 * T33 - d1;
     const four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const four N3 = v5 + v4 * v4;
-    const four w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
+    const four N3 = v5 + v4 * v4, w3 = sqrt_four((longest3 - N3) * (N3 - shortest3));
 
     /* theta2 */
-    const four Y1_2 = m4 + m3 * N3;
-    const four v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3);
-    const four factor2 = 1.0 / N3;
+    const four Y1_2 = m4 + m3 * N3, v6 = Z1_3 * Y1_2, v7 = v4 * Y1_2, v8 = m3 * (e2 * Z1_3),
+        factor2 = 1.0 / N3;
 
     /* theta4 */
     const double v9 = m5 * Z1_3;
-    const four v10 = m6 * v4 - v9, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5;
-    const four v13 = Z1_3 * v11 + v4 * v12;
-    const four c2m3 = v13 + w3 * (factor2 * (e2 * v10));
+    const four v10 = m6 * v4 - v9, v11 = m7 * factor2 - m6, v12 = m8 * factor2 - m5,
+        v13 = Z1_3 * v11 + v4 * v12, c2m3 = v13 + w3 * (factor2 * (e2 * v10));
     const double v14 = m6 * Z1_3;
-    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11;
-    const four s2m3 = v16 + w3 * (factor2 * (e2 * v15));
+    const four v15 = v14 + m5 * v4, v16 = Z1_3 * v12 + v4 * -v11,
+        s2m3 = v16 + w3 * (factor2 * (e2 * v15));
     const double v17 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s2m3 - e1 * (c2m3 * v17);
     const double v18 = w1 * (v2 * (T13 * Y1 + wx * T23)), v19 = v18 * v18;
@@ -737,43 +623,36 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v21 = copysign_four(all_four(half_turn), -(e1 * v18)) * h1;
 
     /* theta6 */
-    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12));
-    const double v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
+    const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
+        v24 = w1 * (v2 * (wx * T21 + Y1 * T11)), v25 = w1 * (v2 * (Y1 * T21 - wx * T11));
 
     /* joint values */
     const four v29 = e1 * (-X4 * v24 - v18 * (e1 * (c2m3 * v25) - s2m3 * T31));
-    const four_mask doubt2 = (((shortest3_reach <= N3) & (N3 <= longest3_reach)) &
-        (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
+    const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
+        < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle3 = atan2_four(-(e1 * v18), -X4);
-    const four angle4 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7);
-    const four angle5 = atan2_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17));
-    const four angle6 = atan2_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) - -X4 * v22));
-    const four packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-        __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3));
-    const four angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2);
-    const four angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0));
-    const four q3_ = e2 * angle2 - turn1;
-    const four q4_m = angle3 - v21;
-    const four v26 = angle4 - offset2;
-    const four q2_p = v26 - only_four(half_turn < v26, m10);
-    const four v27 = angle5 - offset5, v28 = offset5 + angle5;
-    const four q5_p = v27 + only_four(v27 <= -half_turn, m10);
-    const four q5_m = only_four(-v28 <= -half_turn, m10) - v28;
-    const four v30 = angle6 - offset6;
-    const four v31 = angle6 - h1 * copysign_four(all_four(half_turn), v29) - offset6;
-    const four q6_p = v30 + only_four(v30 <= -half_turn, m10);
-    const four q6_m = v31 + only_four(v31 <= -half_turn, m10);
-    const four v32 = q3_ - only_four(half_turn < q3_, m10);
-    const four_mask v33 = (q1_ < low1) | (high1 < q1_);
+    const four angle3 = atan2_four(-(e1 * v18), -X4),
+        angle4 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7),
+        angle5 = atan2_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17)),
+        angle6 = atan2_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) - -X4 * v22)),
+        packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
+            __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3)),
+        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
+        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
+        q4_m = angle3 - v21, v26 = angle4 - offset2, q2_p = v26 - only_four(half_turn < v26, m10),
+        v27 = angle5 - offset5, v28 = offset5 + angle5,
+        q5_p = v27 + only_four(v27 <= -half_turn, m10),
+        q5_m = only_four(-v28 <= -half_turn, m10) - v28, v30 = angle6 - offset6,
+        v31 = angle6 - h1 * copysign_four(all_four(half_turn), v29) - offset6,
+        q6_p = v30 + only_four(v30 <= -half_turn, m10),
+        q6_m = v31 + only_four(v31 <= -half_turn, m10), v32 = q3_ - only_four(half_turn < q3_, m10);
+    const four_mask v33 = beyond(q1_, low1, high1);
     const four v34 = v32 + only_four(v32 < low3, whole_turn);
-    const four_mask v35 = (v34 < low3) | (high3 < v34);
-    const four q3_p = pick_four(v35, v32, v34);
-    const four q1_p = q1_ + (w3 - w3);
-    const four_mask v36 = v35 | (v33 | ((q2_p < low2) | (high2 < q2_p)));
-    const four_mask outside_p = v36 | ((q5_p < low5) | (high5 < q5_p));
-    const four_mask outside_m = v36 | ((q5_m < low5) | (high5 < q5_m));
+    const four_mask v35 = beyond(v34, low3, high3);
+    const four q3_p = pick_four(v35, v32, v34), q1_p = q1_ + (w3 - w3);
+    const four_mask v36 = v35 | v33 | beyond(q2_p, low2, high2),
+        outside_p = v36 | beyond(q5_p, low5, high5), outside_m = v36 | beyond(q5_m, low5, high5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -872,8 +751,8 @@ static void solve(
         /* theta1 */
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
-        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1);
-        const double s1 = free1 ? sin(seed[0]) : Y1 * factor1;
+        const double c1 = free1 ? cos(seed[0]) : -(wx * factor1),
+            s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -884,8 +763,7 @@ static void solve(
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v3 = k1 * K3;
-        const double v4 = k2 * K3;
+        const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
         const double v7 = T13 * c1 + T23 * s1;
@@ -893,18 +771,15 @@ static void solve(
         const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T12 * s1 - T22 * c1;
-        const double v10 = T12 * c1 + T22 * s1;
-        const double v12 = T11 * s1 - T21 * c1;
-        const double v13 = T11 * c1 + T21 * s1;
+        const double v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
+            v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double s3 = (v3 + k2 * root3) * k4;
-            const double c3 = k4 * (v4 - k1 * root3);
+            const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
             const double q3 = atan2(s3, c3);
 
             /* theta2 */
@@ -915,8 +790,8 @@ static void solve(
             const double w2 = sqrt(v5 * v5 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2;
-            const double s2 = free2 ? sin(v6) : -(v5 * factor2);
+            const double c2 = free2 ? cos(v6) : C2 * factor2,
+                s2 = free2 ? sin(v6) : -(v5 * factor2);
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
@@ -930,8 +805,7 @@ static void solve(
             const double c5 = T33 * c2m3 + s2m3 * v7;
 
             /* theta6 */
-            const double v11 = c2m3 * v10 - T32 * s2m3;
-            const double v14 = c2m3 * v13 - T31 * s2m3;
+            const double v11 = c2m3 * v10 - T32 * s2m3, v14 = c2m3 * v13 - T31 * s2m3;
 
             /* joint values */
             const double q2 = wrap(atan2(s2, c2) - offset2);
@@ -941,8 +815,8 @@ static void solve(
                 /* theta4 */
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4);
-                const double s4 = free4 ? sin(seed[3]) : Y4 * factor4;
+                const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
+                    s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
 
                 /* theta6 */
@@ -952,11 +826,7 @@ static void solve(
                 const double q5 = wrap(atan2(-(w4 * e3), c5) - offset5);
                 const double q6 = wrap(atan2(s6, -(c4 * v9 + s4 * v11)) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1;
-                q[row][1] = q2;
-                q[row][2] = q3;
-                q[row][3] = q4;
-                q[row][4] = q5;
+                q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
                 status[row] = (free1 || free2 || free4) ? YASKAWA_GP7_FREE_JOINT : YASKAWA_GP7_OK;
             }

@@ -659,11 +659,10 @@ def _regular(pose, q, status):
     v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
     v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
     doubt1 = (
-        N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach and not
-        (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <= doubt_limit_squared2 or
-        ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and
-        N3_p < longest3_apart)) or (v34 <= m9 or (v33 <= m9 or (v32 <= m9 or (v1 <= m1 or v31 <=
-        m9)))))))
+        N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
+        (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
+        (shortest3_reach <= N3_p and N3_p <= longest3_reach and not (shortest3_apart < N3_p and N3_p
+        < longest3_apart)) or v34 <= m9 or v33 <= m9 or v32 <= m9 or v1 <= m1 or v31 <= m9
     )
 
     # angles, side by side
@@ -805,18 +804,18 @@ def _regular(pose, q, status):
     q3_mmp = -v69 if v79 else v75
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
-    v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
-    v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
-    v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
-    v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
-    outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
-    outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
-    outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
-    outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
-    outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
-    outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
-    outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
-    outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+    v80 = v76 or v70 or q2_ppp < low2 or high2 < q2_ppp
+    v81 = v77 or v70 or q2_pmp < low2 or high2 < q2_pmp
+    v82 = v78 or v71 or q2_mpp < low2 or high2 < q2_mpp
+    v83 = v79 or v71 or q2_mmp < low2 or high2 < q2_mmp
+    outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
+    outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
+    outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
+    outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
+    outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
+    outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
+    outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
+    outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1165,11 +1164,11 @@ def _in_tiles(T, q, status):
             v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31)
             v57 = X4_mm * v39 - v29 * (c2m3_mm * v40 + s2m3_mm * T31)
             doubt1 = (
-                N3_m <= doubt_limit_squared2 or ((shortest3_reach <= N3_m and N3_m <= longest3_reach
-                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or (N3_p <=
-                doubt_limit_squared2 or ((shortest3_reach <= N3_p and N3_p <= longest3_reach and not
-                (shortest3_apart < N3_p and N3_p < longest3_apart)) or (v34 <= m9 or (v33 <= m9 or
-                (v32 <= m9 or (v1 <= m1 or v31 <= m9)))))))
+                N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
+                and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
+                doubt_limit_squared2 or (shortest3_reach <= N3_p and N3_p <= longest3_reach and not
+                (shortest3_apart < N3_p and N3_p < longest3_apart)) or v34 <= m9 or v33 <= m9 or v32
+                <= m9 or v1 <= m1 or v31 <= m9
             )
             work[272 + k] = Y1
             work[288 + k] = w3_p
@@ -1320,18 +1319,18 @@ def _in_tiles(T, q, status):
             q3_mmp = -v69 if v79 else v75
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
-            v80 = v76 or (v70 or (q2_ppp < low2 or high2 < q2_ppp))
-            v81 = v77 or (v70 or (q2_pmp < low2 or high2 < q2_pmp))
-            v82 = v78 or (v71 or (q2_mpp < low2 or high2 < q2_mpp))
-            v83 = v79 or (v71 or (q2_mmp < low2 or high2 < q2_mmp))
-            outside_ppp = v80 or (q5_ppp < low5 or high5 < q5_ppp)
-            outside_ppm = v80 or (q5_ppm < low5 or high5 < q5_ppm)
-            outside_pmp = v81 or (q5_pmp < low5 or high5 < q5_pmp)
-            outside_pmm = v81 or (q5_pmm < low5 or high5 < q5_pmm)
-            outside_mpp = v82 or (q5_mpp < low5 or high5 < q5_mpp)
-            outside_mpm = v82 or (q5_mpm < low5 or high5 < q5_mpm)
-            outside_mmp = v83 or (q5_mmp < low5 or high5 < q5_mmp)
-            outside_mmm = v83 or (q5_mmm < low5 or high5 < q5_mmm)
+            v80 = v76 or v70 or q2_ppp < low2 or high2 < q2_ppp
+            v81 = v77 or v70 or q2_pmp < low2 or high2 < q2_pmp
+            v82 = v78 or v71 or q2_mpp < low2 or high2 < q2_mpp
+            v83 = v79 or v71 or q2_mmp < low2 or high2 < q2_mmp
+            outside_ppp = v80 or q5_ppp < low5 or high5 < q5_ppp
+            outside_ppm = v80 or q5_ppm < low5 or high5 < q5_ppm
+            outside_pmp = v81 or q5_pmp < low5 or high5 < q5_pmp
+            outside_pmm = v81 or q5_pmm < low5 or high5 < q5_pmm
+            outside_mpp = v82 or q5_mpp < low5 or high5 < q5_mpp
+            outside_mpm = v82 or q5_mpm < low5 or high5 < q5_mpm
+            outside_mmp = v83 or q5_mmp < low5 or high5 < q5_mmp
+            outside_mmm = v83 or q5_mmm < low5 or high5 < q5_mmm
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

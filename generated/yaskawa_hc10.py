@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 267851c41537f0a5"
+_KEY = "yaskawa_hc10 5a079e4fe5af9c9f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -449,6 +449,21 @@ def _look(T, q, u, e, A):
 
 
 @_inner
+def _wrap_angles(u):
+    """Moves angles by whole turns to (-pi, pi]."""
+    for j in range(6):
+        if _TURNING[j]:
+            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
+
+
+@_inner
+def _take(to, numbers):
+    """Numbers into an array as long."""
+    for i in range(len(numbers)):
+        to[i] = numbers[i]
+
+
+@_inner
 def _damped_step(A, e, length, step):
     """The damped least squares step A' (A A' + damping)^-1 e."""
     damping = 0.1 * min(length * length, 1.0) + 1e-13
@@ -473,21 +488,6 @@ def _damped_step(A, e, length, step):
         step[j] = 0.0
         for i in range(6):
             step[j] += A[i, j] * y[i]
-
-
-@_inner
-def _wrap_angles(u):
-    """Moves angles by whole turns to (-pi, pi]."""
-    for j in range(6):
-        if _TURNING[j]:
-            u[j] -= 6.283185307179586 * math.ceil(u[j] / 6.283185307179586 - 0.5)
-
-
-@_inner
-def _take(to, numbers):
-    """Numbers into an array as long."""
-    for i in range(len(numbers)):
-        to[i] = numbers[i]
 
 
 @_inner

@@ -63,15 +63,14 @@ def python_tightening(kernel: NumericalKernel) -> str:
 
 
 def _c_arrays(kernel: NumericalKernel) -> dict[str, str]:
-    count = len(kernel.solved)
     return {
-        key: c_array(f"static const {_type(key)} {key}[{count}]", values)
+        key: c_array(f"static const {_type(key)} {key}[{len(values)}]", values)
         for key, values in _arrays(kernel, "INFINITY", ("0", "1")).items()
     }
 
 
 def _type(key: str) -> str:
-    return "int" if key in {"solved", "turning"} else "double"
+    return "int" if key in {"solved", "turning", "coordinate"} else "double"
 
 
 def _python_arrays(kernel: NumericalKernel) -> dict[str, str]:
@@ -82,7 +81,7 @@ def _python_arrays(kernel: NumericalKernel) -> dict[str, str]:
 
 
 def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> Numbers:
-    """A number for each joint that is solved for, as a language writes them."""
+    """Numbers of joints that are solved for, and of coordinates, as a language writes them."""
     size, count = kernel.arm.chain.size, len(kernel.solved)
     words = {inf: infinity, -inf: f"-{infinity}"}
 
@@ -101,6 +100,7 @@ def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> 
     }
     if kernel.position:
         arrays["measure"] = numbers(unit / size for unit in kernel.units)
+        arrays["coordinate"] = tuple(map(str, kernel.position))
     if kernel.redundant:
         arrays |= {"least_u": numbers(kernel.lowest), "most_u": numbers(kernel.highest)}
     return arrays
@@ -119,7 +119,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "twice": 2 * dof,
         "given": given_places(chain),
         "given_count": len(chain.free),
-        "position": position_rows(kernel.position, dof),
+        "position": position_rows(kernel.position),
         "first_turn": len(kernel.position),
         "turns": kernel.turning or kernel.pointing,
         "turning": kernel.turning,

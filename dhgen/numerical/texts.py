@@ -30,13 +30,11 @@ class PositionRow:
         equation: Which of the equations it gives.
         row: Its row in a pose.
         place: Its place in a pose, row-major.
-        first: Where its row of the Jacobian begins, row-major.
     """
 
     equation: int
     row: int
     place: int
-    first: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,11 +50,9 @@ def given_places(chain: Chain) -> tuple[GivenPlace, ...]:
     return tuple(GivenPlace(number - 1, place) for place, number in enumerate(chain.free))
 
 
-def position_rows(rows: Sequence[int], dof: int) -> tuple[PositionRow, ...]:
+def position_rows(rows: Sequence[int]) -> tuple[PositionRow, ...]:
     """The coordinates in these rows of the translation."""
-    return tuple(
-        PositionRow(equation, row, 4 * row + 3, dof * row) for equation, row in enumerate(rows)
-    )
+    return tuple(PositionRow(equation, row, 4 * row + 3) for equation, row in enumerate(rows))
 
 
 def any_turn() -> tuple[TurnComponent, ...]:

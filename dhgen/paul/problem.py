@@ -61,6 +61,7 @@ _COORDINATES = {"x": "t14", "y": "t24", "z": "t34"}
 _ROTATION = frozenset(f"t{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3))
 _POSITION = frozenset(_COORDINATES.values())
 _APPROACH = frozenset({"t13", "t23", "t33"})
+_SECOND = frozenset({"t12", "t22", "t32"})
 
 
 def task_entries(task: Task) -> frozenset[str]:
@@ -76,6 +77,14 @@ def task_entries(task: Task) -> frozenset[str]:
             return _POSITION | _APPROACH
         case TaskKind.COORDINATES:
             return frozenset(_COORDINATES[name] for name in task.coordinates)
+
+
+def telling_entries(task: Task) -> frozenset[str]:
+    """Those of them that have to be compared: two columns of a rotation leave none for the third.
+
+    With those two off by no more than a small d each, the second is off by less than 3 d.
+    """
+    return task_entries(task) - _SECOND
 
 
 def task_dimension(task: Task) -> int:

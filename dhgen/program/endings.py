@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.program.builder import Builder
     from dhgen.program.graph import Node
 
@@ -14,23 +17,31 @@ class Endings:
 
     def __init__(self, builder: Builder) -> None:
         self._builder = builder
-        self._endings: list[tuple[Node, Node]] = []  # what may be NaN, and NaN or zero with it
+        self._roots: list[tuple[Node, Node]] = []  # what may be NaN, and NaN or zero with it
+        self._conditions: list[Node] = []
 
     def at_root(self, square: Node) -> None:
         """A branch ends where the square root of a value, which it takes, is that of a negative."""
         length = self._builder.apply("sqrt", square)
-        self._endings.append((length, self._builder.apply("sub", length, length)))
+        self._roots.append((length, self._builder.apply("sub", length, length)))
 
     def unless(self, condition: Node) -> None:
         """A branch ends where a condition does not hold."""
-        builder = self._builder
-        none = builder.apply("sqrt", builder.integer(-1))
-        ending = builder.select(condition, builder.integer(0), none)
-        self._endings.append((ending, ending))
+        self._conditions.append(condition)
 
-    def ended(self, joint: Node) -> Node:
-        """A joint's value, NaN where the branch has ended."""
-        for cause, ending in self._endings:
+    def ended(self, joints: Sequence[Node]) -> list[Node]:
+        """The joints' values, NaN where the branch has ended."""
+        endings = list(self._roots)
+        if self._conditions:
+            builder = self._builder
+            holds = reduce(partial(builder.apply, "and"), self._conditions)
+            none = builder.apply("sqrt", builder.integer(-1))
+            ending = builder.select(holds, builder.integer(0), none)
+            endings.append((ending, ending))
+        return [self._spoilt(joint, endings) for joint in joints]
+
+    def _spoilt(self, joint: Node, endings: list[tuple[Node, Node]]) -> Node:
+        for cause, ending in endings:
             if not self._spoils(cause, joint, {}):
                 joint = self._builder.add(joint, ending)
         return joint

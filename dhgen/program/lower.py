@@ -10,7 +10,7 @@ from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.branches import branch_words
 from dhgen.paul.forms import unknown_name
-from dhgen.paul.problem import task_entries
+from dhgen.paul.problem import telling_entries
 from dhgen.paul.step import Kind
 from dhgen.program.angles import Angles
 from dhgen.program.arm_plane import lower_shoulder
@@ -244,9 +244,9 @@ class Lowering:
         builder.guard(condition, Failure.INCONSISTENT, total, chosen)
 
     def _misses(self) -> list[tuple[Node, int]]:
-        """What each entry that the task names differs by, and the lengths in it: one or none."""
+        """What each entry that tells the task differs by, and the lengths in it: one or none."""
         builder, found = self.builder, []
-        for name in sorted(task_entries(self._algebra.chain.task)):
+        for name in sorted(telling_entries(self._algebra.chain.task)):
             row, column = POSE_PLACES[name]
             reached = self.lower(self._problem.forward.entry(row, column))
             miss = builder.sub(self.value(name), reached)

@@ -11,25 +11,24 @@ T11 T12 T13 T14 T21 T22 T23 T24 T31 T32 T33 T34
 """
 
 _C = """
-all_joints chosen continuum copy damped_step descend descent distance_between is_known keep kept
-limited_step look least_u most_u nearest_solution no_highest no_lowest
-measure pulled shorten solved sorted_rows span_low span_width stands_before
-start_of stride turn_vector turning unit wrap_angles
-G LANES LOST NEARLY after all angle attempt before choose_again circle_roots count distance found
-given here high i ik_carefully nearly residual serving_digits serving_value solve_regular
-ended inner j k least left length lost low middle misfit miss missed_by moved n nearest off outer
-reached read_pose repeats result right serves sum tighten tightened values
-search square start step straighten summit third towards valid value x xx xy y yy z z0 z1 z2 zeros
+all_joints chosen continuum coordinate copy damped_step descend descent distance_between is_known
+keep kept limited_step look least_u most_u nearest_solution no_highest no_lowest measure pulled
+shorten solved sorted_rows span_low span_width stands_before start_of stride turn_vector turning
+unit wrap_angles G LANES LOST NEARLY after all angle attempt before choose_again circle_roots
+count distance found given here high i ik_carefully nearly residual serving_digits serving_value
+solve_regular ended inner j k least left length lose lost low middle misfit miss missed_by moved n
+named nearest off outer reached read_pose repeats result right serves sum tighten tightened values
+search served square start step straighten summit third towards valid value why x xx xy y yy z zz
+zeros
 """
 
 _LANES = """
-APART ARCTANGENT HELPER INLINED bits_four bits_wide four four_at four_mask from irregularity_four
-irregularity_wide kind
-kind_of odd size solve_tile solve_wide store_1 store_2 store_4 transpose two_at wide wide_at
-wide_mask word abs_four all_four atan2_four copysign_four cos_four maximum_four pick_four sin_four
-minimum_four sqrt_four where_four wrap_four abs_wide all_wide atan2_wide copysign_wide cos_wide
-maximum_wide pick_wide sin_wide minimum_wide sqrt_wide where_wide wrap_wide maximum_double
-only_four only_wide minimum_double
+APART ARCTANGENT HELPER INLINED VECTOR beyond bits_four bits_wide four four_at four_mask from
+irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide store_1 store_2
+store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_four copysign_four
+cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four abs_wide
+all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide minimum_wide sqrt_wide
+where_wide wrap_wide maximum_double only_four only_wide minimum_double
 """
 
 _PYTHON = """

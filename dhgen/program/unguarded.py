@@ -98,7 +98,8 @@ class Unguarded:
             limiting.limited(place + 1, node, limits)
             for place, (node, limits) in enumerate(zip(joints, self._limits, strict=True))
         ]
-        results = {f"q{place + 1}": self._endings.ended(node) for place, node in enumerate(joints)}
+        ended = self._endings.ended(joints)
+        results = {f"q{place + 1}": node for place, node in enumerate(ended)}
         outside = limiting.outside()
         results |= {} if outside is None else {"outside": outside}
         count = len(results)

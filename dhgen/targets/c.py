@@ -12,7 +12,13 @@ from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
-from dhgen.targets.module import constant_texts, made_text, module_values, regular_solver
+from dhgen.targets.module import (
+    constant_texts,
+    made_text,
+    module_values,
+    named_entries,
+    regular_solver,
+)
 from dhgen.targets.scalar import arm_angle_values, output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
 from dhgen.targets.walk import whole_arm
@@ -53,6 +59,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
     finite = [f"isfinite(T[{4 * row + 3}])" for row in module.position_entries]
     given = [f"isfinite(free_joints[{place}])" for place in range(module.chain.given)]
     values = module_values(module)
+    named = [str(entry.place) for entry in named_entries(module.chain)]
     single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""
     return {
         "about": paragraph(f"{module.name}: {values['title']}", " * "),
@@ -69,6 +76,9 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "weight": c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
         "finite": " && ".join(finite),
         "given_finite": " && ".join(given),
+        "named_places": c_array(f"static const int named[{len(named)}]", named),
+        "named_count": len(named),
+        "per_length": repr(1.0 / module.chain.size),
         "jacobian_size": 6 * dof,
         "row_size": module.solver.rows * dof,
     }
@@ -115,6 +125,11 @@ def _functions(module: SolverModule) -> dict[str, str]:
         "batch_prototype": call(f"void {name}_ik_batch", batch, ""),
         "solve_prototype": call(
             "static void solve", [pose, *free, f"const double seed[{dof}]", *table], ""
+        ),
+        "choose_prototype": call(
+            "static void choose_again",
+            [pose, *free, f"const double seed[{dof}]", "int row", *table],
+            "",
         ),
         "batch_call": call(f"(void){name}_ik", one("k"), ";", INDENT * 2),
         "tile_call": call("solve_tile", tile("k"), ""),

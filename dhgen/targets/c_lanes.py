@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
+from dhgen.targets.c_declared import Declaration
 from dhgen.targets.c_language import C
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
-from dhgen.targets.layout import WIDTH, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -17,7 +16,6 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program
 
 LIBRARY = C()
-_NUMBERED = re.compile(r"(v|angle|packed)\d+")  # values without a name of the derivation's
 NEVER_SCALAR = frozenset({"atan2"})  # taken in lanes also where one would do
 _BITS = {"and": "&", "or": "|"}
 
@@ -30,46 +28,17 @@ class Text:
         text: As it is written.
         binds: How tightly it binds, as in `dialect`.
         lanes: Whether it is a vector.
+        joined: What joins its parts if they are truth values.
     """
 
     text: str
     binds: int
     lanes: bool
+    joined: str = ""
 
     def within(self, least: int) -> str:
         """With parentheses where something binds this tightly."""
         return self.text if self.binds >= least else f"({self.text})"
-
-
-@dataclass(frozen=True, slots=True)
-class Declaration:
-    """A local constant."""
-
-    kind: str
-    name: str
-    value: str
-
-    @property
-    def family(self) -> tuple[str, str]:
-        """What may stand on one line: the values of all branches, or intermediate values."""
-        stem = self.name.partition("_")[0]
-        numbered = _NUMBERED.fullmatch(stem)
-        return self.kind, numbered[1] if numbered else stem
-
-
-def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:
-    """Statements, those of a family on one line while it is not full."""
-    lines: list[str] = []
-    family = None
-    for each in declarations:
-        value = f"{each.name} = {each.value};"
-        alike = f"{lines[-1][:-1]}, {value}" if lines else ""
-        if each.family == family and len(alike) <= WIDTH:
-            lines[-1] = alike
-        else:
-            lines += wrapped(f"{indent}const {each.kind} {value}", indent)
-        family = each.family
-    return lines
 
 
 class LaneText:
@@ -120,6 +89,12 @@ class LaneText:
                 return Text(LIBRARY.joint(number, role), ATOM, self._wide)
             case Apply("sqrt", (Integer(value),)) if value < 0:
                 return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
+            case Apply("or", (Apply("less", (value, low)), Apply("less", (high, again)))) if (
+                value == again
+            ):
+                parts = [self.text(each) for each in (value, low, high)]
+                listed = ", ".join(part.text for part in parts)
+                return Text(f"beyond({listed})", ATOM, parts[0].lanes)
             case Apply(operator, operands):
                 return self._apply(operator, [self.text(operand) for operand in operands])
 
@@ -133,9 +108,10 @@ class LaneText:
             case "neg":
                 return Text(f"-{parts[0].within(ATOM)}", UNARY, lanes)
             case "and" | "or":
+                sign = _BITS[operator]
                 both = [self._everywhere(part) if lanes else part for part in parts]
-                text = f"{both[0].within(ATOM)} {_BITS[operator]} {both[1].within(ATOM)}"
-                return Text(text, CHOICE, lanes)
+                texts = [each.text if each.joined == sign else each.within(ATOM) for each in both]
+                return Text(f" {sign} ".join(texts), CHOICE, lanes, sign)
             case "not":
                 return Text(f"{parts[0].within(ATOM)} == 0", CHOICE, lanes)
             case "select":
@@ -145,6 +121,9 @@ class LaneText:
                 mask, (yes, no) = self._everywhere(parts[0]), parts[1:]
                 if no.text == "0.0" and not yes.lanes:
                     return Text(f"only_{self._vector}({mask.text}, {yes.text})", ATOM, lanes)
+                if yes.text == "0.0" and not no.lanes:
+                    denied = f"{mask.within(ATOM)} == 0"
+                    return Text(f"only_{self._vector}({denied}, {no.text})", ATOM, lanes)
                 arguments = [mask, self._all(yes), self._all(no)]
             case _:
                 arguments = [self._all(part) if lanes else part for part in parts]

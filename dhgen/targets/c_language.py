@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.layout import WIDTH, wrapped
+from dhgen.targets.c_declared import Declaration, declared
+from dhgen.targets.layout import WIDTH, packed, wrapped
 from dhgen.targets.scalar import output_texts, row_text
 
 if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints, Axis, Choice, Program
+    from dhgen.targets.dialect import NamedText
     from dhgen.targets.nest import Loop
 
 _FUNCTIONS = {
@@ -62,9 +64,11 @@ class C:
         """A comment line."""
         return f"/* {text} */"
 
-    def let(self, name: str, value: str, *, truth: bool) -> str:
-        """A constant local."""
-        return f"const {'int' if truth else 'double'} {name} = {value};"
+    def lets(self, values: list[NamedText], indent: str) -> list[str]:
+        """Constant locals."""
+        kinds = ("int" if each.truth else "double" for each in values)
+        pairs = zip(kinds, values, strict=True)
+        return declared([Declaration(kind, v.name, v.value) for kind, v in pairs], indent)
 
     def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
         """Leaves the loop body, or the function outside of loops."""
@@ -78,14 +82,12 @@ class C:
 
     def lose(self, choice: Choice, row: str, margin: str, value: str | None) -> list[str]:
         """Notes the joint, by how much the branch failed, and the joint's value if nearly free."""
-        kind = "LOST" if value is None else "NEARLY"
-        kept = [] if value is None else [f"    q[{row}][1] = {value};"]
+        flag, place = choice.flag, f"q[{row}], &status[{row}]"
+        if value is None:
+            return [f"if ({flag}) lose(LOST + {choice.joint}, {margin}, {place});"]
         return [
-            f"if ({choice.flag}) {{",
-            f"    status[{row}] = {kind} + {choice.joint};",
-            f"    q[{row}][0] = {margin};",
-            *kept,
-            "}",
+            f"if ({flag}) lose(NEARLY + {choice.joint}, {margin}, {place});",
+            f"if ({flag}) q[{row}][1] = {value};",
         ]
 
     def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
@@ -124,10 +126,10 @@ class C:
 
     def store(self, program: Program) -> list[str]:
         """One row of results."""
+        values = enumerate(output_texts(program, self))
+        pieces = [f"q[row][{place}] = {value};" for place, value in values]
         lines = [f"const int row = {row_text(program, len(program.axes))};"]
-        lines += [
-            f"q[row][{place}] = {value};" for place, value in enumerate(output_texts(program, self))
-        ]
+        lines += packed(pieces, "", width=WIDTH - 4 * (len(program.axes) + 1))
         flags = " || ".join(name for _, name in program.free)
         prefix = program.name.upper()
         solved = f"({flags}) ? {prefix}_FREE_JOINT : {prefix}_OK" if flags else f"{prefix}_OK"

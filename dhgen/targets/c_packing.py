@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Let
-from dhgen.targets.c_lanes import Declaration
+from dhgen.targets.c_declared import Declaration
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import MINUS, flatten
-from dhgen.program.ir import Apply, Heading, Let
+from dhgen.program.ir import Apply, Heading, Let, Variable
 from dhgen.program.schedule import names_in
+from dhgen.targets.c_declared import dense
 from dhgen.targets.c_irregular import irregularities
-from dhgen.targets.c_lanes import LaneText, declared, operators
+from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
 from dhgen.targets.c_packing import angle_declarations, packed_angles
-from dhgen.targets.c_rows import status_lines, stores
+from dhgen.targets.c_rows import status_lines, store_sizes, stores
 from dhgen.targets.layout import call, listed, packed, wrapped
 from dhgen.targets.scalar import pose_entries
 
@@ -24,7 +26,7 @@ if TYPE_CHECKING:
     from dhgen.program.flatten import Choice, Flat
     from dhgen.program.ir import Expression, Program, Statement
     from dhgen.program.unguarded import Regular
-    from dhgen.targets.c_lanes import Declaration
+    from dhgen.targets.c_declared import Declaration
     from dhgen.targets.module import SolverModule
 
 INDENT = "    "
@@ -40,13 +42,10 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
         lanes: The same, branches in lanes.
     """
     used = set(operators(flat.program))
-    functions = sorted(used & {"sin", "cos", "wrap"})
+    sizes = store_sizes(module.chain.dof)
     return {
-        "functions": functions,
-        "vectors": [
-            {"name": "four", "lanes": 4, "functions": functions},
-            {"name": "wide", "lanes": "LANES", "functions": functions},
-        ],
+        "functions": sorted(used & {"sin", "cos", "wrap"}),
+        "stores": {name: size in sizes for name, size in (("one", 1), ("two", 2), ("four", 4))},
         "arctangent": _arctangent(),
         "irregularity": irregularities(module, _inputs(module, "%")),
         "wide": _wide(module, flat),
@@ -131,7 +130,7 @@ def _lets(statements: Iterable[Statement], text: LaneText) -> list[str]:
     for heading, values in sections:
         if heading and values:
             lines += ["", INDENT + heading]
-        lines += declared(values, INDENT)
+        lines += dense(values, INDENT)
     return lines
 
 
@@ -154,18 +153,21 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
             first.append(statement)
     places = {axis: axis + 2 - len(flat.lanes) for axis in range(len(flat.lanes))}
     lines = [*_lets(first, text), ""]
-    lines += declared(angle_declarations(packed_angles(angles, places), text), INDENT)
+    lines += dense(angle_declarations(packed_angles(angles, places), text), INDENT)
     return [*lines, *_lets(last, text)]
 
 
 def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
     """One lane a pose."""
     text = LaneText("wide", flat.program, wide=True)
-    lines = [*entry_lines(flat.program, "wide"), *_lets(flat.program.body, text), ""]
+    at_once = _needed_once(flat)
+    named = [statement for statement in flat.program.body if statement not in at_once.values()]
+    lines = [*entry_lines(flat.program, "wide"), *_lets(named, text), ""]
     dof = module.chain.dof
     for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
         row = _row(module, flat, choice, 0)
-        values = enumerate(map(text.vector, group), start=dof * row)
+        results = (at_once[each].expression if each in at_once else each for each in group)
+        values = enumerate(map(text.vector, results), start=dof * row)
         lines += packed([f"q[{place}] = {value};" for place, value in values], INDENT)
         first = f"q[{dof * row}]"
         outside = text.mask(flat.outside[place]) if flat.outside else "0"
@@ -177,6 +179,21 @@ def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
     lines.append(f"{INDENT}return (exact == 0){doubt};")
     head = "HELPER wide_mask solve_wide"
     return {"prototype": _prototype(module, head, "wide"), "lines": lines}
+
+
+def _needed_once(flat: Flat) -> dict[Expression, Let]:
+    """What only one row needs: it is written where it belongs as soon as it is known."""
+    lets = [statement for statement in flat.program.body if isinstance(statement, Let)]
+    outputs = flat.program.outputs
+    composed = [output for output in outputs if not isinstance(output, Variable)]
+    elsewhere = names_in([*composed, *(let.expression for let in lets)])
+    needed = Counter(outputs)
+    joints = {each for group in flat.groups for each in group if needed[each] == 1}
+    return {
+        Variable(let.name): let
+        for let in lets
+        if Variable(let.name) in joints and let.name not in elsewhere
+    }
 
 
 def entry_lines(program: Program, number: str = "double") -> list[str]:

@@ -13,6 +13,12 @@ if TYPE_CHECKING:
 WORD = 8  # rows whose statuses fill a machine word
 
 
+def store_sizes(count: int) -> list[int]:
+    """How many of a row's joint values are written at a time: four, then two, then one."""
+    left = count % 4
+    return [4] * (count // 4) + [2] * (left // 2) + [1] * (left % 2)
+
+
 def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> list[str]:
     """Statements that write the joint values of four rows.
 
@@ -23,9 +29,7 @@ def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> li
     """
     lines = []
     place = 0
-    while place < len(group):
-        left = len(group) - place
-        size = 4 if left >= 4 else 2 if left >= 2 else 1
+    for size in store_sizes(len(group)):
         parts = ", ".join(text.vector(value) for value in group[place : place + size])
         where = ", ".join(f"&q[{row}][{place}]" for row in rows)
         lines += wrapped(f"{INDENT}store_{size}({where}, {parts});", INDENT)

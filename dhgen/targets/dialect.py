@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from dhgen.program.ir import Apply, Integer, Joint, Pose, Variable
@@ -20,6 +21,21 @@ INFIX = {
     "less": ("<", RELATION),
     "at_most": ("<=", RELATION),
 }
+
+
+@dataclass(frozen=True, slots=True)
+class NamedText:
+    """A value that gets a name.
+
+    Attributes:
+        name: The name.
+        value: As it is written.
+        truth: Whether it is a truth value.
+    """
+
+    name: str
+    value: str
+    truth: bool
 
 
 class Dialect(Protocol):
@@ -87,12 +103,12 @@ def _apply(operator: str, operands: tuple[Expression, ...], dialect: Dialect) ->
             inner = part(0, UNARY)  # two signs in a row are another operator in C
             return f"-({inner})" if inner.startswith("-") else f"-{inner}", UNARY
         case "and":
-            return f"{part(0, CONJUNCTION)} {dialect.conjunction()} {part(1, CONJUNCTION + 1)}", (
+            return f"{part(0, CONJUNCTION)} {dialect.conjunction()} {part(1, CONJUNCTION)}", (
                 CONJUNCTION
             )
         case "or":
             # compilers warn of an unbracketed conjunction here
-            first, second = part(0, DISJUNCTION, CONJUNCTION), part(1, DISJUNCTION + 1, CONJUNCTION)
+            first, second = part(0, DISJUNCTION, CONJUNCTION), part(1, DISJUNCTION, CONJUNCTION)
             return f"{first} {dialect.disjunction()} {second}", DISJUNCTION
         case "not":
             return f"{dialect.negation()}{part(0, UNARY)}", NEGATION

@@ -23,11 +23,13 @@ def wrapped(line: str, indent: str, hanging: str = "    ", width: int = WIDTH) -
     )
 
 
-def packed(pieces: Sequence[str], indent: str, separator: str = " ") -> list[str]:
+def packed(
+    pieces: Sequence[str], indent: str, separator: str = " ", width: int = WIDTH
+) -> list[str]:
     """Pieces that must stay whole, as many on a line as fit."""
     lines: list[str] = []
     for piece in pieces:
-        if lines and len(lines[-1]) + len(separator) + len(piece) <= WIDTH:
+        if lines and len(lines[-1]) + len(separator) + len(piece) <= width:
             lines[-1] += separator + piece
         else:
             lines.append(indent + piece)

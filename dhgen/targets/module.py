@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.paul.branches import branch_labels
-from dhgen.paul.problem import task_entries
+from dhgen.paul.problem import telling_entries
 from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
 from dhgen.program.limits import Limits
 from dhgen.program.regular import regular
@@ -151,7 +151,6 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "chooses_again": chooses_again(module.solver),
         "checks_again": checks_again(module.solver),
         "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
-        "named_entries": named_entries(chain),
         "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
         "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
         "checks_approach": kind is TaskKind.POINTING,
@@ -170,7 +169,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
 
 @dataclass(frozen=True, slots=True)
 class NamedEntry:
-    """An entry of the pose that the task names.
+    """An entry of the pose by which it is told whether a row fits.
 
     Attributes:
         place: In sixteen numbers, row by row.
@@ -183,7 +182,7 @@ class NamedEntry:
 
 def named_entries(chain: Chain) -> list[NamedEntry]:
     """Those of the task, in order."""
-    places = (POSE_PLACES[name] for name in sorted(task_entries(chain.task)))
+    places = (POSE_PLACES[name] for name in sorted(telling_entries(chain.task)))
     size = repr(1.0 / chain.size)
     return [
         NamedEntry(4 * row + column, size if column == LAST else "1.0") for row, column in places

@@ -9,6 +9,7 @@ from dhgen.targets.scalar import output_texts, row_text
 
 if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints, Axis, Choice, Program
+    from dhgen.targets.dialect import NamedText
     from dhgen.targets.nest import Loop
 
 _FUNCTIONS = {
@@ -62,10 +63,11 @@ class Python:
         """A comment line."""
         return f"# {text}"
 
-    def let(self, name: str, value: str, *, truth: bool) -> str:
-        """An assignment."""
-        del truth
-        return f"{name} = {value}"
+    def lets(self, values: list[NamedText], indent: str) -> list[str]:
+        """Assignments."""
+        lines = [f"{indent}{each.name} = {each.value}" for each in values]
+        fitting = ([line] if len(line) <= WIDTH else self.broken(line, indent) for line in lines)
+        return [part for parts in fitting for part in parts]
 
     def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
         """Leaves the loop body, or the function outside of loops."""

@@ -15,7 +15,7 @@ from dhgen.program.ir import (
     Roots,
     Variable,
 )
-from dhgen.targets.dialect import Dialect, expression_text
+from dhgen.targets.dialect import Dialect, NamedText, expression_text
 from dhgen.targets.layout import INDENT, WIDTH, wrapped
 from dhgen.targets.nest import Loop, nest
 from dhgen.targets.walk import expressions
@@ -32,8 +32,8 @@ class ScalarLanguage(Dialect, Protocol):
         """A comment line."""
         ...
 
-    def let(self, name: str, value: str, *, truth: bool) -> str:
-        """A value gets its name."""
+    def lets(self, values: list[NamedText], indent: str) -> list[str]:
+        """Values get their names, one after another."""
         ...
 
     def leave(self, condition: str, why: str, depth: int, losses: list[str]) -> list[str]:
@@ -76,8 +76,7 @@ def solver_lines(program: Program, language: ScalarLanguage, indent: str) -> lis
 
 def straight_lines(program: Program, language: ScalarLanguage, indent: str) -> list[str]:
     """The body of a program without signs, without its results."""
-    printer = _Printer(program, language)
-    return [line for node in nest(program) for line in printer.node(node, 0, indent)]
+    return _Printer(program, language).body(nest(program), 0, indent)
 
 
 def output_texts(program: Program, language: ScalarLanguage) -> list[str]:
@@ -124,7 +123,7 @@ class _Printer:
         self._signs = {axis.name for axis in program.axes}
 
     def lines(self, nodes: tuple[Nested, ...], depth: int, indent: str) -> list[str]:
-        lines = [line for node in nodes for line in self.node(node, depth, indent)]
+        lines = self.body(nodes, depth, indent)
         if depth == len(self._program.axes):
             for line in _indented(self._language.store(self._program), indent):
                 fits = len(line) <= WIDTH
@@ -133,15 +132,26 @@ class _Printer:
             lines = lines[1:]
         return lines
 
-    def node(self, node: Nested, depth: int, indent: str) -> list[str]:
+    def body(self, nodes: tuple[Nested, ...], depth: int, indent: str) -> list[str]:
+        lines: list[str] = []
+        values: list[NamedText] = []
+        for node in nodes:
+            if isinstance(node, Let):
+                value = expression_text(node.expression, self._language)
+                values.append(NamedText(node.name, value, node.truth))
+            else:
+                lines += self._language.lets(values, indent)
+                values = []
+                lines += self._other(node, depth, indent)
+        return lines + self._language.lets(values, indent)
+
+    def _other(
+        self, node: AllJoints | Guard | Roots | Heading | Loop, depth: int, indent: str
+    ) -> list[str]:
         language = self._language
         match node:
             case Heading(text, detail):
                 return ["", indent + language.comment(f"{text}, {detail}" if detail else text)]
-            case Let(name, expression, _, truth):
-                value = expression_text(expression, language)
-                line = indent + language.let(name, value, truth=truth)
-                return [line] if len(line) <= WIDTH else language.broken(line, indent)
             case Roots(axis, coefficients):
                 texts = [expression_text(each, language) for each in coefficients]
                 lines = _indented(language.roots(self._program.axes[axis], texts), indent)

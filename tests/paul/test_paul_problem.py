@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
+from dhgen.kinematics.algebra import POSE_PLACES
+from dhgen.paul.problem import telling_entries
 from tests.kinematics.values import number
 from tests.paul.arms import derivation, random_values
 from tests.robots.cases import NAMES
@@ -34,6 +37,19 @@ def test_tasks_say_what_is_known() -> None:
     assert known["planar_rr"] == {"t14", "t24"}
     assert known["arm_3r"] == {"t14", "t24", "t34"}
     assert known["wrist_zyz"] == {f"t{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)}
+
+
+def test_two_columns_tell_a_rotation() -> None:
+    """The second is the product of the other two."""
+    rng = np.random.default_rng(1)
+    Q, R = (np.linalg.qr(each)[0] for each in rng.normal(size=(2, 500, 3, 3)))
+    Q, R = (each * np.linalg.det(each)[:, None, None] for each in (Q, R))
+    task = derivation("wrist_zyz").problem.algebra.chain.task
+    told = [POSE_PLACES[name] for name in telling_entries(task)]
+    miss = np.abs(Q - R)
+    most = np.max([miss[:, row, column] for row, column in told], axis=0)
+    assert (miss.max(axis=(1, 2)) <= 3.0 * most).all()
+    assert telling_entries(derivation("planar_rr").problem.algebra.chain.task) == {"t14", "t24"}
 
 
 def test_a_pose_for_fewer_than_six_joints_has_to_be_checked() -> None:

@@ -193,6 +193,7 @@ MOST = {  # additions, multiplications, divisions, square roots, arctangents of 
     "ur5": (135, 170, 3, 7, 20),
     "puma560": (110, 204, 2, 6, 19),
     "stanford": (68, 153, 2, 6, 9),
+    "kuka_youbot": (166, 201, 7, 10, 9),
     "rrprrr": (49, 101, 3, 3, 5),
     "scara": (36, 37, 1, 2, 4),
 }

@@ -1,0 +1,65 @@
+"""Local constants in C: those that belong together stand in one statement."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from dhgen.targets.layout import WIDTH, wrapped
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+# Values without a name of the derivation's, and entries of a matrix.
+_NUMBERED = re.compile(r"(v|angle|packed|J|T)\d+")
+_COSINE_OR_SINE = re.compile(r"[cs](\d+)")
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """A local constant."""
+
+    kind: str
+    name: str
+    value: str
+
+    @property
+    def family(self) -> tuple[str, str]:
+        """What may stand in one statement: branches of a value, an angle's cosine and sine ..."""
+        stem = self.name.partition("_")[0]
+        alike = _NUMBERED.fullmatch(stem) or _COSINE_OR_SINE.fullmatch(stem)
+        return self.kind, alike[1] if alike else stem
+
+
+def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:
+    """Statements, one for each family of values."""
+    return _listed(declarations, indent, lambda each: each.family)
+
+
+def dense(declarations: Iterable[Declaration], indent: str) -> list[str]:
+    """Statements, one for all values of one type that follow each other."""
+    return _listed(declarations, indent, lambda each: each.kind)
+
+
+def _listed(
+    declarations: Iterable[Declaration], indent: str, family_of: Callable[[Declaration], object]
+) -> list[str]:
+    return [
+        line
+        for _, family in groupby(declarations, family_of)
+        for line in _statement(list(family), indent)
+    ]
+
+
+def _statement(declarations: list[Declaration], indent: str) -> list[str]:
+    """One statement for values of one type, broken between them as far as that will do."""
+    first, *others = (f"{each.name} = {each.value}," for each in declarations)
+    lines = wrapped(f"{indent}const {declarations[0].kind} {first}", indent)
+    for other in others:
+        if len(lines[-1]) + 1 + len(other) <= WIDTH:
+            lines[-1] += f" {other}"
+        else:
+            lines += wrapped(f"{indent}    {other}", f"{indent}    ")
+    return [*lines[:-1], f"{lines[-1].removesuffix(',')};"]
