@@ -163,17 +163,18 @@ def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
 
 
 @_inner
-def _circle_roots(a0, a1, b1, a2, b2):
+def _circle_roots(a0, a1, b1, a2, b2, moved):
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
     Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
     leading coefficient; its roots lie between those of its derivative, those between the
-    roots of the second derivative.
+    roots of the second derivative. Second comes which are close, where the slope is small: one may
+    stand for two, or has another beside it. All are moved by an angle in the end.
     """
-    x = np.full(4, math.nan)
+    x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
     if not (size > 0.0 and math.isfinite(size)):
-        return x
+        return x, close
     best, apart = -1.0, 0.0
     for k in range(16):
         at = _TURN * k / 16
@@ -208,15 +209,18 @@ def _circle_roots(a0, a1, b1, a2, b2):
         at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
         c, s = math.cos(at), math.sin(at)
         slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
-        if abs(slope) > 0.0001 * size:
+        flat = abs(slope) <= 0.0001 * size
+        if not flat:
             at -= (a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s) / slope
         at -= _TURN * math.ceil(at / _TURN - 0.5)
         place = k
         while place > 0 and x[place - 1] > at:
-            x[place] = x[place - 1]
+            x[place], close[place] = x[place - 1], close[place - 1]
             place -= 1
-        x[place] = at
-    return x
+        x[place], close[place] = at, flat
+    for k in range(4):
+        x[k] += moved
+    return x, close
 @njit(fastmath={"contract"}, **_OPTIONS)
 def _atan2(y, x):
     """math.atan2 by a polynomial: without branches, within 3 units in the last place."""
@@ -352,6 +356,9 @@ def jacobian(q):
     return J
 
 
+_CLOSE = 64  # roots nearly meet: the row may stand between two solutions
+
+
 _APART = []  # what is compiled apart: functions, and the types of their arguments
 
 
@@ -364,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 50b4a21875eb0169"
+_KEY = "cuspidal_3r 3b119653602acc0c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -495,30 +502,83 @@ def _take(to, numbers):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e."""
-    damping = 0.1 * min(length * length, 1.0) + 1e-13
-    L, y = np.zeros((3, 3)), np.empty(3)
-    for i in range(3):
-        y[i] = e[i]
-        for j in range(i + 1):
-            total = damping if i == j else 0.0
-            for k in range(3):
-                total += A[i, k] * A[j, k]
-            for k in range(j):
-                total -= L[i, k] * L[j, k]
-            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
-        for k in range(i):
-            y[i] -= L[i, k] * y[k]
-        y[i] /= L[i, i]
-    for i in range(2, -1, -1):
-        for k in range(i + 1, 3):
-            y[i] -= L[k, i] * y[k]
-        y[i] /= L[i, i]
+def _shorten(step):
+    """Makes a step no longer than it may be."""
+    longest = 2.0
     for j in range(3):
-        step[j] = 0.0
-        for i in range(3):
-            step[j] += A[i, j] * y[i]
+        longest = max(longest, abs(step[j]))
+    for j in range(3):
+        step[j] *= 2.0 / longest
+
+
+@_inner
+def _damped_step(A, e, length, step):
+    """The damped least squares step A' (A A' + damping)^-1 e.
+
+    The rows of A, each with its share of the damping's root behind it, are made orthonormal one
+    after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
+    orthogonalization, 1994): the product A A' would lose half of the digits.
+    """
+    damping = 0.1 * min(length * length, 1.0) + 1e-26
+    rows, y = np.zeros((3, 6)), np.empty(3)
+    total = np.zeros(6)
+    for i in range(3):
+        for j in range(3):
+            rows[i, j] = A[i, j]
+        rows[i, 3 + i] = math.sqrt(damping)
+        y[i] = e[i]
+        for k in range(i):
+            along = 0.0
+            for j in range(6):
+                along += rows[k, j] * rows[i, j]
+            for j in range(6):
+                rows[i, j] -= along * rows[k, j]
+            y[i] -= along * y[k]
+        square = 0.0
+        for j in range(6):
+            square += rows[i, j] * rows[i, j]
+        inverse = 1.0 / math.sqrt(square)
+        y[i] *= inverse
+        for j in range(6):
+            rows[i, j] *= inverse
+    for i in range(2, -1, -1):
+        missing = y[i]
+        for j in range(6):
+            missing -= rows[i, j] * total[j]
+        for j in range(6):
+            total[j] += missing * rows[i, j]
+    for j in range(3):
+        step[j] = total[j]
+
+
+@_apart("float64(float64[:, ::1], int64, float64, float64[::1], float64[::1])")
+def _descended(T, steps, exact, q, ahead):
+    """Takes a row as far as steps help, and tells how long another one would be, into `ahead`.
+
+    Returns by how much the row misses the pose then.
+    """
+    e, A = np.empty(3), np.empty((3, 3))
+    joints, u, step = q.copy(), np.empty(3), np.empty(3)
+    for j in range(3):
+        u[j] = q[_SOLVED[j]] / _UNIT[j]
+    best, least = u.copy(), math.inf
+    ahead[0] = math.inf
+    for _ in range(steps + 1):
+        length = _look(T, joints, u, e, A)
+        _damped_step(A, e, length, step)
+        slow = not length <= 0.5 * least
+        if length < least:
+            least, ahead[0] = length, np.abs(step).max()
+            _take(best, u)
+        if slow or least <= 0.001 * exact:
+            break
+        _shorten(step)
+        for j in range(3):
+            u[j] += step[j]
+    _wrap_angles(best)
+    for j in range(3):
+        q[_SOLVED[j]] = _UNIT[j] * best[j]
+    return least
 
 
 @_inner
@@ -530,42 +590,53 @@ def _tightened(T, exact, first, q):
     """
     if first <= exact:
         return first, False
-    e, A = np.empty(3), np.empty((3, 3))
-    joints, u, step = q.copy(), np.empty(3), np.empty(3)
-    for j in range(3):
-        u[j] = q[_SOLVED[j]] / _UNIT[j]
-    best, least, moved = u.copy(), math.inf, False
-    for k in range(24 + 1):
-        length = _look(T, joints, u, e, A)
-        slow = not length <= 0.5 * least
-        if length < least:
-            least, moved = length, k > 0
-            _take(best, u)
-        if slow or least <= exact:
-            break
-        _damped_step(A, e, length, step)
-        for j in range(3):
-            u[j] += step[j]
-    if moved:
-        _wrap_angles(best)
-        for j in range(3):
-            q[_SOLVED[j]] = _UNIT[j] * best[j]
+    end, moved = q.copy(), False
+    least = _descended(T, 24, exact, end, np.empty(1))
+    for i in range(3):
+        moved = moved or q[i] != end[i]
+        q[i] = end[i]
     return least, moved
+
+
+@_inner
+def _gap_between(q, other):
+    """By how much the joint values of two rows differ at most."""
+    gap = np.empty(3)
+    for j in range(3):
+        gap[j] = (q[_SOLVED[j]] - other[_SOLVED[j]]) / _UNIT[j]
+    _wrap_angles(gap)
+    return np.abs(gap).max()
 
 
 @_inner
 def _repeats(q, held, moved, row):
     """Whether a row that was moved came to lie on another."""
-    gap = np.empty(3)
     for k in range(4):
         if not held[k] or k == row or (k > row and moved[k]):
             continue
-        for j in range(3):
-            gap[j] = (q[k, _SOLVED[j]] - q[row, _SOLVED[j]]) / _UNIT[j]
-        _wrap_angles(gap)
-        if np.abs(gap).max() < 1e-06:
+        if _gap_between(q[k], q[row]) < 1e-06:
             return True
     return False
+
+
+@_inner
+def _exactness(pose):
+    """What an exact row may miss: far away rounding is more."""
+    distance = 1.0  # arm sizes
+    distance = max(distance, abs(pose[3]) / 5.5)
+    distance = max(distance, abs(pose[7]) / 5.5)
+    distance = max(distance, abs(pose[11]) / 5.5)
+    return 1e-12 * distance
+
+
+@_inner
+def _upper_rows(pose):
+    """A pose as a matrix (3, 4)."""
+    T = np.empty((3, 4))
+    for i in range(3):
+        for j in range(4):
+            T[i, j] = pose[4 * i + j]
+    return T
 
 
 @_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
@@ -583,24 +654,17 @@ def _tighten_rows(T, exact, miss, q, held):
 @_inner
 def _tighten(pose, q, status):
     """Tightens the rows that have a solution; some may have none then."""
-    distance = 1.0  # arm sizes
-    distance = max(distance, abs(pose[3]) / 5.5)
-    distance = max(distance, abs(pose[7]) / 5.5)
-    distance = max(distance, abs(pose[11]) / 5.5)
-    exact = 1e-12 * distance
+    exact = _exactness(pose)
     worst, miss = 0.0, carray(_room(4), 4)
     for row in range(4):
         miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
         worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(4, np.bool_)
-    for i in range(3):
-        for j in range(4):
-            T[i, j] = pose[4 * i + j]
+    rows, held = q.copy(), np.empty(4, np.bool_)
     for row in range(4):
         held[row] = status[row] != UNREACHABLE
-    _tighten_rows(T, exact, miss, rows, held)
+    _tighten_rows(_upper_rows(pose), exact, miss, rows, held)
     for row in range(4):
         if not held[row]:
             status[row] = UNREACHABLE
@@ -609,7 +673,7 @@ def _tighten(pose, q, status):
 
 
 @_inner
-def _solve(pose, seed, q, status):
+def _solve(pose, seed, moved, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
     _, _, _, T14, _, _, _, T24, _, _, _, T34 = pose
 
@@ -627,8 +691,9 @@ def _solve(pose, seed, q, status):
     v9 = 2.0 * v2
     v10 = v5 * v5
     v11 = v6 * v6
-    x1_roots = _circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3 * v9 + v5
-        * k5), v6 * k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6)
+    x1_roots, x1_close = _circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3
+        * v9 + v5 * k5), v6 * k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6,
+        moved)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
@@ -657,7 +722,7 @@ def _solve(pose, seed, q, status):
         q[row, 0] = x1
         q[row, 1] = q2
         q[row, 2] = q3
-        status[row] = FREE_JOINT if free2 else OK
+        status[row] = FREE_JOINT if free2 else _CLOSE if x1_close[i1] else OK
 
 
 @njit(**{**_OPTIONS, "forceinline": True})
@@ -685,6 +750,83 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
+@_inner
+def _solves(T, steps, exact, q):
+    """Whether joint values are a solution.
+
+    Beside a singular place they may miss the pose by next to nothing and be far from any.
+    """
+    ahead = np.empty(1)
+    return _descended(T, steps, exact, q, ahead) <= exact and ahead[0] <= 0.0001
+
+
+@_inner
+def _is_new(known, count, q):
+    """Whether a solution is none of those."""
+    for k in range(count):
+        if _gap_between(known[k], q) < 0.001:
+            return False
+    return True
+
+
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
+def _beside(pose, seed, q, status):
+    """Solutions for the rows that stand between two of them, which are known by no more than that.
+
+    Rows of roots a little to both sides lead there.
+    """
+    T, exact = _upper_rows(pose), _exactness(pose)
+    known, count = np.empty((8, 3)), 0
+    doubtful = np.zeros(4, np.bool_)
+    for row in range(4):
+        if status[row] == _CLOSE:
+            doubtful[row] = not _solves(T, 0, exact, q[row].copy())
+            status[row] = OK
+        if status[row] != UNREACHABLE and not doubtful[row]:
+            _take(known[count], q[row])
+            count += 1
+    after = count
+    other, kind = np.empty((4, 3)), np.empty(4, np.uint8)
+    for row in range(4):
+        for move in range(58 if doubtful[row] else 0):
+            kind[:] = UNREACHABLE
+            angle = math.ldexp(-1.0 if move % 2 else 1.0, -12 - move // 2)
+            _solve(pose, seed, angle, other, kind)
+            if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
+                continue
+            if not _solves(T, 24, exact, other[row]):
+                continue
+            status[row] = UNREACHABLE
+            if count < 8 and _is_new(known, count, other[row]):
+                _take(known[count], other[row])
+                count += 1
+    for row in range(4):
+        if status[row] != UNREACHABLE:
+            continue
+        if after < count:
+            _take(q[row], known[after])
+            status[row] = OK
+        else:
+            q[row, :] = math.nan
+        after += 1
+
+
+@_inner
+def _both_sides(pose, seed, q, status):
+    """Solutions for the rows of roots that nearly meet, which may stand between two."""
+    close = False
+    for row in range(4):
+        close = close or status[row] == _CLOSE
+    if not close:
+        return
+    rows, kinds = q.copy(), status.copy()
+    _beside(pose, seed.copy(), rows, kinds)
+    for row in range(4):
+        status[row] = kinds[row]
+        for i in range(3):
+            q[row, i] = rows[row, i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -692,7 +834,8 @@ def _whole(pose, seed, q, status):
         status[row] = UNREACHABLE
         for i in range(3):
             q[row, i] = math.nan
-    _solve(pose, seed, q, status)
+    _solve(pose, seed, 0.0, q, status)
+    _both_sides(pose, seed, q, status)
     _tighten(pose, q, status)
     count = 0
     for row in range(4):

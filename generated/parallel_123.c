@@ -67,13 +67,18 @@ static int between(const double p[5], const double *edges, int count, double tol
  * Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
  * leading
  * coefficient; its roots lie between those of its derivative, those between the roots of the
- * second. */
-static void circle_roots(double a0, double a1, double b1, double a2, double b2, double x[4])
+ * second.
+ * They are `close` where the slope is small: one may stand for two, or has another beside it. All
+ * are
+ * `moved` by an angle in the end. */
+static void circle_roots(
+    double a0, double a1, double b1, double a2, double b2, double moved, double x[4], int close[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
     double best = -1.0, apart = 0.0, edges[5], extrema[4];
     int count = 0;
     x[0] = x[1] = x[2] = x[3] = NAN;
+    close[0] = close[1] = close[2] = close[3] = 0;
     if (!(size > 0.0 && isfinite(size)))
         return;
     for (int k = 0; k < 16; k++) {
@@ -109,14 +114,20 @@ static void circle_roots(double a0, double a1, double b1, double a2, double b2, 
         double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
         const double ca = cos(at), sa = sin(at);
         const double rate = b1 * ca - a1 * sa + 2.0 * b2 * (ca * ca - sa * sa) - 4.0 * a2 * ca * sa;
-        if (fabs(rate) > 0.0001 * size)
+        const int flat = fabs(rate) <= 0.0001 * size;
+        if (!flat)
             at -= (a0 + a1 * ca + b1 * sa + a2 * (ca * ca - sa * sa) + 2.0 * b2 * ca * sa) / rate;
         at -= turn * ceil(at / turn - 0.5);
         int place = k;
-        for (; place > 0 && x[place - 1] > at; place--)
+        for (; place > 0 && x[place - 1] > at; place--) {
             x[place] = x[place - 1];
+            close[place] = close[place - 1];
+        }
         x[place] = at;
+        close[place] = flat;
     }
+    for (int k = 0; k < 4; k++)
+        x[k] += moved;
 }
 
 
@@ -206,36 +217,88 @@ static void wrap_angles(double u[6])
             u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. */
+/* Makes a step no longer than it may be. */
+static void shorten(double step[6])
+{
+    double longest = 2.0;
+    for (int j = 0; j < 6; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < 6; j++)
+        step[j] *= 2.0 / longest;
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+ * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
+ * by
+ * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
+ * */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double step[6])
 {
-    double L[6][6], y[6];
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-26;
+    double rows[6][12], y[6], sum[12] = { 0.0 };
     for (int i = 0; i < 6; i++) {
+        double square = 0.0;
+        for (int j = 0; j < 12; j++)
+            rows[i][j] = j < 6 ? d->A[i][j] : j == 6 + i ? sqrt(damping) : 0.0;
         y[i] = e[i];
-        for (int j = 0; j <= i; j++) {
-            double sum = i == j ? damping : 0.0;
-            for (int k = 0; k < 6; k++)
-                sum += d->A[i][k] * d->A[j][k];
-            for (int k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += rows[k][j] * rows[i][j];
+            for (int j = 0; j < 12; j++)
+                rows[i][j] -= along * rows[k][j];
+            y[i] -= along * y[k];
         }
-        for (int k = 0; k < i; k++)
-            y[i] -= L[i][k] * y[k];
-        y[i] /= L[i][i];
+        for (int j = 0; j < 12; j++)
+            square += rows[i][j] * rows[i][j];
+        const double inverse = 1.0 / sqrt(square);
+        y[i] *= inverse;
+        for (int j = 0; j < 12; j++)
+            rows[i][j] *= inverse;
     }
     for (int i = 6 - 1; i >= 0; i--) {
-        for (int k = i + 1; k < 6; k++)
-            y[i] -= L[k][i] * y[k];
-        y[i] /= L[i][i];
+        double missing = y[i];
+        for (int j = 0; j < 12; j++)
+            missing -= rows[i][j] * sum[j];
+        for (int j = 0; j < 12; j++)
+            sum[j] += missing * rows[i][j];
     }
-    for (int j = 0; j < 6; j++) {
-        step[j] = 0.0;
-        for (int i = 0; i < 6; i++)
-            step[j] += d->A[i][j] * y[i];
+    for (int j = 0; j < 6; j++)
+        step[j] = sum[j];
+}
+
+/* Takes a row as far as steps help, and tells how long another one would be; returns by how much
+ * the row misses the pose then. */
+static double descended(struct descent *d, int steps, double exact, double q[6], double *ahead)
+{
+    double u[6], best[6], step[6], least = HUGE_VAL;
+    for (int i = 0; i < 6; i++)
+        d->q[i] = q[i];
+    for (int j = 0; j < 6; j++)
+        best[j] = u[j] = q[solved[j]] / unit[j];
+    *ahead = HUGE_VAL;
+    for (int k = 0; k <= steps; k++) {
+        look(d, u);
+        damped_step(d, d->e, d->length, step);
+        const int slow = !(d->length <= 0.5 * least);
+        if (d->length < least) {
+            least = d->length;
+            *ahead = 0.0;
+            copy(u, best);
+            for (int j = 0; j < 6; j++)
+                *ahead = fmax(*ahead, fabs(step[j]));
+        }
+        if (slow || least <= 0.001 * exact)
+            break;
+        shorten(step);
+        for (int j = 0; j < 6; j++)
+            u[j] += step[j];
     }
+    wrap_angles(best);
+    for (int j = 0; j < 6; j++)
+        q[solved[j]] = unit[j] * best[j];
+    return least;
 }
 
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
@@ -243,60 +306,55 @@ static void damped_step(
 static double tightened(struct descent *d, double exact, double q[6], int *moved)
 {
     const double first = missed_by(d->T, q);
-    double u[6], best[6], step[6], least = HUGE_VAL;
+    double end[6], ahead;
     if (first <= exact)
         return first;
     for (int i = 0; i < 6; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 6; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    for (int k = 0; k <= 24; k++) {
-        look(d, u);
-        const int slow = !(d->length <= 0.5 * least);
-        if (d->length < least) {
-            least = d->length;
-            *moved = k > 0;
-            copy(u, best);
-        }
-        if (slow || least <= exact)
-            break;
-        damped_step(d, d->e, d->length, step);
-        for (int j = 0; j < 6; j++)
-            u[j] += step[j];
-    }
-    if (*moved) {
-        wrap_angles(best);
-        for (int j = 0; j < 6; j++)
-            q[solved[j]] = unit[j] * best[j];
+        end[i] = q[i];
+    const double least = descended(d, 24, exact, end, &ahead);
+    for (int i = 0; i < 6; i++) {
+        *moved = *moved || q[i] < end[i] || q[i] > end[i];
+        q[i] = end[i];
     }
     return least;
+}
+
+/* By how much the joint values of two rows differ at most. */
+static double gap_between(const double q[6], const double other[6])
+{
+    double gap[6], widest = 0.0;
+    for (int j = 0; j < 6; j++)
+        gap[j] = (q[solved[j]] - other[solved[j]]) / unit[j];
+    wrap_angles(gap);
+    for (int j = 0; j < 6; j++)
+        widest = fmax(widest, fabs(gap[j]));
+    return widest;
 }
 
 /* Whether a row that was moved came to lie on another. */
 static int repeats(double q[8][6], const int moved[8], int row)
 {
-    for (int k = 0; k < 8; k++) {
-        double gap[6];
-        int same = k < row || !moved[k];
-        for (int j = 0; j < 6; j++)
-            gap[j] = (q[k][solved[j]] - q[row][solved[j]]) / unit[j];
-        wrap_angles(gap);
-        for (int j = 0; j < 6; j++)
-            same = same && fabs(gap[j]) < 1e-06;
-        if (same && k != row)
+    for (int k = 0; k < 8; k++)
+        if (k != row && (k < row || !moved[k]) && !isnan(q[k][0]) && gap_between(q[k], q[row]) <
+            1e-06)
             return 1;
-    }
     return 0;
+}
+
+/* What an exact row may miss: far away rounding is more. */
+static double exactness(const double T[16])
+{
+    double distance = 1.0; /* arm sizes */
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.5999999999999999);
+    return 1e-12 * distance;
 }
 
 /* Tightens the rows; ends all but one of those that have become the same. */
 static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
-    double distance = 1.0; /* arm sizes */
-    for (int i = 0; i < 3; i++)
-        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 1.5999999999999999);
-    const double exact = 1e-12 * distance;
+    const double exact = exactness(T);
     int moved[8] = { 0 };
     for (int row = 0; row < 8; row++)
         if (status[row] != PARALLEL_123_UNREACHABLE)
@@ -512,6 +570,8 @@ static int read_pose(const double given[16], double T[16])
     return 2;
 }
 
+enum { CLOSE = 64 }; /* roots nearly meet: the row may stand between two solutions */
+
 /* LOST + j: the row was lost after joint j had been chosen freely; NEARLY + j: joint j is nearly
  * free, and the row's second value is its angle. */
 enum { LOST = 128, NEARLY = 192 };
@@ -526,7 +586,7 @@ static void lose(int why, double off, double q[6], unsigned char *status)
 /* Fills the rows of the branches that have a solution, and no others. The first value of a row that
  * is LOST says how far it is from a solution (negative). */
 static void solve(
-    const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
+    const double T[16], const double seed[6], double moved, double q[8][6], unsigned char status[8])
 {
     const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
     const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
@@ -543,7 +603,8 @@ static void solve(
         v19 = v5 * v6 + v8 * v9,
         v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7;
     double x6_roots[4];
-    circle_roots(v20, v16, v17, v18, v19, x6_roots);
+    int x6_close[4];
+    circle_roots(v20, v16, v17, v18, v19, moved, x6_roots, x6_close);
     const double v23 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]),
         v24 = 2.0 * (cos(seed[5]) * sin(seed[5])),
         v25 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19), v26 = 2.0 * v19,
@@ -661,8 +722,8 @@ static void solve(
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1_ || free123 || free123) ? PARALLEL_123_FREE_JOINT :
-                PARALLEL_123_OK;
+            status[row] = (free1_ || free123 || free123) ? PARALLEL_123_FREE_JOINT : (x6_close[i1])
+                ? CLOSE : PARALLEL_123_OK;
         }
     }
 }
@@ -681,7 +742,7 @@ static double attempt(struct search *lost, double moved)
     lost->seed[lost->joint] = lost->start + moved;
     for (int i = 0; i < 8; i++)
         lost->status[i] = PARALLEL_123_UNREACHABLE;
-    solve(lost->T, lost->seed, lost->q, lost->status);
+    solve(lost->T, lost->seed, 0.0, lost->q, lost->status);
     if (lost->status[lost->row] >= LOST)
         return lost->q[lost->row][0];
     return lost->status[lost->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
@@ -716,7 +777,8 @@ static double summit(struct search *lost, double low, double high)
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed. */
+ * what lies between two of them, bisection the end that is nearest to the seed; of two that are
+ * equally near the lower one. */
 static double serving_value(struct search *lost)
 {
     const double step = turn / 64.0;
@@ -739,7 +801,7 @@ static double serving_value(struct search *lost)
             else
                 inner = middle;
         }
-        if (!(fabs(outer) >= fabs(nearest)))
+        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
             nearest = outer;
     }
     return nearest;
@@ -777,6 +839,82 @@ static void choose_again(
         q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
+/* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
+ * nothing and be far from any. */
+static int solves(struct descent *d, int steps, double exact, double q[6])
+{
+    double ahead;
+    return descended(d, steps, exact, q, &ahead) <= exact && ahead <= 0.0001;
+}
+
+/* Whether a solution is none of those. */
+static int is_new(double known[16][6], int count, const double q[6])
+{
+    for (int k = 0; k < count; k++)
+        if (gap_between(known[k], q) < 0.001)
+            return 0;
+    return 1;
+}
+
+/* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
+ * a
+ * joint that is nearly free. Rows of roots a little to both sides lead there. */
+static void both_sides(
+    const double T[16], const double seed[6], double q[8][6],
+    unsigned char status[8])
+{
+    struct descent d = { .T = T };
+    double known[16][6];
+    int doubtful[8], any = 0, count = 0;
+    const double exact = exactness(T);
+    for (int row = 0; row < 8; row++) {
+        const int close = status[row] == CLOSE;
+        double here[6];
+        for (int i = 0; i < 6; i++)
+            here[i] = q[row][i];
+        doubtful[row] = close && !solves(&d, 0, exact, here);
+        if (close)
+            status[row] = PARALLEL_123_OK;
+        any += doubtful[row];
+        if (status[row] == PARALLEL_123_UNREACHABLE || doubtful[row])
+            continue;
+        for (int i = 0; i < 6; i++)
+            known[count][i] = q[row][i];
+        count++;
+    }
+    if (!any)
+        return;
+    int next = count;
+    for (int row = 0; row < 8; row++) {
+        for (int move = 0; doubtful[row] && move < 58; move++) {
+            double other[8][6], angle = ldexp(move % 2 ? -1.0 : 1.0, -12 - move / 2);
+            unsigned char kind[8] = { 0 };
+            for (int k = 0; k < 8; k++)
+                kind[k] = PARALLEL_123_UNREACHABLE;
+            solve(T, seed, angle, other, kind);
+            if (kind[row] == PARALLEL_123_UNREACHABLE || kind[row] > CLOSE /* lost */
+                    || !solves(&d, 24, exact, other[row]))
+                continue;
+            status[row] = PARALLEL_123_UNREACHABLE;
+            if (count < 16 && is_new(known, count, other[row])) {
+                for (int i = 0; i < 6; i++)
+                    known[count][i] = other[row][i];
+                count++;
+            }
+        }
+    }
+    for (int row = 0; row < 8; row++) {
+        if (status[row] != PARALLEL_123_UNREACHABLE)
+            continue;
+        if (next < count)
+            status[row] = PARALLEL_123_OK;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = next < count ? known[next][i] : NAN;
+        next++;
+    }
+}
+
+
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -806,10 +944,11 @@ int parallel_123_ik(
     }
     if (!valid)
         return -PARALLEL_123_INVALID_POSE;
-    solve(pose, seed, q, status);
+    solve(pose, seed, 0.0, q, status);
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
+    both_sides(pose, seed, q, status);
     tighten(pose, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PARALLEL_123_UNREACHABLE)

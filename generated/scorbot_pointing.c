@@ -309,36 +309,88 @@ static void wrap_angles(double u[4])
             u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. */
+/* Makes a step no longer than it may be. */
+static void shorten(double step[4])
+{
+    double longest = 2.0;
+    for (int j = 0; j < 4; j++)
+        longest = fmax(longest, fabs(step[j]));
+    for (int j = 0; j < 4; j++)
+        step[j] *= 2.0 / longest;
+}
+
+/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+ * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
+ * by
+ * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
+ * */
 static void damped_step(
     const struct descent *d, const double e[6], double length, double step[4])
 {
-    double L[6][6], y[6];
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-26;
+    double rows[6][10], y[6], sum[10] = { 0.0 };
     for (int i = 0; i < 6; i++) {
+        double square = 0.0;
+        for (int j = 0; j < 10; j++)
+            rows[i][j] = j < 4 ? d->A[i][j] : j == 4 + i ? sqrt(damping) : 0.0;
         y[i] = e[i];
-        for (int j = 0; j <= i; j++) {
-            double sum = i == j ? damping : 0.0;
-            for (int k = 0; k < 4; k++)
-                sum += d->A[i][k] * d->A[j][k];
-            for (int k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 10; j++)
+                along += rows[k][j] * rows[i][j];
+            for (int j = 0; j < 10; j++)
+                rows[i][j] -= along * rows[k][j];
+            y[i] -= along * y[k];
         }
-        for (int k = 0; k < i; k++)
-            y[i] -= L[i][k] * y[k];
-        y[i] /= L[i][i];
+        for (int j = 0; j < 10; j++)
+            square += rows[i][j] * rows[i][j];
+        const double inverse = 1.0 / sqrt(square);
+        y[i] *= inverse;
+        for (int j = 0; j < 10; j++)
+            rows[i][j] *= inverse;
     }
     for (int i = 6 - 1; i >= 0; i--) {
-        for (int k = i + 1; k < 6; k++)
-            y[i] -= L[k][i] * y[k];
-        y[i] /= L[i][i];
+        double missing = y[i];
+        for (int j = 0; j < 10; j++)
+            missing -= rows[i][j] * sum[j];
+        for (int j = 0; j < 10; j++)
+            sum[j] += missing * rows[i][j];
     }
-    for (int j = 0; j < 4; j++) {
-        step[j] = 0.0;
-        for (int i = 0; i < 6; i++)
-            step[j] += d->A[i][j] * y[i];
+    for (int j = 0; j < 4; j++)
+        step[j] = sum[j];
+}
+
+/* Takes a row as far as steps help, and tells how long another one would be; returns by how much
+ * the row misses the pose then. */
+static double descended(struct descent *d, int steps, double exact, double q[5], double *ahead)
+{
+    double u[4], best[4], step[4], least = HUGE_VAL;
+    for (int i = 0; i < 5; i++)
+        d->q[i] = q[i];
+    for (int j = 0; j < 4; j++)
+        best[j] = u[j] = q[solved[j]] / unit[j];
+    *ahead = HUGE_VAL;
+    for (int k = 0; k <= steps; k++) {
+        look(d, u);
+        damped_step(d, d->e, d->length, step);
+        const int slow = !(d->length <= 0.5 * least);
+        if (d->length < least) {
+            least = d->length;
+            *ahead = 0.0;
+            copy(u, best);
+            for (int j = 0; j < 4; j++)
+                *ahead = fmax(*ahead, fabs(step[j]));
+        }
+        if (slow || least <= 0.001 * exact)
+            break;
+        shorten(step);
+        for (int j = 0; j < 4; j++)
+            u[j] += step[j];
     }
+    wrap_angles(best);
+    for (int j = 0; j < 4; j++)
+        q[solved[j]] = unit[j] * best[j];
+    return least;
 }
 
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
@@ -347,54 +399,50 @@ static void damped_step(
 static double tightened(struct descent *d, double exact, double q[5], int *moved)
 {
     const double first = missed_by(d->T, q);
-    double u[4], best[4], step[4], least = HUGE_VAL;
+    double end[5], ahead;
     if (first <= exact)
         return first;
     for (int i = 0; i < 5; i++)
-        d->q[i] = q[i];
-    for (int j = 0; j < 4; j++)
-        best[j] = u[j] = q[solved[j]] / unit[j];
-    for (int k = 0; k <= 24; k++) {
-        look(d, u);
-        const int slow = !(d->length <= 0.5 * least);
-        if (d->length < least) {
-            least = d->length;
-            *moved = k > 0;
-            copy(u, best);
-        }
-        if (slow || least <= exact)
-            break;
-        damped_step(d, d->e, d->length, step);
-        for (int j = 0; j < 4; j++)
-            u[j] += step[j];
-    }
-    if (least > exact) { /* the pose is rounded, or this is no solution */
-        *moved = 0;
+        end[i] = q[i];
+    const double least = descended(d, 24, exact, end, &ahead);
+    if (least > exact) /* the pose is rounded, or this is no solution */
         return first;
-    }
-    if (*moved) {
-        wrap_angles(best);
-        for (int j = 0; j < 4; j++)
-            q[solved[j]] = unit[j] * best[j];
+    for (int i = 0; i < 5; i++) {
+        *moved = *moved || q[i] < end[i] || q[i] > end[i];
+        q[i] = end[i];
     }
     return least;
+}
+
+/* By how much the joint values of two rows differ at most. */
+static double gap_between(const double q[5], const double other[5])
+{
+    double gap[4], widest = 0.0;
+    for (int j = 0; j < 4; j++)
+        gap[j] = (q[solved[j]] - other[solved[j]]) / unit[j];
+    wrap_angles(gap);
+    for (int j = 0; j < 4; j++)
+        widest = fmax(widest, fabs(gap[j]));
+    return widest;
 }
 
 /* Whether a row that was moved came to lie on another. */
 static int repeats(double q[4][5], const int moved[4], int row)
 {
-    for (int k = 0; k < 4; k++) {
-        double gap[4];
-        int same = k < row || !moved[k];
-        for (int j = 0; j < 4; j++)
-            gap[j] = (q[k][solved[j]] - q[row][solved[j]]) / unit[j];
-        wrap_angles(gap);
-        for (int j = 0; j < 4; j++)
-            same = same && fabs(gap[j]) < 1e-06;
-        if (same && k != row)
+    for (int k = 0; k < 4; k++)
+        if (k != row && (k < row || !moved[k]) && !isnan(q[k][0]) && gap_between(q[k], q[row]) <
+            1e-06)
             return 1;
-    }
     return 0;
+}
+
+/* What an exact row may miss: far away rounding is more. */
+static double exactness(const double T[16])
+{
+    double distance = 1.0; /* arm sizes */
+    for (int i = 0; i < 3; i++)
+        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 0.952);
+    return 1e-12 * distance;
 }
 
 /* Tightens the rows; ends those that do not fit, and all but one of those that have become the
@@ -403,10 +451,7 @@ static int repeats(double q[4][5], const int moved[4], int row)
 static void tighten(const double T[16], double q[4][5], unsigned char status[4])
 {
     struct descent d = { .T = T };
-    double distance = 1.0; /* arm sizes */
-    for (int i = 0; i < 3; i++)
-        distance = fmax(distance, fabs(T[4 * coordinate[i] + 3]) / 0.952);
-    const double exact = 1e-12 * distance;
+    const double exact = exactness(T);
     int moved[4] = { 0 };
     double miss[4], least = HUGE_VAL;
     for (int row = 0; row < 4; row++) {
@@ -963,7 +1008,8 @@ static double summit(struct search *lost, double low, double high)
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed. */
+ * what lies between two of them, bisection the end that is nearest to the seed; of two that are
+ * equally near the lower one. */
 static double serving_value(struct search *lost)
 {
     const double step = turn / 64.0;
@@ -986,7 +1032,7 @@ static double serving_value(struct search *lost)
             else
                 inner = middle;
         }
-        if (!(fabs(outer) >= fabs(nearest)))
+        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
             nearest = outer;
     }
     return nearest;

@@ -340,7 +340,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing c0941686a199467d"
+_KEY = "scorbot_pointing a123aae77c96f7e7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -518,30 +518,83 @@ def _take(to, numbers):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e."""
-    damping = 0.1 * min(length * length, 1.0) + 1e-13
-    L, y = np.zeros((6, 6)), np.empty(6)
-    for i in range(6):
-        y[i] = e[i]
-        for j in range(i + 1):
-            total = damping if i == j else 0.0
-            for k in range(4):
-                total += A[i, k] * A[j, k]
-            for k in range(j):
-                total -= L[i, k] * L[j, k]
-            L[i, j] = math.sqrt(max(total, 1e-13)) if i == j else total / L[j, j]
-        for k in range(i):
-            y[i] -= L[i, k] * y[k]
-        y[i] /= L[i, i]
-    for i in range(5, -1, -1):
-        for k in range(i + 1, 6):
-            y[i] -= L[k, i] * y[k]
-        y[i] /= L[i, i]
+def _shorten(step):
+    """Makes a step no longer than it may be."""
+    longest = 2.0
     for j in range(4):
-        step[j] = 0.0
-        for i in range(6):
-            step[j] += A[i, j] * y[i]
+        longest = max(longest, abs(step[j]))
+    for j in range(4):
+        step[j] *= 2.0 / longest
+
+
+@_inner
+def _damped_step(A, e, length, step):
+    """The damped least squares step A' (A A' + damping)^-1 e.
+
+    The rows of A, each with its share of the damping's root behind it, are made orthonormal one
+    after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
+    orthogonalization, 1994): the product A A' would lose half of the digits.
+    """
+    damping = 0.1 * min(length * length, 1.0) + 1e-26
+    rows, y = np.zeros((6, 10)), np.empty(6)
+    total = np.zeros(10)
+    for i in range(6):
+        for j in range(4):
+            rows[i, j] = A[i, j]
+        rows[i, 4 + i] = math.sqrt(damping)
+        y[i] = e[i]
+        for k in range(i):
+            along = 0.0
+            for j in range(10):
+                along += rows[k, j] * rows[i, j]
+            for j in range(10):
+                rows[i, j] -= along * rows[k, j]
+            y[i] -= along * y[k]
+        square = 0.0
+        for j in range(10):
+            square += rows[i, j] * rows[i, j]
+        inverse = 1.0 / math.sqrt(square)
+        y[i] *= inverse
+        for j in range(10):
+            rows[i, j] *= inverse
+    for i in range(5, -1, -1):
+        missing = y[i]
+        for j in range(10):
+            missing -= rows[i, j] * total[j]
+        for j in range(10):
+            total[j] += missing * rows[i, j]
+    for j in range(4):
+        step[j] = total[j]
+
+
+@_apart("float64(float64[:, ::1], int64, float64, float64[::1], float64[::1])")
+def _descended(T, steps, exact, q, ahead):
+    """Takes a row as far as steps help, and tells how long another one would be, into `ahead`.
+
+    Returns by how much the row misses the pose then.
+    """
+    e, A = np.empty(6), np.empty((6, 4))
+    joints, u, step = q.copy(), np.empty(4), np.empty(4)
+    for j in range(4):
+        u[j] = q[_SOLVED[j]] / _UNIT[j]
+    best, least = u.copy(), math.inf
+    ahead[0] = math.inf
+    for _ in range(steps + 1):
+        length = _look(T, joints, u, e, A)
+        _damped_step(A, e, length, step)
+        slow = not length <= 0.5 * least
+        if length < least:
+            least, ahead[0] = length, np.abs(step).max()
+            _take(best, u)
+        if slow or least <= 0.001 * exact:
+            break
+        _shorten(step)
+        for j in range(4):
+            u[j] += step[j]
+    _wrap_angles(best)
+    for j in range(4):
+        q[_SOLVED[j]] = _UNIT[j] * best[j]
+    return least
 
 
 @_inner
@@ -553,44 +606,55 @@ def _tightened(T, exact, first, q):
     """
     if first <= exact:
         return first, False
-    e, A = np.empty(6), np.empty((6, 4))
-    joints, u, step = q.copy(), np.empty(4), np.empty(4)
-    for j in range(4):
-        u[j] = q[_SOLVED[j]] / _UNIT[j]
-    best, least, moved = u.copy(), math.inf, False
-    for k in range(24 + 1):
-        length = _look(T, joints, u, e, A)
-        slow = not length <= 0.5 * least
-        if length < least:
-            least, moved = length, k > 0
-            _take(best, u)
-        if slow or least <= exact:
-            break
-        _damped_step(A, e, length, step)
-        for j in range(4):
-            u[j] += step[j]
+    end, moved = q.copy(), False
+    least = _descended(T, 24, exact, end, np.empty(1))
     if least > exact:  # the pose is rounded, or this is no solution
         return first, False
-    if moved:
-        _wrap_angles(best)
-        for j in range(4):
-            q[_SOLVED[j]] = _UNIT[j] * best[j]
+    for i in range(5):
+        moved = moved or q[i] != end[i]
+        q[i] = end[i]
     return least, moved
+
+
+@_inner
+def _gap_between(q, other):
+    """By how much the joint values of two rows differ at most."""
+    gap = np.empty(4)
+    for j in range(4):
+        gap[j] = (q[_SOLVED[j]] - other[_SOLVED[j]]) / _UNIT[j]
+    _wrap_angles(gap)
+    return np.abs(gap).max()
 
 
 @_inner
 def _repeats(q, held, moved, row):
     """Whether a row that was moved came to lie on another."""
-    gap = np.empty(4)
     for k in range(4):
         if not held[k] or k == row or (k > row and moved[k]):
             continue
-        for j in range(4):
-            gap[j] = (q[k, _SOLVED[j]] - q[row, _SOLVED[j]]) / _UNIT[j]
-        _wrap_angles(gap)
-        if np.abs(gap).max() < 1e-06:
+        if _gap_between(q[k], q[row]) < 1e-06:
             return True
     return False
+
+
+@_inner
+def _exactness(pose):
+    """What an exact row may miss: far away rounding is more."""
+    distance = 1.0  # arm sizes
+    distance = max(distance, abs(pose[3]) / 0.952)
+    distance = max(distance, abs(pose[7]) / 0.952)
+    distance = max(distance, abs(pose[11]) / 0.952)
+    return 1e-12 * distance
+
+
+@_inner
+def _upper_rows(pose):
+    """A pose as a matrix (3, 4)."""
+    T = np.empty((3, 4))
+    for i in range(3):
+        for j in range(4):
+            T[i, j] = pose[4 * i + j]
+    return T
 
 
 @_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
@@ -616,24 +680,17 @@ def _tighten_rows(T, exact, miss, q, held):
 @_inner
 def _tighten(pose, q, status):
     """Tightens the rows that have a solution; some may have none then."""
-    distance = 1.0  # arm sizes
-    distance = max(distance, abs(pose[3]) / 0.952)
-    distance = max(distance, abs(pose[7]) / 0.952)
-    distance = max(distance, abs(pose[11]) / 0.952)
-    exact = 1e-12 * distance
+    exact = _exactness(pose)
     worst, miss = 0.0, carray(_room(4), 4)
     for row in range(4):
         miss[row] = 0.0 if status[row] == UNREACHABLE else _missed_by(pose, q[row])
         worst = max(worst, miss[row])
     if worst <= exact:
         return
-    T, rows, held = np.empty((3, 4)), q.copy(), np.empty(4, np.bool_)
-    for i in range(3):
-        for j in range(4):
-            T[i, j] = pose[4 * i + j]
+    rows, held = q.copy(), np.empty(4, np.bool_)
     for row in range(4):
         held[row] = status[row] != UNREACHABLE
-    _tighten_rows(T, exact, miss, rows, held)
+    _tighten_rows(_upper_rows(pose), exact, miss, rows, held)
     for row in range(4):
         if not held[row]:
             status[row] = UNREACHABLE
@@ -845,7 +902,8 @@ def _serving(pose, q_free, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
     A fan of values shows where the branch is solved or nearly so, golden section finds what lies
-    between two of them, bisection the end that is nearest to the seed.
+    between two of them, bisection the end that is nearest to the seed; of two that are equally near
+    the lower one.
     """
     step, nearest = _TURN / 64, math.nan
     here, after = -math.inf, _attempt(pose, q_free, seed, lost, -_TURN / 2.0, q, status)
@@ -867,7 +925,7 @@ def _serving(pose, q_free, seed, lost, q, status):
                 outer = middle
             else:
                 inner = middle
-        if not abs(outer) >= abs(nearest):
+        if not abs(outer) >= abs(nearest) - 1e-09:
             nearest = outer
     return nearest
 

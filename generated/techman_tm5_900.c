@@ -900,7 +900,8 @@ static double summit(struct search *lost, double low, double high)
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed. */
+ * what lies between two of them, bisection the end that is nearest to the seed; of two that are
+ * equally near the lower one. */
 static double serving_value(struct search *lost)
 {
     const double step = turn / 64.0;
@@ -923,7 +924,7 @@ static double serving_value(struct search *lost)
             else
                 inner = middle;
         }
-        if (!(fabs(outer) >= fabs(nearest)))
+        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
             nearest = outer;
     }
     return nearest;

@@ -614,7 +614,8 @@ def _serving(pose, seed, lost, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
     A fan of values shows where the branch is solved or nearly so, golden section finds what lies
-    between two of them, bisection the end that is nearest to the seed.
+    between two of them, bisection the end that is nearest to the seed; of two that are equally near
+    the lower one.
     """
     step, nearest = _TURN / 64, math.nan
     here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
@@ -636,7 +637,7 @@ def _serving(pose, seed, lost, q, status):
                 outer = middle
             else:
                 inner = middle
-        if not abs(outer) >= abs(nearest):
+        if not abs(outer) >= abs(nearest) - 1e-09:
             nearest = outer
     return nearest
 

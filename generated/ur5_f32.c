@@ -595,7 +595,8 @@ static float summit(struct search *lost, float low, float high)
 
 /* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
  * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed. */
+ * what lies between two of them, bisection the end that is nearest to the seed; of two that are
+ * equally near the lower one. */
 static float serving_value(struct search *lost)
 {
     const float step = turn / 64.0f;
@@ -618,7 +619,7 @@ static float serving_value(struct search *lost)
             else
                 inner = middle;
         }
-        if (!(fabsf(outer) >= fabsf(nearest)))
+        if (!(fabsf(outer) >= fabsf(nearest) - 1e-09f))
             nearest = outer;
     }
     return nearest;

@@ -84,38 +84,6 @@ static void wrap_angles(double u[6])
             u[j] -= 6.283185307179586 * ceil(u[j] / 6.283185307179586 - 0.5);
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. */
-static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[6])
-{
-    double L[6][6], y[6];
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
-    for (int i = 0; i < 6; i++) {
-        y[i] = e[i];
-        for (int j = 0; j <= i; j++) {
-            double sum = i == j ? damping : 0.0;
-            for (int k = 0; k < 6; k++)
-                sum += d->A[i][k] * d->A[j][k];
-            for (int k = 0; k < j; k++)
-                sum -= L[i][k] * L[j][k];
-            L[i][j] = i == j ? sqrt(fmax(sum, 1e-13)) : sum / L[j][j];
-        }
-        for (int k = 0; k < i; k++)
-            y[i] -= L[i][k] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int i = 6 - 1; i >= 0; i--) {
-        for (int k = i + 1; k < 6; k++)
-            y[i] -= L[k][i] * y[k];
-        y[i] /= L[i][i];
-    }
-    for (int j = 0; j < 6; j++) {
-        step[j] = 0.0;
-        for (int i = 0; i < 6; i++)
-            step[j] += d->A[i][j] * y[i];
-    }
-}
-
 /* Makes a step no longer than it may be. */
 static void shorten(double step[6])
 {
@@ -125,6 +93,48 @@ static void shorten(double step[6])
     for (int j = 0; j < 6; j++)
         step[j] *= 2.0 / longest;
 }
+
+/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+ * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
+ * by
+ * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
+ * */
+static void damped_step(
+    const struct descent *d, const double e[6], double length, double step[6])
+{
+    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    double rows[6][12], y[6], sum[12] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        double square = 0.0;
+        for (int j = 0; j < 12; j++)
+            rows[i][j] = j < 6 ? d->A[i][j] : j == 6 + i ? sqrt(damping) : 0.0;
+        y[i] = e[i];
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += rows[k][j] * rows[i][j];
+            for (int j = 0; j < 12; j++)
+                rows[i][j] -= along * rows[k][j];
+            y[i] -= along * y[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square += rows[i][j] * rows[i][j];
+        const double inverse = 1.0 / sqrt(square);
+        y[i] *= inverse;
+        for (int j = 0; j < 12; j++)
+            rows[i][j] *= inverse;
+    }
+    for (int i = 6 - 1; i >= 0; i--) {
+        double missing = y[i];
+        for (int j = 0; j < 12; j++)
+            missing -= rows[i][j] * sum[j];
+        for (int j = 0; j < 12; j++)
+            sum[j] += missing * rows[i][j];
+    }
+    for (int j = 0; j < 6; j++)
+        step[j] = sum[j];
+}
+
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. */
 static double descend(struct descent *d, double u[6])

@@ -26,6 +26,7 @@ Numbers = dict[str, tuple[str, ...]]
 # How Python's function `_look` is compiled: once for many callers, or into its only one.
 APART = "float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])"
 ONCE, INSIDE = f'@_apart("{APART}")', "@_inner"
+FINE = repr(constants.FINE)  # the least damping of steps that tighten
 
 
 def c_tools(kernel: NumericalKernel, name: str) -> str:
@@ -52,14 +53,24 @@ def python_search(kernel: NumericalKernel) -> str:
 
 def c_tightening(kernel: NumericalKernel, name: str) -> str:
     """The static function `tighten` in C99, with all that it needs."""
-    values = _texts(kernel) | {"name": name, "upper": name.upper()}
+    values = _texts(kernel) | {"name": name, "upper": name.upper(), "floor": FINE}
     return render("c/tighten.c.jinja", arrays=_c_arrays(kernel), **values)
+
+
+def c_both_sides(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+    """The static function `both_sides` in C99; it needs `solve` and what tightens."""
+    return render("c/both_sides.c.jinja", **(shared | _texts(kernel)))
+
+
+def python_both_sides(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+    """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
+    return render("python/both_sides.py.jinja", **(shared | _texts(kernel)))
 
 
 def python_tightening(kernel: NumericalKernel) -> str:
     """The function `_tighten` in Python, with all that it needs."""
-    arrays = _python_arrays(kernel)
-    return render("python/tighten.py.jinja", arrays=arrays, looked=INSIDE, **_texts(kernel))
+    arrays, values = _python_arrays(kernel), _texts(kernel) | {"floor": FINE}
+    return render("python/tighten.py.jinja", arrays=arrays, looked=INSIDE, **values)
 
 
 def _c_arrays(kernel: NumericalKernel) -> dict[str, str]:
@@ -114,6 +125,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "solved": len(kernel.solved),
         "equations": kernel.equations,
         "last_equation": kernel.equations - 1,
+        "width": kernel.equations + len(kernel.solved),
         "jacobian_size": 6 * dof,
         "spin": 3 * dof,
         "twice": 2 * dof,
@@ -130,7 +142,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "residual": repr(kernel.residual),
         **_method(kernel),
     }
-    return {"n": numbers, "dof": dof, "rows": kernel.rows}
+    return {"n": numbers, "dof": dof, "rows": kernel.rows, "floor": repr(constants.FLOOR)}
 
 
 def _method(kernel: NumericalKernel) -> dict[str, object]:
@@ -139,12 +151,16 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "aside": repr(ASIDE),
         "any_turn": any_turn(),
         "damping": repr(constants.DAMPING),
-        "floor": repr(constants.FLOOR),
         "longest": repr(constants.LONGEST),
         "steps": constants.STEPS,
         "solution": repr(TOLERANCES.polished),
         "exact": repr(TOLERANCES.exact),
         "tightenings": constants.TIGHTENINGS,
+        "spare": repr(constants.SPARE),
+        "sure": repr(constants.SURE),
+        "kept": 2 * kernel.rows,
+        "moves": 2 * len(constants.MOVES),
+        "widest_move": constants.WIDEST_MOVE,
         "pull": repr(constants.PULL),
         "pulled": constants.PULLED,
         "settled": repr(constants.SETTLED),

@@ -210,7 +210,7 @@ class Arm:
             running &= ~stalled
             if not running.any():
                 break
-            u = np.where(running[:, None], u + _shortened(damped_step(e, length, A)), u)
+            u = np.where(running[:, None], u + shortened(damped_step(e, length, A)), u)
         return best, least
 
     def sideways(self, u: FloatArray, direction: FloatArray) -> FloatArray:
@@ -276,7 +276,7 @@ class Arm:
         pull, fixed = pull.copy(), np.zeros(len(u))
         locked = np.zeros(len(u), dtype=bool)
         while True:
-            step = _shortened((pull + damped_step(e - A @ pull, length, A)[0])[None])[0] + fixed
+            step = shortened((pull + damped_step(e - A @ pull, length, A)[0])[None])[0] + fixed
             beyond = ~locked & ((u + step < low) | (u + step > high))
             if not beyond.any():
                 return np.asarray(step)
@@ -287,17 +287,24 @@ class Arm:
             pull[beyond] = 0.0
 
 
-def damped_step(e: FloatArray, length: FloatArray, A: FloatArray) -> FloatArray:
-    """The damped least squares step, A' (A A' + damping)^-1 e."""
-    damping = constants.DAMPING * np.minimum(length**2, 1.0) + constants.FLOOR
-    across = np.swapaxes(A, 1, 2)
-    G = A @ across + damping[:, None, None] * np.eye(A.shape[1])
-    return np.asarray((across @ np.linalg.solve(G, e[..., None]))[..., 0])
+def damped_step(
+    e: FloatArray, length: FloatArray, A: FloatArray, floor: float = constants.FLOOR
+) -> FloatArray:
+    """The damped least squares step, A' (A A' + damping)^-1 e, by singular values.
+
+    `floor` is the least damping.
+    """
+    damping = constants.DAMPING * np.minimum(length**2, 1.0) + floor
+    U, values, across = np.linalg.svd(A, full_matrices=False)
+    parts = (np.swapaxes(U, 1, 2) @ e[..., None])[..., 0]
+    parts *= values / (values**2 + damping[:, None])
+    return np.asarray((parts[:, None, :] @ across)[:, 0])
 
 
-def _shortened(steps: FloatArray) -> FloatArray:
+def shortened(steps: FloatArray) -> FloatArray:
+    """Steps (..., k), no longer than they may be."""
     longest = np.abs(steps).max(axis=-1, initial=constants.LONGEST)
-    return np.asarray(steps * (constants.LONGEST / longest)[:, None])
+    return np.asarray(steps * (constants.LONGEST / longest)[..., None])
 
 
 def _order(first: tuple[FloatArray, bool], second: tuple[FloatArray, bool]) -> int:

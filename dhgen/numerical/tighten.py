@@ -6,13 +6,14 @@ from roots that nearly meet, it is good to few digits, and the entries that were
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
-from dhgen.numerical.reference import damped_step
+from dhgen.numerical.reference import damped_step, shortened
 from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray
         T: Pose (4, 4); entries that the task does not name are ignored.
         q: Joint values (N, n), NaN where there is no solution; given joints stay as they are.
     """
-    exact = _exact(kernel, T)
+    exact = exactness(kernel, T)
     rows = q.copy()
     misses, moved = np.full(len(q), np.inf), np.zeros(len(q), dtype=bool)
     for place in np.flatnonzero(~np.isnan(q).any(axis=1)):
@@ -54,35 +55,78 @@ def _repeats(kernel: NumericalKernel, q: FloatArray, moved: NDArray[np.bool_], p
     """Whether a row that was moved came to lie on another."""
     others = ~moved | (np.arange(len(q)) < place)
     others[place] = False
-    gaps = (q[others] - q[place])[:, list(kernel.solved)] / np.array(kernel.units)
+    return bool((gaps(kernel, q[others], q[place]) < constants.SAME).any())
+
+
+def gaps(kernel: NumericalKernel, q: FloatArray, row: FloatArray) -> FloatArray:
+    """By how much joint values (N, n) differ from others (n,) at most [rad, arm sizes]."""
+    found = (q - row)[:, list(kernel.solved)] / np.array(kernel.units)
     turns = np.array(kernel.turns)
-    gaps = np.where(turns, gaps - 2 * np.pi * np.ceil(gaps / (2 * np.pi) - 0.5), gaps)
-    return bool((np.abs(gaps) < constants.SAME).all(axis=1).any())
+    found = np.where(turns, found - 2 * np.pi * np.ceil(found / (2 * np.pi) - 0.5), found)
+    return np.asarray(np.abs(found).max(axis=1, initial=0.0))
 
 
-def _exact(kernel: NumericalKernel, T: FloatArray) -> float:
+def exactness(kernel: NumericalKernel, T: FloatArray) -> float:
     """What an exact row may miss [arm sizes, rad]: far away rounding is more."""
     distance = np.abs(T[list(kernel.position), 3]).max(initial=0.0) / kernel.arm.chain.size
     return TOLERANCES.exact * max(1.0, float(distance))
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """Where steps from a row lead.
+
+    Attributes:
+        q: Joint values (n,), angles in (-pi, pi].
+        miss: By how much they miss the pose [arm sizes, rad].
+        ahead: How long another step would be [rad, arm sizes].
+    """
+
+    q: FloatArray
+    miss: float
+    ahead: float
+
+    def solves(self, exact: float) -> bool:
+        """Whether this is a solution.
+
+        Beside a singular place joint values may miss a pose by next to nothing and be far from any.
+        """
+        return self.miss <= exact and self.ahead <= constants.SURE
+
+
+def descended(
+    kernel: NumericalKernel,
+    T: FloatArray,
+    q: FloatArray,
+    exact: float,
+    steps: int = constants.TIGHTENINGS,
+) -> End:
+    """Takes a row (n,) as far as steps of damped least squares help."""
+    solved, units = list(kernel.solved), np.array(kernel.units)
+    best, least, there, ahead = q.copy(), np.inf, q.copy(), np.inf
+    for _ in range(steps + 1):
+        e, length, A = miss(kernel, T, there[None])
+        step = damped_step(e, length, A, constants.FINE)[0]
+        slow = not length[0] <= 0.5 * least
+        if length[0] < least:
+            least, best = float(length[0]), there.copy()
+            ahead = float(np.abs(step).max())
+        if slow or least <= constants.SPARE * exact:
+            break
+        there[solved] += units * shortened(step)
+    turning = [place for place, turns in zip(solved, kernel.turns, strict=True) if turns]
+    best[turning] -= 2 * np.pi * np.ceil(best[turning] / (2 * np.pi) - 0.5)
+    return End(best, least, ahead)
 
 
 def _tightened(
     kernel: NumericalKernel, T: FloatArray, q: FloatArray, exact: float
 ) -> tuple[FloatArray, float]:
     """A row (n,) and by how much it misses the pose [arm sizes, rad]."""
-    solved, units = list(kernel.solved), np.array(kernel.units)
-    best, least, there = q.copy(), np.inf, q.copy()
-    for _ in range(constants.TIGHTENINGS + 1):
-        e, length, A = miss(kernel, T, there[None])
-        slow = not length[0] <= 0.5 * least
-        if length[0] < least:
-            least, best = float(length[0]), there.copy()
-        if slow or least <= exact:
-            break
-        there[solved] += units * damped_step(e, length, A)[0]
     first = float(miss(kernel, T, q[None])[1][0])
-    if kernel.checked and least > exact:
+    if first <= exact:
+        return q, first
+    end = descended(kernel, T, q, exact)
+    if kernel.checked and end.miss > exact:
         return q, first  # the pose is rounded, or this is no solution
-    turning = [place for place, turns in zip(solved, kernel.turns, strict=True) if turns]
-    best[turning] -= 2 * np.pi * np.ceil(best[turning] / (2 * np.pi) - 0.5)
-    return best, least
+    return end.q, end.miss

@@ -17,6 +17,8 @@ MOST_ROOTS = 4
 DIRECTIONS = 16  # where the polynomial is looked at for a large value
 NEWTON_STEPS = 100
 
+Circle = tuple[float, float, float, float, float]  # a0, a1, b1, a2, b2
+
 
 def circle_roots(a0: float, a1: float, b1: float, a2: float, b2: float) -> list[float]:
     """Roots of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x.
@@ -54,17 +56,27 @@ def circle_roots(a0: float, a1: float, b1: float, a2: float, b2: float) -> list[
     return found + [math.nan] * (MOST_ROOTS - len(found))
 
 
+def is_close(coefficients: Circle, x: float) -> bool:
+    """Whether a root may stand for two, or has another beside it: there the slope is small."""
+    _, a1, b1, a2, b2 = coefficients
+    return abs(_slope(a1, b1, a2, b2, x)) <= TOLERANCES.simple * sum(map(abs, coefficients))
+
+
 def _value(a0: float, a1: float, b1: float, a2: float, b2: float, x: float) -> float:
     c, s = math.cos(x), math.sin(x)
     return a0 + a1 * c + b1 * s + a2 * (c * c - s * s) + 2.0 * b2 * c * s
+
+
+def _slope(a1: float, b1: float, a2: float, b2: float, x: float) -> float:
+    c, s = math.cos(x), math.sin(x)
+    return b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
 
 
 def _polished(
     a0: float, a1: float, b1: float, a2: float, b2: float, x: float, size: float
 ) -> float:
     """One Newton step on the circle itself where the root is simple, then into (-pi, pi]."""
-    c, s = math.cos(x), math.sin(x)
-    slope = b1 * c - a1 * s + 2.0 * b2 * (c * c - s * s) - 4.0 * a2 * c * s
+    slope = _slope(a1, b1, a2, b2, x)
     if abs(slope) > TOLERANCES.simple * size:
         x -= _value(a0, a1, b1, a2, b2, x) / slope
     return x - 2.0 * math.pi * math.ceil(x / (2.0 * math.pi) - 0.5)

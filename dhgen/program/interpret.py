@@ -5,7 +5,8 @@ Every value is an array of shape (poses, 2 or 1, 2 or 1, ...), one place for eac
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,8 +15,9 @@ from dhgen.general import reference as general
 from dhgen.general.arm import joint_values
 from dhgen.general.no_turn import without_turn
 from dhgen.numerical import reference as numerical
+from dhgen.numerical.both_sides import both_sides
 from dhgen.numerical.tighten import tighten
-from dhgen.program.circle import circle_roots
+from dhgen.program.circle import circle_roots, is_close
 from dhgen.program.ir import (
     AllJoints,
     Apply,
@@ -46,11 +48,13 @@ class Rows:
         q: Joint values, shape (N, B, n), NaN where there is no solution.
         solved: Shape (N, B).
         free: Whether some joint took the seed's value, shape (N, B).
+        close: Whether none did, and roots that nearly meet are in it, shape (N, B).
     """
 
     q: NDArray[np.float64]
     solved: NDArray[np.bool_]
     free: NDArray[np.bool_]
+    close: NDArray[np.bool_]
 
 
 def interpret(
@@ -67,7 +71,17 @@ def interpret(
         seed: Values for joints that are indeterminate, shape (N, n) or (n,); zeros without it.
         free: Values of the joints that the caller gives, shape (N, k) or (k,).
     """
-    return _Run(program, poses, seed, free).rows()
+    run = _Run(program, poses, seed, free)
+    rows = run.rows()
+    if (kernel := program.tightened) is None:
+        return rows
+    q = rows.q.copy()
+    for k in np.flatnonzero(rows.close.any(axis=1)):
+        q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], partial(run.moved, int(k)))
+    pairs = zip(poses, q, strict=True)
+    q = np.array([tighten(kernel, T, each) for T, each in pairs]).reshape(q.shape)
+    solved = np.asarray(~np.isnan(q).any(axis=-1))
+    return replace(rows, q=q, solved=solved, free=rows.free & solved)
 
 
 def outputs(
@@ -87,9 +101,11 @@ class _Run:
         poses: NDArray[np.float64],
         seed: NDArray[np.float64] | None,
         free: NDArray[np.float64] | None,
+        moved: float = 0.0,
     ) -> None:
         self._program = program
         self._poses = poses
+        self._by = moved
         count = len(poses)
         dof = len(program.outputs) if seed is None else np.shape(seed)[-1]
         given = 0 if free is None else np.shape(free)[-1]
@@ -114,12 +130,15 @@ class _Run:
 
     def rows(self) -> Rows:
         alive = np.ones(self._shape, dtype=bool)
+        close = np.zeros(self._shape, dtype=bool)
         with np.errstate(all="ignore"):
             for statement in self._program.body:
                 if isinstance(statement, Let):
                     self._values[statement.name] = self._value(statement.expression)
                 elif isinstance(statement, Roots):
-                    self._values[self._program.axes[statement.axis].name] = self._roots(statement)
+                    found, near = self._roots(statement)
+                    self._values[self._program.axes[statement.axis].name] = found
+                    close = close | near
                 elif isinstance(statement, AllJoints):
                     self._values |= self._all_joints(statement)
                 elif isinstance(statement, Guard):
@@ -131,21 +150,33 @@ class _Run:
         solved = self._flat(alive)
         q = np.stack(joints, axis=-1)
         q[~solved] = np.nan
-        if (kernel := self._program.tightened) is not None:
-            pairs = zip(self._poses, q, strict=True)
-            q = np.array([tighten(kernel, T, rows) for T, rows in pairs]).reshape(q.shape)
-            solved = ~np.isnan(q).any(axis=-1)
-        return Rows(q, solved, self._flat(chosen) & solved)
+        free = self._flat(chosen) & solved
+        return Rows(q, solved, free, np.asarray(self._flat(close) & solved & ~free))
 
-    def _roots(self, statement: Roots) -> Array:
-        """The roots along their axis, for all poses and all values of earlier axes."""
+    def _roots(self, statement: Roots) -> tuple[Array, Array]:
+        """The roots along their axis, for all poses and all values of earlier axes; which meet."""
         values = np.broadcast_arrays(*(self._value(each) for each in statement.coefficients))
         shape = [*values[0].shape]
         if len(shape) < len(self._shape):  # constant coefficients
             shape = [1] * len(self._shape)
         flat = np.stack([value.reshape(-1) for value in values], axis=-1)
-        found = np.array([circle_roots(*row) for row in flat.tolist()]).reshape(*shape, -1)
-        return np.moveaxis(found, -1, statement.axis + 1).squeeze(statement.axis + 2)
+        found = [circle_roots(*row) for row in flat.tolist()]
+        close = [
+            [is_close((a0, a1, b1, a2, b2), x) for x in roots]
+            for (a0, a1, b1, a2, b2), roots in zip(flat.tolist(), found, strict=True)
+        ]
+
+        def along_axis(numbers: Array) -> Array:
+            whole = numbers.reshape(*shape, -1)
+            return np.moveaxis(whole, -1, statement.axis + 1).squeeze(statement.axis + 2)
+
+        return along_axis(np.array(found)) + self._by, along_axis(np.array(close))
+
+    def moved(self, pose: int, angle: float) -> Array:
+        """The rows of one of the poses with all roots of polynomials moved by an angle."""
+        seed, free = (self._given[role][pose] for role in ("seed", "free"))
+        run = _Run(self._program, self._poses[pose][None], seed, free, angle)
+        return np.asarray(run.rows().q[0])
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis."""

@@ -272,6 +272,7 @@ class Program:
         near: The truth values that say a joint was nearly free, where that matters to a guard.
         tightened: Damped least squares for this arm, where rows that are not exact take some steps
             of it in the end; where a pose may be none of the arm's, only those stay that then fit.
+            Where roots nearly meet, rows of roots to both sides take them, too.
     """
 
     name: str

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import c_rows, c_source
-from dhgen.numerical.emit import c_search, c_tightening, c_tools
+from dhgen.numerical.emit import c_both_sides, c_search, c_tightening, c_tools
 from dhgen.program.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
@@ -21,7 +21,7 @@ from dhgen.targets.module import (
 )
 from dhgen.targets.scalar import arm_angle_values, output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
-from dhgen.targets.walk import whole_arm
+from dhgen.targets.walk import finds_roots, parted, whole_arm
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -39,6 +39,8 @@ def c_files(module: SolverModule) -> dict[str, str]:
     values |= {"regular": bool(flats), "lanes": module.precision is not SINGLE}
     if flats:
         values |= regular_values(module, *flats)
+    if (kernel := parted(module.solver)) is not None:
+        values["both_sides"] = c_both_sides(kernel, values)
     texts = {
         f"{module.name}.h": fitted(render("c/solver.h.jinja", **values)),
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **values)),
@@ -101,6 +103,7 @@ def _functions(module: SolverModule) -> dict[str, str]:
     free = [f"const double free_joints[{count}]"] if count else []
     pose = "const double T[16]"
     table = [f"double q[{rows}][{dof}]", f"unsigned char status[{rows}]"]
+    moved = ["double moved"] if finds_roots(module.solver) else []
     batch_free = ["const double *free_joints"] if count else []
     given = ["free_joints"] if count else []
     batch = ["size_t n", "const double *T", *batch_free, "double *q", "unsigned char *status"]
@@ -124,7 +127,7 @@ def _functions(module: SolverModule) -> dict[str, str]:
         ),
         "batch_prototype": call(f"void {name}_ik_batch", batch, ""),
         "solve_prototype": call(
-            "static void solve", [pose, *free, f"const double seed[{dof}]", *table], ""
+            "static void solve", [pose, *free, f"const double seed[{dof}]", *moved, *table], ""
         ),
         "choose_prototype": call(
             "static void choose_again",

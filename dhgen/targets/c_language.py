@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.targets.c_declared import Declaration, declared
 from dhgen.targets.layout import WIDTH, packed, wrapped
-from dhgen.targets.scalar import output_texts, row_text
+from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints, Axis, Choice, Program
@@ -93,8 +93,13 @@ class C:
     def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
         """Fills an array with the roots of a polynomial."""
         name = f"{axis.name}_roots"
-        arguments = ", ".join([*coefficients, name])
-        return [f"double {name}[{axis.count}];", f"circle_roots({arguments});"]
+        close = close_name(axis)
+        arguments = ", ".join([*coefficients, "moved", name, close])
+        return [
+            f"double {name}[{axis.count}];",
+            f"int {close}[{axis.count}];",
+            f"circle_roots({arguments});",
+        ]
 
     def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
         """Fills a table with all solutions, and arrays with what is true of each."""
@@ -132,7 +137,9 @@ class C:
         lines += packed(pieces, "", width=WIDTH - 4 * (len(program.axes) + 1))
         flags = " || ".join(name for _, name in program.free)
         prefix = program.name.upper()
-        solved = f"({flags}) ? {prefix}_FREE_JOINT : {prefix}_OK" if flags else f"{prefix}_OK"
+        close = " || ".join(close_texts(program))
+        solved = f"({close}) ? CLOSE : {prefix}_OK" if close else f"{prefix}_OK"
+        solved = f"({flags}) ? {prefix}_FREE_JOINT : {solved}" if flags else solved
         return [*lines, f"status[row] = {solved};"]
 
     def broken(self, line: str, indent: str) -> list[str]:

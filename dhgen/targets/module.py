@@ -37,6 +37,7 @@ LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
+TIE = 1e-9  # of two distances from the seed: only rounding tells them apart [rad or length]
 BESIDE = 1e-9  # how near branches that meet end a search [rad or length]
 
 
@@ -143,6 +144,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "compiles_apart": whole_arm(module.solver) is not None
         or module.solver.tightened is not None,
         "uses_circle": finds_roots(module.solver),
+        "unmoved": ", 0.0" if finds_roots(module.solver) else "",
         "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
         "uses_wrap": any(uses(program, "wrap") for program in module.programs),
         "uses_seed": reads(module.solver, "seed"),
@@ -164,6 +166,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "halvings": HALVINGS,
         "cuts": GOLDEN_CUTS if checks_again(module.solver) else HALVINGS,
         "beside": BESIDE,
+        "tie": TIE,
     }
 
 

@@ -7,7 +7,12 @@ from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import python_rows, python_source
-from dhgen.numerical.emit import python_search, python_tightening, python_tools
+from dhgen.numerical.emit import (
+    python_both_sides,
+    python_search,
+    python_tightening,
+    python_tools,
+)
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
 from dhgen.robot.robot import TaskKind
@@ -30,7 +35,7 @@ from dhgen.targets.scalar import (
     straight_lines,
 )
 from dhgen.targets.templates import render
-from dhgen.targets.walk import chooses_again, uses, whole_arm
+from dhgen.targets.walk import chooses_again, parted, uses, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.flatten import Flat
@@ -46,6 +51,8 @@ def python_files(module: SolverModule) -> dict[str, str]:
     flat = None if solver is None else flatten(solver)
     values = module_values(module) | _texts(module) | _bodies(module)
     values |= _flat(module, flat)
+    if (kernel := parted(module.solver)) is not None:
+        values["both_sides"] = python_both_sides(kernel, values)
     text = render("python/solver.py.jinja", **values, digest="")
     digest = sha256(text.encode()).hexdigest()[:16]
     return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import WIDTH, wrapped
-from dhgen.targets.scalar import output_texts, row_text
+from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 
 if TYPE_CHECKING:
     from dhgen.program.ir import AllJoints, Axis, Choice, Program
@@ -92,7 +92,8 @@ class Python:
 
     def roots(self, axis: Axis, coefficients: list[str]) -> list[str]:
         """The roots of a polynomial as an array."""
-        return [f"{axis.name}_roots = _circle_roots({', '.join(coefficients)})"]
+        given = ", ".join([*coefficients, "moved"])
+        return [f"{axis.name}_roots, {close_name(axis)} = _circle_roots({given})"]
 
     def all_joints(self, axis: Axis, statement: AllJoints) -> list[str]:
         """All solutions as a table, with what is true of each."""
@@ -124,7 +125,10 @@ class Python:
             f"q[row, {place}] = {value}" for place, value in enumerate(output_texts(program, self))
         ]
         flags = " or ".join(name for _, name in program.free)
-        return [*lines, f"status[row] = {f'FREE_JOINT if {flags} else OK' if flags else 'OK'}"]
+        close = " or ".join(close_texts(program))
+        solved = f"_CLOSE if {close} else OK" if close else "OK"
+        solved = f"FREE_JOINT if {flags} else {solved}" if flags else solved
+        return [*lines, f"status[row] = {solved}"]
 
     def broken(self, line: str, indent: str) -> list[str]:
         """Python may be broken inside parentheses."""

@@ -109,6 +109,17 @@ def row_text(program: Program, depth: int) -> str:
     return " + ".join(terms) or "0"
 
 
+def close_name(axis: Axis) -> str:
+    """The array that says which roots of a polynomial nearly meet another."""
+    return f"{axis.name}_close"
+
+
+def close_texts(program: Program) -> list[str]:
+    """Whether the row at hand comes from roots that nearly meet, for each polynomial."""
+    places = [statement.axis for statement in program.body if isinstance(statement, Roots)]
+    return [f"{close_name(program.axes[place])}[i{place + 1}]" for place in places]
+
+
 _REASONS = {
     Failure.REACH: "out of reach",
     Failure.MERGED: "both signs give the same",

@@ -9,6 +9,7 @@ from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Let, Roots
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.program.ir import Expression, NamedConstant, Program
 
 
@@ -45,6 +46,11 @@ def reads(program: Program, role: str) -> bool:
 def finds_roots(program: Program) -> bool:
     """Whether roots of polynomials are looked for."""
     return any(isinstance(statement, Roots) for statement in program.body)
+
+
+def parted(program: Program) -> NumericalKernel | None:
+    """What takes rows to their solutions where roots nearly meet; None where there are no roots."""
+    return program.tightened if finds_roots(program) else None
 
 
 def whole_arm(program: Program) -> AllJoints | None:

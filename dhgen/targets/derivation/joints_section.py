@@ -14,10 +14,11 @@ from dhgen.targets.derivation.formula import Formula, Symbol, add, equal, minus
 from dhgen.targets.derivation.names import joint_symbol, letter, single, theta
 from dhgen.targets.derivation.tables import joints_of, sign_and_offset
 from dhgen.targets.derivation.words import counted, numeral
+from dhgen.targets.walk import finds_roots
 
 if TYPE_CHECKING:
-    from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.knowledge import Cut
+    from dhgen.program.ir import Program
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.story import Story
 
@@ -32,7 +33,7 @@ def joint_values(story: Story) -> list[Block]:
     if story.derivation.problem.redundant:
         blocks.append(_check(story))
     if story.program.tightened is not None:
-        blocks.append(_tightening(story.program.tightened))
+        blocks.append(_tightening(story.program))
     return blocks
 
 
@@ -129,14 +130,20 @@ def _check(story: Story) -> Block:
     )
 
 
-def _tightening(kernel: NumericalKernel) -> Block:
+def _tightening(program: Program) -> Block:
     """What is done with rows that are good to few digits."""
     text = (
         "Angles of short vectors, and roots that nearly meet, are good to few digits. A row that "
         "misses the pose by little is tightened: it takes steps of damped least squares, with the "
         "Jacobian of the whole task, until it is exact or comes no nearer."
     )
-    if kernel.checked:
+    if finds_roots(program):
+        text += (
+            " Where two roots nearly meet, a joint may be nearly free, and the row of one root "
+            "that stands for both is none of their solutions; those are looked for from roots a "
+            "little to both sides, from 2e-4 down to 1e-12 rad."
+        )
+    if program.tightened is not None and program.tightened.checked:
         text += (
             " If one row is exact then, the pose was not rounded, and all have to be exact; if "
             "none is, they stay as they were."
