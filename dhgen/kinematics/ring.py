@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import gcd, lcm
+from operator import itemgetter, sub
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from collections.abc import Set as AbstractSet
+
+    from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
@@ -19,49 +22,48 @@ def primitive(polynomial: Polynomial) -> tuple[Fraction, Polynomial]:
 
     The factor is negative only when every coefficient is.
     """
-    parts = [Fraction(int(c.numerator), int(c.denominator)) for _, c in polynomial.terms()]
-    below = lcm(*(part.denominator for part in parts))
-    factor = Fraction(gcd(*(abs(int(part * below)) for part in parts)), below)
-    if all(part < 0 for part in parts):
-        factor = -factor
-    domain = polynomial.ring.domain
-    return factor, polynomial.mul_ground(domain(factor.denominator) / domain(factor.numerator))
+    parts = [(int(c.numerator), int(c.denominator)) for c in polynomial.values()]
+    below = lcm(*{denominator for _, denominator in parts})
+    above = gcd(*{numerator * (below // denominator) for numerator, denominator in parts})
+    if all(numerator < 0 for numerator, _ in parts):
+        above = -above
+    if above == below:
+        return Fraction(1), polynomial
+    return Fraction(above, below), polynomial.mul_ground(polynomial.ring.domain(below, above))
 
 
 def content(polynomial: Polynomial) -> tuple[tuple[int, ...], Polynomial]:
     """The common monomial, and what is left without it."""
-    common = tuple(min(exponents) for exponents in zip(*polynomial, strict=True))
+    common = tuple(map(min, zip(*polynomial, strict=True)))
     if not any(common):
         return common, polynomial
-    lowered = {
-        tuple(e - c for e, c in zip(monomial, common, strict=True)): coefficient
-        for monomial, coefficient in polynomial.terms()
-    }
-    return common, polynomial.ring.from_dict(lowered)
+    lowered = {tuple(map(sub, monomial, common)): c for monomial, c in polynomial.items()}
+    return common, _made(polynomial.ring, lowered)
 
 
 def split(polynomial: Polynomial, places: AbstractSet[int]) -> tuple[Polynomial, Polynomial]:
     """The terms with any of these generators, and the others."""
-    inside: dict[tuple[int, ...], object] = {}
-    outside: dict[tuple[int, ...], object] = {}
-    for monomial, coefficient in polynomial.terms():
-        part = inside if any(monomial[place] for place in places) else outside
+    inside, outside = polynomial.ring.zero, polynomial.ring.zero
+    exponents = itemgetter(*places, *places)  # at least two places make tuples
+    for monomial, coefficient in polynomial.items():
+        part = inside if any(exponents(monomial)) else outside
         part[monomial] = coefficient
-    return polynomial.ring.from_dict(inside), polynomial.ring.from_dict(outside)
+    return inside, outside
 
 
 def divided(polynomial: Polynomial, place: int) -> Polynomial:
     """A polynomial of which every term holds the generator, without it once."""
     lowered = {
         (*monomial[:place], monomial[place] - 1, *monomial[place + 1 :]): coefficient
-        for monomial, coefficient in polynomial.terms()
+        for monomial, coefficient in polynomial.items()
     }
-    return polynomial.ring.from_dict(lowered)
+    return _made(polynomial.ring, lowered)
 
 
 def used_places(polynomial: Polynomial) -> frozenset[int]:
     """The generators that occur."""
-    return frozenset(p for monomial in polynomial for p, e in enumerate(monomial) if e)
+    columns = zip(*polynomial, strict=True)
+    return frozenset(place for place, exponents in enumerate(columns) if any(exponents))
 
 
 def substitute(polynomial: Polynomial, change: Mapping[int, Polynomial]) -> Polynomial:
@@ -76,6 +78,13 @@ def substitute(polynomial: Polynomial, change: Mapping[int, Polynomial]) -> Poly
                 part = part * change[place] ** monomial[place]
         total += part
     return total
+
+
+def _made(ring: PolyRing, terms: Mapping[tuple[int, ...], object]) -> Polynomial:
+    """The polynomial with these terms, none of them zero and all of the ring's domain."""
+    polynomial = ring.zero
+    polynomial.update(terms)
+    return polynomial
 
 
 def constant_value(algebra: Algebra, polynomial: Polynomial) -> float:

@@ -145,7 +145,8 @@ class Builder(Graph):
 
     def is_sign(self, node: Node) -> bool:
         """Whether a node is a branch sign."""
-        return self.entries[node].leaf in {Variable(axis.name) for axis in self.axes}
+        leaf = self.entries[node].leaf
+        return isinstance(leaf, Variable) and any(axis.name == leaf.name for axis in self.axes)
 
     def is_zero(self, node: Node) -> bool:
         """Whether a node is the number 0."""

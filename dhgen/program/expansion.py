@@ -141,12 +141,11 @@ class Expansion:
 
     def _collected(self, terms: list[tuple[Monomial, Fraction]]) -> Terms | None:
         """Terms added up; what is rounding of constants alone is gone."""
-        totals: Terms = {}
-        sizes: Terms = {}
+        alike: dict[Monomial, list[Fraction]] = {}
         for monomial, value in terms:
-            totals[monomial] = totals.get(monomial, Fraction(0)) + value
-            sizes[monomial] = sizes.get(monomial, Fraction(0)) + abs(value)
-        kept = {m: _rounded(v) for m, v in totals.items() if abs(v) > CANCELLED * sizes[m]}
+            alike.setdefault(monomial, []).append(value)
+        totals = {monomial: _total(values) for monomial, values in alike.items()}
+        kept = {monomial: value for monomial, value in totals.items() if value}
         self._cancelled |= len(kept) < len(totals)
         return kept if len(kept) <= MOST_TERMS else None
 
@@ -203,6 +202,12 @@ def without(monomial: Monomial, factors: Monomial) -> Monomial:
     return tuple(sorted((Counter(monomial) - Counter(factors)).elements()))
 
 
-def _rounded(value: Fraction) -> Fraction:
-    """One, if it is one up to rounding."""
-    return Fraction(1 if value > 0 else -1) if abs(abs(value) - 1) <= ALIKE else value
+def _total(values: list[Fraction]) -> Fraction:
+    """The sum; zero if it is rounding alone, and one if it is one up to rounding."""
+    total = values[0] if len(values) == 1 else sum(values, Fraction(0))
+    if len(values) > 1 and abs(total) <= CANCELLED * sum(map(abs, values)):
+        return Fraction(0)
+    above, below = total.numerator, total.denominator
+    if below == 1 or abs(abs(above) - below) * ALIKE.denominator > below * ALIKE.numerator:
+        return total
+    return Fraction(1 if total > 0 else -1)

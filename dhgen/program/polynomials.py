@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import content as content_of
-from dhgen.kinematics.ring import divided, primitive, split
+from dhgen.kinematics.ring import divided, primitive, split, used_places
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -61,9 +61,8 @@ class PolynomialLowering:
 
     def lower(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial."""
-        for place, name in enumerate(self._names):
-            if any(monomial[place] for monomial in polynomial):
-                self._value(name)  # sums of angles are composed, and ranked, before they are used
+        for place in sorted(used_places(polynomial)):
+            self._value(self._names[place])  # sums of angles are composed, and ranked, before use
         return self._lower(polynomial)
 
     def _lower(self, polynomial: Polynomial) -> Node:
@@ -87,7 +86,7 @@ class PolynomialLowering:
         known = self._forms.get(polynomial)
         if known is not None:
             return known
-        places = {p for monomial in polynomial for p, exponent in enumerate(monomial) if exponent}
+        places = used_places(polynomial)
         if not places:
             coefficient = polynomial.coeff(1)
             return self.builder.integer(int(coefficient))

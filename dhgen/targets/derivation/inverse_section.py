@@ -20,7 +20,7 @@ from dhgen.targets.derivation.matrices import (
 )
 from dhgen.targets.derivation.names import inverse as inverse_name
 from dhgen.targets.derivation.names import letter, link, target
-from dhgen.targets.derivation.polynomial import Writer
+from dhgen.targets.derivation.polynomial import Writer, alphabet
 from dhgen.targets.derivation.shoulder_section import shoulder_blocks
 from dhgen.targets.derivation.style import LATEX, PLAIN, show
 from dhgen.targets.derivation.types_table import types_table
@@ -103,7 +103,7 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
     for i in range(1, 4):
         for j in range(1, 5):
             letters[f"t{i}{j}"] = letter("p", "p", f"{i}{j}", f"p{i}{j}")
-    writer = Writer(algebra, lambda _: 0, {}, letters)
+    writer = Writer(alphabet(algebra, letters), lambda _: 0)
     shown = [
         equal(story.letters[name], writer.write(given.entry(*POSE_PLACES[name])))
         for name in sorted(problem.known, key=lambda name: (name[2], name[1]))

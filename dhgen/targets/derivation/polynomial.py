@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
 from dhgen.kinematics.ring import (
     content,
     primitive,
@@ -26,7 +27,6 @@ from dhgen.targets.derivation.formula import (
     minus,
     times,
 )
-from dhgen.targets.derivation.names import symbols
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -37,20 +37,63 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
+class Alphabet:
+    """The generators of an arm as people write them, by their places in the ring.
+
+    Attributes:
+        names: Their names.
+        letters: Their letters.
+        orders: What kind it is (0 a constant, 1 a cosine or sine, 2 a length, 3 a coordinate of a
+            named point, 4 a pose entry), and the place: in this order they stand in a product.
+        pairs: Both places for that of a cosine or sine.
+        roots: The letters of roots of numbers.
+    """
+
+    names: tuple[str, ...]
+    letters: dict[int, Symbol]
+    orders: tuple[tuple[int, int], ...]
+    pairs: dict[int, frozenset[int]]
+    roots: frozenset[Symbol]
+
+
+def alphabet(algebra: Algebra, letters: Mapping[str, Symbol]) -> Alphabet:
+    """The generators of an arm, by the letters for their names."""
+    index = algebra.index
+    pairs = [frozenset({index[angle.cosine], index[angle.sine]}) for angle in algebra.angles]
+    constants = len(index) - len(algebra.chain.ring.gens)
+    slides = {index[name] for name in algebra.slides.values()}
+
+    def kind(place: int) -> int:
+        if place >= constants:
+            return 0
+        if place < len(POSE_NAMES):
+            return 4
+        if place < len(POSE_NAMES) + len(POINT_NAMES):
+            return 3
+        return 2 if place in slides else 1
+
+    return Alphabet(
+        names=tuple(index),
+        letters={index[name]: letter for name, letter in letters.items()},
+        orders=tuple((kind(place), place) for place in range(len(index))),
+        pairs={place: pair for pair in pairs for place in pair},
+        roots=frozenset(letters[c.name] for c in algebra.chain.constants if c.square is not None),
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Writer:
     """Writes the polynomials of one arm.
 
     Attributes:
-        algebra: Whose generators occur.
+        alphabet: Of the arm.
         rank: For a generator's name, how far outside it stands; equal for a cosine and its sine.
         known: Forms that have a letter of their own, with positive first coefficient.
-        letters: The letter of every generator.
     """
 
-    algebra: Algebra
+    alphabet: Alphabet
     rank: Callable[[str], int]
     known: Mapping[Polynomial, Formula] = field(default_factory=dict)
-    letters: Mapping[str, Symbol] = field(default_factory=dict)
 
     def write(self, polynomial: Polynomial) -> Formula:
         """The formula of a polynomial."""
@@ -70,39 +113,20 @@ class Writer:
 
     def _divided(self, factor: Fraction, monomial: tuple[Formula, ...], body: Formula) -> Formula:
         """A monomial with a fraction in front; roots of numbers belong to the fraction."""
-        table = self._letters()
-        roots = {table[c.name] for c in self.algebra.chain.constants if c.square is not None}
+        roots = self.alphabet.roots
         above = times(Number(Fraction(abs(factor.numerator))), *(m for m in monomial if m in roots))
         below = Number(Fraction(factor.denominator))
         return times(Quotient(above, below), *(m for m in monomial if m not in roots), body)
 
-    def _letters(self) -> Mapping[str, Symbol]:
-        return self.letters or symbols(self.algebra)
-
     def _monomial(self, exponents: tuple[int, ...]) -> tuple[Formula, ...]:
         """Constants first, then cosines and sines by joint, then lengths, then pose entries."""
         places = [place for place, exponent in enumerate(exponents) if exponent]
-        places.sort(key=self._order)
-        names = [str(self.algebra.ring.symbols[place]) for place in places]
-        table = self._letters()
+        places.sort(key=self.alphabet.orders.__getitem__)
+        letters = self.alphabet.letters
         return tuple(
-            table[name] if exponents[place] == 1 else Power(table[name], exponents[place])
-            for name, place in zip(names, places, strict=True)
+            letters[place] if exponents[place] == 1 else Power(letters[place], exponents[place])
+            for place in places
         )
-
-    def _order(self, place: int) -> tuple[int, int]:
-        """Constants, trigonometric functions, lengths, pose entries."""
-        first = len(self.algebra.ring.gens) - len(self.algebra.chain.ring.gens)
-        if place >= first:
-            return 0, place
-        if place < 12:
-            return 4, place
-        if place < 12 + 18:
-            return 3, place
-        return (2 if place in self._slides() else 1), place
-
-    def _slides(self) -> set[int]:
-        return {self.algebra.index[name] for name in self.algebra.slides.values()}
 
     def _nested(self, polynomial: Polynomial) -> Formula:
         """A primitive polynomial without common factors."""
@@ -140,7 +164,7 @@ class Writer:
 
     def _place_of(self, polynomial: Polynomial) -> tuple[int, ...]:
         """Pose entries first, then constants, then the joints in their order."""
-        classes = [self._order(place) for place in used_places(polynomial)]
+        classes = [self.alphabet.orders[place] for place in used_places(polynomial)]
         kinds = {kind for kind, _ in classes}
         trig = sorted(place for kind, place in classes if kind in {1, 2})
         if kinds & {3, 4}:
@@ -149,16 +173,12 @@ class Writer:
 
     def _outermost(self, places: frozenset[int]) -> frozenset[int]:
         """The cosine and sine, or the length, with the highest rank; empty if there is none."""
-        names = {place: str(self.algebra.ring.symbols[place]) for place in places}
-        moving = [place for place in places if self._order(place)[0] in {1, 2}]
+        names, orders = self.alphabet.names, self.alphabet.orders
+        moving = [place for place in places if orders[place][0] in {1, 2}]
         if not moving:
             return frozenset()
         best = max(moving, key=lambda place: (self.rank(names[place]), -place))
-        for angle in self.algebra.angles:
-            pair = frozenset({self.algebra.index[angle.cosine], self.algebra.index[angle.sine]})
-            if best in pair:
-                return pair
-        return frozenset({best})
+        return self.alphabet.pairs.get(best, frozenset({best}))
 
 
 def _terms_of(polynomial: Polynomial) -> list[Polynomial]:

@@ -17,7 +17,7 @@ from dhgen.targets.derivation.formula import ONE
 from dhgen.targets.derivation.geometry import wrist_joints
 from dhgen.targets.derivation.matrices import form_of
 from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
-from dhgen.targets.derivation.polynomial import Writer
+from dhgen.targets.derivation.polynomial import Alphabet, Writer, alphabet
 from dhgen.targets.derivation.quotes import quotes_of
 from dhgen.targets.derivation.walk import leads_negative
 
@@ -116,16 +116,26 @@ class Story:
                 known[each.form] = each.letter
         rank = self.solved_after
         last = len(self.steps) + 1
-        writer = Writer(self.algebra, lambda name: rank.get(name, last), known, self.letters)
+        writer = Writer(self._alphabet, lambda name: rank.get(name, last), known)
         return writer.write(polynomial)
 
     def write_forward(self, polynomial: Polynomial) -> Formula:
         """A polynomial nested from the base to the tool."""
-        first = {a.cosine: -a.terms[0][0] for a in self.algebra.angles}
-        first |= {a.sine: -a.terms[0][0] for a in self.algebra.angles}
-        first |= {name: -joint for joint, name in self.algebra.slides.items()}
-        writer = Writer(self.algebra, lambda name: first.get(name, 0), {}, self.letters)
-        return writer.write(polynomial)
+        if polynomial not in self._written_forward:
+            first = {a.cosine: -a.terms[0][0] for a in self.algebra.angles}
+            first |= {a.sine: -a.terms[0][0] for a in self.algebra.angles}
+            first |= {name: -joint for joint, name in self.algebra.slides.items()}
+            writer = Writer(self._alphabet, lambda name: first.get(name, 0))
+            self._written_forward[polynomial] = writer.write(polynomial)
+        return self._written_forward[polynomial]
+
+    @cached_property
+    def _written_forward(self) -> dict[Polynomial, Formula]:
+        return {}
+
+    @cached_property
+    def _alphabet(self) -> Alphabet:
+        return alphabet(self.algebra, self.letters)
 
     @cached_property
     def quotes(self) -> tuple[tuple[Quote, ...], ...]:
