@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from itertools import chain
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
@@ -259,12 +260,14 @@ def _split(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, ...
     """A polynomial by the exponents of the generators at some places."""
     ring = polynomial.ring
     parts: dict[tuple[int, ...], Polynomial] = {}
+    exponents_of = itemgetter(*places, *places)  # at least two places make tuples
     for monomial, coefficient in polynomial.items():
-        exponents = tuple([monomial[place] for place in places])
+        exponents = exponents_of(monomial)[: len(places)]
+        part = parts.get(exponents)
+        if part is None:
+            part = parts[exponents] = ring.zero
         rest = list(monomial)
         for place in places:
             rest[place] = 0
-        if exponents not in parts:
-            parts[exponents] = ring.zero
-        parts[exponents][tuple(rest)] = coefficient
+        part[tuple(rest)] = coefficient
     return parts

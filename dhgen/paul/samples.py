@@ -61,8 +61,9 @@ def monomials_on(monomials: Sequence[Exponents], values: Values) -> Values:
     """Every monomial on every column of `values`, shape (monomials, columns)."""
     exponents = np.frombuffer(b"".join(map(bytes, monomials)), np.uint8).reshape(-1, len(values))
     used = np.flatnonzero(exponents.any(axis=0))
-    powers = values[used] ** exponents[:, used, None]
-    return np.asarray(powers.prod(axis=1))
+    highest = int(exponents.max(initial=0))
+    powers = values[used] ** np.arange(highest + 1)[:, None, None]
+    return np.asarray(powers[exponents[:, used], np.arange(len(used))].prod(axis=1))
 
 
 def _factors(polynomial: Polynomial) -> Values:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
-    from dhgen.paul.pool import Pool
+    from dhgen.paul.pool import Equation, Line, Pool
     from dhgen.paul.step import EquationType, Step
 
     Values = NDArray[np.float64]
@@ -63,7 +63,7 @@ class Search:
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
         self._partners: set[frozenset[int]] = set()
         self._places = {id(equation): place for place, equation in enumerate(pool.equations)}
-        self._lines = {id(equation): equation.lines for equation in pool.equations}
+        self._lines = _lines(pool.equations)
         self.deepest: Knowledge = self._start
 
     def routes(self) -> Iterator[Route]:
@@ -147,7 +147,7 @@ class Search:
     def _beside(self, first: Form, second: Form) -> bool:
         """Whether two equations stand in one column or row, or have been solved together."""
         one, other = id(first.equation), id(second.equation)
-        if not self._lines[one].isdisjoint(self._lines[other]):
+        if self._lines[one] & self._lines[other]:
             return True
         return bool(self._partners) and frozenset((one, other)) in self._partners
 
@@ -158,6 +158,15 @@ class Search:
             others.append(tuple(o for o in self.offers(knowledge) if o != step))
             knowledge = learn(knowledge, step)
         return Route(steps, tuple(others))
+
+
+def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
+    """For each equation, by its identity, the lines in which it stands: one bit for each."""
+    numbers: dict[Line, int] = {}
+    return {
+        id(equation): sum(1 << numbers.setdefault(line, len(numbers)) for line in equation.lines)
+        for equation in equations
+    }
 
 
 def _without_needless_silence(steps: list[Step], view: View) -> list[Step]:

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
     Values = NDArray[np.float64]
     Complex = NDArray[np.complex128]
-    Place = tuple[int, int]  # row and column
+    Table = tuple[tuple[Monomial, ...], ...]
 
 PENALTY = 500
 ROOTS = 4
@@ -70,6 +71,7 @@ class Split:
         forms: The equations.
         eliminated: The first angle.
         kept: The second one.
+        monomials: Rows 1, c_i, s_i and columns 1, c_j, s_j.
         values: The coefficients of each equation on every witness: those of 1, c_i and s_i, and
             each by 1, c_j and s_j; shape (3, 3, COUNT).
     """
@@ -77,18 +79,19 @@ class Split:
     forms: tuple[Form, Form]
     eliminated: AngleSum
     kept: AngleSum
+    monomials: Table
     values: tuple[Values, Values]
 
     @property
     def is_known(self) -> bool:
         """Whether P and Q are known."""
-        places = _places(self.eliminated, self.kept)
-        return all(0 in places[monomial] for form in self.forms for monomial in form.terms)
+        varying = {monomial for row in self.monomials[P:] for monomial in row[1:]}
+        return all(varying.isdisjoint(form.terms) for form in self.forms)
 
     def letters(self, number: int, row: int) -> tuple[Polynomial, ...]:
         """R, P or Q of one of the equations: one + cosine c_j + sine s_j."""
         form = self.forms[number]
-        return tuple(form.coefficient(*each) for each in self._monomials(row))
+        return tuple(form.coefficient(*each) for each in self.monomials[row])
 
     def ratio(self) -> Ratio | None:
         """The ratio of the vectors (P, Q) of both equations, if there is one that is known."""
@@ -119,7 +122,7 @@ class Split:
     def _is_same(self, row: int, other: int, sign: int) -> bool:
         """Whether a row of the second equation is another one of the first, times a sign."""
         first, second = self.forms
-        pairs = zip(self._monomials(row), self._monomials(other), strict=True)
+        pairs = zip(self.monomials[row], self.monomials[other], strict=True)
         return all(
             is_multiple(second.terms.get(mine, {}), first.terms.get(theirs, {}), sign)
             for mine, theirs in pairs
@@ -128,10 +131,7 @@ class Split:
     def _holds(self, number: int, column: int) -> bool:
         """Whether P or Q of one of the equations has a part in one column."""
         terms = self.forms[number].terms
-        return any(self._monomials(row)[column] in terms for row in (P, Q))
-
-    def _monomials(self, row: int) -> tuple[Monomial, ...]:
-        return _monomials(self.eliminated, self.kept)[row]
+        return self.monomials[P][column] in terms or self.monomials[Q][column] in terms
 
 
 class Circle:
@@ -182,36 +182,31 @@ def _splits(forms: Sequence[Form], view: View) -> list[Split] | str:
     angles = first.two_angles
     if angles is None:
         return "the unknowns are not two angles"
-    places = _places(*angles)
+    table = _monomials(*angles)
+    places = {monomial: place for place, monomial in enumerate(chain(*table))}
     if not all(form.terms.keys() <= places.keys() for form in forms):
         return "not linear in the cosines and sines of each angle"
     one, other = (_on_witnesses(form, places, view) for form in forms)
+    turned = tuple(zip(*table, strict=True))
     swapped = one.swapaxes(0, 1), other.swapaxes(0, 1)
     return [
-        Split((first, second), angles[0], angles[1], (one, other)),
-        Split((first, second), angles[1], angles[0], swapped),
+        Split((first, second), angles[0], angles[1], table, (one, other)),
+        Split((first, second), angles[1], angles[0], turned, swapped),
     ]
 
 
 @cache
-def _monomials(eliminated: AngleSum, kept: AngleSum) -> tuple[tuple[Monomial, ...], ...]:
-    """By rows 1, c_i, s_i and columns 1, c_j, s_j, in the spelling of forms."""
+def _monomials(eliminated: AngleSum, kept: AngleSum) -> Table:
+    """In the spelling of forms."""
     i, j = (((), (angle.cosine,), (angle.sine,)) for angle in (eliminated, kept))
     return tuple(tuple(tuple(sorted((*x, *y))) for y in j) for x in i)
 
 
-@cache
-def _places(eliminated: AngleSum, kept: AngleSum) -> dict[Monomial, Place]:
-    """Row and column of every monomial."""
-    rows = _monomials(eliminated, kept)
-    return {name: (row, column) for row in range(3) for column, name in enumerate(rows[row])}
-
-
-def _on_witnesses(form: Form, places: dict[Monomial, Place], view: View) -> Values:
-    values = np.zeros((3, 3, COUNT))
+def _on_witnesses(form: Form, places: dict[Monomial, int], view: View) -> Values:
+    values = np.zeros((9, COUNT))
     for monomial, polynomial in form.terms.items():
         values[places[monomial]] = view.witnesses.evaluate(polynomial)
-    return values
+    return values.reshape(3, 3, COUNT)
 
 
 def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
@@ -238,7 +233,8 @@ def _says_it_twice(first: Values, second: Values) -> bool:
         first: R, P and Q of the first equation at the true angle, on every witness.
         second: The same of the second.
     """
-    one, other = first * np.roll(second, -1, axis=0), np.roll(first, -1, axis=0) * second
+    following = [1, 2, 0]
+    one, other = first * second[following], first[following] * second
     return bool(np.all(np.abs(one - other) <= SAME * np.abs(one)))
 
 
