@@ -1332,12 +1332,14 @@ static inline void abb_gofa_5_begin(abb_gofa_5_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void abb_gofa_5_to_unit(abb_gofa_5_lane *c, abb_gofa_5_lane *s)
 {
     const abb_gofa_5_lane square = *c * *c + *s * *s, factor = 1.0 / abb_gofa_5_sqrt(square +
         1e-300);
-    *c = abb_gofa_5_select(square > 1e-300, *c * factor, abb_gofa_5_all(1.0));
-    *s = abb_gofa_5_select(square > 1e-300, *s * factor, abb_gofa_5_all(0.0));
+    const abb_gofa_5_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = abb_gofa_5_select(told, *c * factor, abb_gofa_5_all(1.0));
+    *s = abb_gofa_5_select(told, *s * factor, abb_gofa_5_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

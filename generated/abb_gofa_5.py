@@ -330,7 +330,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 8968667510260341"
+_KEY = "abb_gofa_5 feabaf9a6ea55b77"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -852,9 +852,9 @@ def _abb_gofa_5_close(T):
 
 @_inner
 def _abb_gofa_5_unit(c, s):
-    """A cosine and a sine without their common factor."""
+    """A cosine and a sine without their common factor, which is told while it has a square."""
     length = math.sqrt(c * c + s * s)
-    if length < 1e-150:
+    if not 1e-150 < length < math.inf:
         return 1.0, 0.0
     return c / length, s / length
 

@@ -1332,12 +1332,14 @@ static inline void fanuc_crx10ia_begin(fanuc_crx10ia_rigid T, const double K[12]
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void fanuc_crx10ia_to_unit(fanuc_crx10ia_lane *c, fanuc_crx10ia_lane *s)
 {
     const fanuc_crx10ia_lane square = *c * *c + *s * *s, factor = 1.0 / fanuc_crx10ia_sqrt(square +
         1e-300);
-    *c = fanuc_crx10ia_select(square > 1e-300, *c * factor, fanuc_crx10ia_all(1.0));
-    *s = fanuc_crx10ia_select(square > 1e-300, *s * factor, fanuc_crx10ia_all(0.0));
+    const fanuc_crx10ia_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = fanuc_crx10ia_select(told, *c * factor, fanuc_crx10ia_all(1.0));
+    *s = fanuc_crx10ia_select(told, *s * factor, fanuc_crx10ia_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia e819a975d68f3867"
+_KEY = "fanuc_crx10ia 3c859d02d993c468"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -854,9 +854,9 @@ def _fanuc_crx10ia_close(T):
 
 @_inner
 def _fanuc_crx10ia_unit(c, s):
-    """A cosine and a sine without their common factor."""
+    """A cosine and a sine without their common factor, which is told while it has a square."""
     length = math.sqrt(c * c + s * s)
-    if length < 1e-150:
+    if not 1e-150 < length < math.inf:
         return 1.0, 0.0
     return c / length, s / length
 

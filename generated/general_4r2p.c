@@ -1353,12 +1353,14 @@ static inline void general_4r2p_begin(general_4r2p_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void general_4r2p_to_unit(general_4r2p_lane *c, general_4r2p_lane *s)
 {
     const general_4r2p_lane square = *c * *c + *s * *s, factor = 1.0 / general_4r2p_sqrt(square +
         1e-300);
-    *c = general_4r2p_select(square > 1e-300, *c * factor, general_4r2p_all(1.0));
-    *s = general_4r2p_select(square > 1e-300, *s * factor, general_4r2p_all(0.0));
+    const general_4r2p_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = general_4r2p_select(told, *c * factor, general_4r2p_all(1.0));
+    *s = general_4r2p_select(told, *s * factor, general_4r2p_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

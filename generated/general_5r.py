@@ -405,7 +405,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r ad553e9fe3c68fe2"
+_KEY = "general_5r d809f91fbb7643f9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -945,9 +945,9 @@ def _general_5r_close(T):
 
 @_inner
 def _general_5r_unit(c, s):
-    """A cosine and a sine without their common factor."""
+    """A cosine and a sine without their common factor, which is told while it has a square."""
     length = math.sqrt(c * c + s * s)
-    if length < 1e-150:
+    if not 1e-150 < length < math.inf:
         return 1.0, 0.0
     return c / length, s / length
 

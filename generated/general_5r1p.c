@@ -1354,12 +1354,14 @@ static inline void general_5r1p_begin(general_5r1p_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void general_5r1p_to_unit(general_5r1p_lane *c, general_5r1p_lane *s)
 {
     const general_5r1p_lane square = *c * *c + *s * *s, factor = 1.0 / general_5r1p_sqrt(square +
         1e-300);
-    *c = general_5r1p_select(square > 1e-300, *c * factor, general_5r1p_all(1.0));
-    *s = general_5r1p_select(square > 1e-300, *s * factor, general_5r1p_all(0.0));
+    const general_5r1p_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = general_5r1p_select(told, *c * factor, general_5r1p_all(1.0));
+    *s = general_5r1p_select(told, *s * factor, general_5r1p_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

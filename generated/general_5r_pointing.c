@@ -1344,13 +1344,15 @@ static inline void general_5r_pointing_begin(general_5r_pointing_rigid T, const 
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void general_5r_pointing_to_unit(general_5r_pointing_lane *c, general_5r_pointing_lane
     *s)
 {
     const general_5r_pointing_lane square = *c * *c + *s * *s, factor = 1.0 /
         general_5r_pointing_sqrt(square + 1e-300);
-    *c = general_5r_pointing_select(square > 1e-300, *c * factor, general_5r_pointing_all(1.0));
-    *s = general_5r_pointing_select(square > 1e-300, *s * factor, general_5r_pointing_all(0.0));
+    const general_5r_pointing_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = general_5r_pointing_select(told, *c * factor, general_5r_pointing_all(1.0));
+    *s = general_5r_pointing_select(told, *s * factor, general_5r_pointing_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

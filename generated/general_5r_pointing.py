@@ -409,7 +409,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing b77b265526d9a418"
+_KEY = "general_5r_pointing 03377d04477909e1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -931,9 +931,9 @@ def _general_5r_pointing_close(T):
 
 @_inner
 def _general_5r_pointing_unit(c, s):
-    """A cosine and a sine without their common factor."""
+    """A cosine and a sine without their common factor, which is told while it has a square."""
     length = math.sqrt(c * c + s * s)
-    if length < 1e-150:
+    if not 1e-150 < length < math.inf:
         return 1.0, 0.0
     return c / length, s / length
 

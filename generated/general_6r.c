@@ -1338,12 +1338,14 @@ static inline void general_6r_begin(general_6r_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void general_6r_to_unit(general_6r_lane *c, general_6r_lane *s)
 {
     const general_6r_lane square = *c * *c + *s * *s, factor = 1.0 / general_6r_sqrt(square +
         1e-300);
-    *c = general_6r_select(square > 1e-300, *c * factor, general_6r_all(1.0));
-    *s = general_6r_select(square > 1e-300, *s * factor, general_6r_all(0.0));
+    const general_6r_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = general_6r_select(told, *c * factor, general_6r_all(1.0));
+    *s = general_6r_select(told, *s * factor, general_6r_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

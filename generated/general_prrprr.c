@@ -1358,12 +1358,14 @@ static inline void general_prrprr_begin(general_prrprr_rigid T, const double K[1
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void general_prrprr_to_unit(general_prrprr_lane *c, general_prrprr_lane *s)
 {
     const general_prrprr_lane square = *c * *c + *s * *s, factor = 1.0 / general_prrprr_sqrt(square
         + 1e-300);
-    *c = general_prrprr_select(square > 1e-300, *c * factor, general_prrprr_all(1.0));
-    *s = general_prrprr_select(square > 1e-300, *s * factor, general_prrprr_all(0.0));
+    const general_prrprr_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = general_prrprr_select(told, *c * factor, general_prrprr_all(1.0));
+    *s = general_prrprr_select(told, *s * factor, general_prrprr_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

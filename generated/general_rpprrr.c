@@ -1356,12 +1356,14 @@ static inline void general_rpprrr_begin(general_rpprrr_rigid T, const double K[1
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void general_rpprrr_to_unit(general_rpprrr_lane *c, general_rpprrr_lane *s)
 {
     const general_rpprrr_lane square = *c * *c + *s * *s, factor = 1.0 / general_rpprrr_sqrt(square
         + 1e-300);
-    *c = general_rpprrr_select(square > 1e-300, *c * factor, general_rpprrr_all(1.0));
-    *s = general_rpprrr_select(square > 1e-300, *s * factor, general_rpprrr_all(0.0));
+    const general_rpprrr_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = general_rpprrr_select(told, *c * factor, general_rpprrr_all(1.0));
+    *s = general_rpprrr_select(told, *s * factor, general_rpprrr_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

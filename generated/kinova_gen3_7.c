@@ -1348,12 +1348,14 @@ static inline void kinova_gen3_7_begin(kinova_gen3_7_rigid T, const double K[12]
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void kinova_gen3_7_to_unit(kinova_gen3_7_lane *c, kinova_gen3_7_lane *s)
 {
     const kinova_gen3_7_lane square = *c * *c + *s * *s, factor = 1.0 / kinova_gen3_7_sqrt(square +
         1e-300);
-    *c = kinova_gen3_7_select(square > 1e-300, *c * factor, kinova_gen3_7_all(1.0));
-    *s = kinova_gen3_7_select(square > 1e-300, *s * factor, kinova_gen3_7_all(0.0));
+    const kinova_gen3_7_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = kinova_gen3_7_select(told, *c * factor, kinova_gen3_7_all(1.0));
+    *s = kinova_gen3_7_select(told, *s * factor, kinova_gen3_7_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

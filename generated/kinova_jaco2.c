@@ -1334,12 +1334,14 @@ static inline void kinova_jaco2_begin(kinova_jaco2_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void kinova_jaco2_to_unit(kinova_jaco2_lane *c, kinova_jaco2_lane *s)
 {
     const kinova_jaco2_lane square = *c * *c + *s * *s, factor = 1.0 / kinova_jaco2_sqrt(square +
         1e-300);
-    *c = kinova_jaco2_select(square > 1e-300, *c * factor, kinova_jaco2_all(1.0));
-    *s = kinova_jaco2_select(square > 1e-300, *s * factor, kinova_jaco2_all(0.0));
+    const kinova_jaco2_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = kinova_jaco2_select(told, *c * factor, kinova_jaco2_all(1.0));
+    *s = kinova_jaco2_select(told, *s * factor, kinova_jaco2_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

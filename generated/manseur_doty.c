@@ -1334,12 +1334,14 @@ static inline void manseur_doty_begin(manseur_doty_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void manseur_doty_to_unit(manseur_doty_lane *c, manseur_doty_lane *s)
 {
     const manseur_doty_lane square = *c * *c + *s * *s, factor = 1.0 / manseur_doty_sqrt(square +
         1e-300);
-    *c = manseur_doty_select(square > 1e-300, *c * factor, manseur_doty_all(1.0));
-    *s = manseur_doty_select(square > 1e-300, *s * factor, manseur_doty_all(0.0));
+    const manseur_doty_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = manseur_doty_select(told, *c * factor, manseur_doty_all(1.0));
+    *s = manseur_doty_select(told, *s * factor, manseur_doty_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

@@ -602,7 +602,7 @@ static void solve(
         const double v1 = T23 * factor3, v2 = T13 * factor3;
         const double off3 = near3 ? w3 * fabs(v1 * sin(seed[2]) + v2 * cos(seed[2])) : 1.0;
         const double ahead3 = near3 ? v1 * cos(seed[2]) - v2 * sin(seed[2]) : -1.0;
-        const int same3 = near3 && off3 <= free_limit && 0.0 < ahead3;
+        const int same3 = near3 && 0.0 < ahead3 && off3 <= free_limit;
         const int held3 = free3 || same3;
         const double c3 = held3 ? cos(seed[2]) : v1, s3 = held3 ? sin(seed[2]) : -v2;
         const double q3 = atan2(s3, c3);

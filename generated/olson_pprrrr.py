@@ -317,7 +317,7 @@ def _solve(pose, seed, q, status):
         v2 = T13 * factor3
         off3 = w3 * abs(v1 * math.sin(seed[2]) + v2 * math.cos(seed[2])) if near3 else 1.0
         ahead3 = v1 * math.cos(seed[2]) - v2 * math.sin(seed[2]) if near3 else -1.0
-        same3 = near3 and off3 <= free_limit and 0.0 < ahead3
+        same3 = near3 and 0.0 < ahead3 and off3 <= free_limit
         held3 = free3 or same3
         c3 = math.cos(seed[2]) if held3 else v1
         s3 = math.sin(seed[2]) if held3 else -v2

@@ -251,6 +251,11 @@ static const double d6 = 0.08; /* joint offset 6 [m] */
 static const double free_limit_squared2 = 1.5375999999999999e-24;
 static const double reach_slack1 = 1.24e-13; /* rounding at the boundary of the workspace [m] */
 static const double merge_slack1 = 1.24e-14; /* nearer to that boundary two branches are one [m] */
+/* the same where they follow an angle that is good to few digits [m] */
+static const double blur_slack1 = 1.2399999999999999e-11;
+/* square of a length whose direction is good to few digits [m^2] */
+static const double near_limit_squared2 = 1.5376000000000001e-06;
+static const double free_limit1 = 1.24e-12; /* a length that fixes no angle [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.4138869064318786; /* d1 * cat2 + (a1 * sat2 + d3) [m] */
 static const double k2 = 0.08542781224187632; /* d4 * sat2 [m] */
@@ -265,9 +270,9 @@ static const double g2 = 0.09800665778412417; /* d3 * cat2 [m] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.5376e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 11.314168873492461; /* a coefficient of v10 */
-static const double m2 = 0.7750600530519154; /* a coefficient of v10 */
-static const double m3 = 2.1049616508823186; /* a coefficient of v10 */
+static const double m1 = 11.314168873492461; /* a coefficient of v12 */
+static const double m2 = 0.7750600530519154; /* a coefficient of v12 */
+static const double m3 = 2.1049616508823186; /* a coefficient of v12 */
 static const double m4 = 4.165947785154044; /* a coefficient of s3 */
 static const double m5 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m6 */
@@ -478,8 +483,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q3_ppp = v3 + angle15, angle16 = atan2_wide(s3_m, -v17), q3_pmp = v3 + angle16,
         q2_mpp = v23 - v20, q2_mmp = v23 - v21;
     const wide_mask doubt1 = (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared2) | (abs_wide(D3) <= reach_slack1 * (reach_slack1 + 2.0 *
-        abs_wide(Z3))) | (v43 <= m5) | (v42 <= m5) | (v40 <= m5) | (v41 <= m5);
+        (N1 <= doubt_limit_squared2) | (N1 <= near_limit_squared2) | (abs_wide(D3) <= reach_slack1 *
+        (reach_slack1 + 2.0 * abs_wide(Z3))) | (v43 <= m5) | (v42 <= m5) | (v40 <= m5) | (v41 <=
+        m5);
 
     q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
     kind[0] = kind_of(q[0] != q[0], 0);
@@ -563,8 +569,9 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v51 = v25 * (s3 * v50 - v11 * v49) - -X4 * v44;
 
     /* joint values */
-    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <=
-        reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2);
+    const int doubt1 = (fabs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (N1 <=
+        doubt_limit_squared2) | (fabs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * fabs(Z3))) | (N1
+        <= near_limit_squared2);
 
     const four angle1 = atan2_four(-v25, -X4),
         angle2 = atan2_four(-sqrt_four(v27), -(v11 * v20 + s3 * v19)),
@@ -666,69 +673,77 @@ static void solve(
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v3 * sqrt(N1)));
     const double v5 = v1 * Z1, v6 = v2 * Z1;
+    const int near1 = N1 <= near_limit_squared2;
+    const double v7 = v1 * cos(seed[0]) - v2 * sin(seed[0]);
+    const double off1 = near1 ? fabs(Z1 + (v1 * sin(seed[0]) + v2 * cos(seed[0]))) : 1.0;
+    const int v8 = off1 <= free_limit1;
 
     /* theta3, type 2: U0 A6^-1 [3, 4] */
     const double Z3 = wz - k5;
     const double D3 = k4 - Z3 * Z3;
-    const double v7 = 2.0 * fabs(Z3);
-    const int apart3 = merge_slack1 * (merge_slack1 + v7) < D3;
-    if (!(-(reach_slack1 * (reach_slack1 + v7)) <= D3)) return; /* out of reach */
+    const double v9 = 2.0 * fabs(Z3);
+    const int apart3 = merge_slack1 * (merge_slack1 + v9) < D3;
+    if (!(-(reach_slack1 * (reach_slack1 + v9)) <= D3)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
-    const double v8 = k2 * Z3, v9 = k3 * Z3;
+    const double v10 = k2 * Z3, v11 = k3 * Z3;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v13 = T13 * cat2, v14 = T23 * cat2, v15 = sat2 * T33, v18 = sat2 * T13,
-        v19 = T23 * sat2, v20 = T33 * cat2;
+    const double v15 = T13 * cat2, v16 = T23 * cat2, v17 = sat2 * T33, v20 = sat2 * T13,
+        v21 = T23 * sat2, v22 = T33 * cat2;
 
     /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-    const double v23 = sat2 * T12, v24 = T22 * sat2, v25 = T32 * cat2, v27 = T12 * cat2,
-        v28 = T22 * cat2, v29 = sat2 * T32, v33 = sat2 * T11, v34 = T21 * sat2, v35 = T31 * cat2,
-        v37 = T11 * cat2, v38 = T21 * cat2, v39 = sat2 * T31;
+    const double v25 = sat2 * T12, v26 = T22 * sat2, v27 = T32 * cat2, v29 = T12 * cat2,
+        v30 = T22 * cat2, v31 = sat2 * T32, v35 = sat2 * T11, v36 = T21 * sat2, v37 = T31 * cat2,
+        v39 = T11 * cat2, v40 = T21 * cat2, v41 = sat2 * T31;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v6),
-            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * root1));
+        const double ahead1 = near1 ? root1 * v7 : -1.0;
+        const int same1 = near1 && 0.0 <= ahead1 && v8;
+        const int held1 = free1 || same1;
+        const double c1 = held1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v6),
+            s1 = held1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * root1));
         const double q1 = atan2(s1, c1);
 
         /* r2, type 1: U1 A6^-1 [3, 4] */
-        const double v12 = c1 * -wy + wx * s1;
+        const double v14 = c1 * -wy + wx * s1;
 
         /* theta4 */
-        const double v16 = c1 * v13 + s1 * v14 - v15, v17 = T13 * s1 - T23 * c1,
-            v21 = c1 * v18 + s1 * v19 + v20, v22 = v21 * v21;
+        const double v18 = c1 * v15 + s1 * v16 - v17, v19 = T13 * s1 - T23 * c1,
+            v23 = c1 * v20 + s1 * v21 + v22, v24 = v23 * v23;
 
         /* theta6 */
-        const double v26 = c1 * v23 + s1 * v24 + v25, v30 = c1 * v27 + s1 * v28 - v29,
-            v31 = T22 * c1 - T12 * s1, v36 = c1 * v33 + s1 * v34 + v35,
-            v40 = c1 * v37 + s1 * v38 - v39, v41 = T21 * c1 - T11 * s1;
+        const double v28 = c1 * v25 + s1 * v26 + v27, v32 = c1 * v29 + s1 * v30 - v31,
+            v33 = T22 * c1 - T12 * s1, v38 = c1 * v35 + s1 * v36 + v37,
+            v42 = c1 * v39 + s1 * v40 - v41, v43 = T21 * c1 - T11 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip3, flip3 */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e2 < 0.0 && !apart3) continue; /* both signs give the same */
+            if (e2 < 0.0 && (!apart3 || (near1 && !(blur_slack1 * (blur_slack1 + v9) < D3))))
+                continue; /* both signs give the same */
             const double root3 = w3 * e2;
-            const double v10 = k6 * (v9 + k2 * root3);
-            const double s3 = k6 * (v8 - k3 * root3);
-            const double q3 = atan2(s3, -v10);
+            const double v12 = k6 * (v11 + k2 * root3);
+            const double s3 = k6 * (v10 - k3 * root3);
+            const double q3 = atan2(s3, -v12);
 
             /* r2 */
-            const double v11 = a3 * s3 - d4 * v10;
+            const double v13 = a3 * s3 - d4 * v12;
 
             /* theta4 */
-            const double X4 = v10 * v16 - s3 * -v17;
-            const double w4 = sqrt(X4 * X4 + v22);
+            const double X4 = v12 * v18 - s3 * -v19;
+            const double w4 = sqrt(X4 * X4 + v24);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = v10 * v17 - s3 * v16;
+            const double c5 = v12 * v19 - s3 * v18;
 
             /* theta6 */
-            const double v32 = s3 * v31 - v10 * v30, v42 = s3 * v41 - v10 * v40;
+            const double v34 = s3 * v33 - v12 * v32, v44 = s3 * v43 - v12 * v42;
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip4, flip4 */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -736,16 +751,16 @@ static void solve(
                 if (e3 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e3 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
-                    s4 = free4 ? sin(seed[3]) : -(v21 * factor4);
+                    s4 = free4 ? sin(seed[3]) : -(v23 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5 */
                 const double q5 = atan2(-(w4 * e3), c5);
 
                 /* theta6 */
-                const double q6 = atan2(-(c4 * v36 + s4 * v42), -(c4 * v26 + s4 * v32));
+                const double q6 = atan2(-(c4 * v38 + s4 * v44), -(c4 * v28 + s4 * v34));
                 const int row = 4 * i1 + 2 * i2 + i3;
-                q[row][0] = q1; q[row][1] = -(v11 + v12); q[row][2] = q3; q[row][3] = q4;
+                q[row][0] = q1; q[row][1] = -(v13 + v14); q[row][2] = q3; q[row][3] = q4;
                 q[row][4] = q5; q[row][5] = q6;
                 status[row] = (free1 || free4) ? PRISMATIC_2_WRIST_FREE_JOINT :
                     PRISMATIC_2_WRIST_OK;

@@ -101,6 +101,11 @@ d6 = 0.08  # joint offset 6 [m]
 free_limit_squared2 = 1.5375999999999999e-24  # square of a length that fixes no angle [m^2]
 reach_slack1 = 1.24e-13  # rounding at the boundary of the workspace [m]
 merge_slack1 = 1.24e-14  # nearer to that boundary two branches are one [m]
+# the same where they follow an angle that is good to few digits [m]
+blur_slack1 = 1.2399999999999999e-11
+# square of a length whose direction is good to few digits [m^2]
+near_limit_squared2 = 1.5376000000000001e-06
+free_limit1 = 1.24e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.4138869064318786  # d1 * cat2 + (a1 * sat2 + d3) [m]
 k2 = 0.08542781224187632  # d4 * sat2 [m]
@@ -114,9 +119,9 @@ g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 g2 = 0.09800665778412417  # d3 * cat2 [m]
 doubt_limit_squared2 = 1.5376e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-m1 = 11.314168873492461  # a coefficient of v10
-m2 = 0.7750600530519154  # a coefficient of v10
-m3 = 2.1049616508823186  # a coefficient of v10
+m1 = 11.314168873492461  # a coefficient of v12
+m2 = 0.7750600530519154  # a coefficient of v12
+m3 = 2.1049616508823186  # a coefficient of v12
 m4 = 4.165947785154044  # a coefficient of s3
 m5 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m6
@@ -363,39 +368,43 @@ def _solve(pose, seed, q, status):
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v3 * math.sqrt(N1)))
     v5 = v1 * Z1
     v6 = v2 * Z1
+    near1 = N1 <= near_limit_squared2
+    v7 = v1 * math.cos(seed[0]) - v2 * math.sin(seed[0])
+    off1 = abs(Z1 + (v1 * math.sin(seed[0]) + v2 * math.cos(seed[0]))) if near1 else 1.0
+    v8 = off1 <= free_limit1
 
     # theta3, type 2: U0 A6^-1 [3, 4]
     Z3 = wz - k5
     D3 = k4 - Z3 * Z3
-    v7 = 2.0 * abs(Z3)
-    apart3 = merge_slack1 * (merge_slack1 + v7) < D3
-    if not (-(reach_slack1 * (reach_slack1 + v7)) <= D3):
+    v9 = 2.0 * abs(Z3)
+    apart3 = merge_slack1 * (merge_slack1 + v9) < D3
+    if not (-(reach_slack1 * (reach_slack1 + v9)) <= D3):
         return  # out of reach
     w3 = math.sqrt(D3 if apart3 else 0.0)
-    v8 = k2 * Z3
-    v9 = k3 * Z3
+    v10 = k2 * Z3
+    v11 = k3 * Z3
 
     # theta4, type 2: U4[3, 3]
-    v13 = T13 * cat2
-    v14 = T23 * cat2
-    v15 = sat2 * T33
-    v18 = sat2 * T13
-    v19 = T23 * sat2
-    v20 = T33 * cat2
+    v15 = T13 * cat2
+    v16 = T23 * cat2
+    v17 = sat2 * T33
+    v20 = sat2 * T13
+    v21 = T23 * sat2
+    v22 = T33 * cat2
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    v23 = sat2 * T12
-    v24 = T22 * sat2
-    v25 = T32 * cat2
-    v27 = T12 * cat2
-    v28 = T22 * cat2
-    v29 = sat2 * T32
-    v33 = sat2 * T11
-    v34 = T21 * sat2
-    v35 = T31 * cat2
-    v37 = T11 * cat2
-    v38 = T21 * cat2
-    v39 = sat2 * T31
+    v25 = sat2 * T12
+    v26 = T22 * sat2
+    v27 = T32 * cat2
+    v29 = T12 * cat2
+    v30 = T22 * cat2
+    v31 = sat2 * T32
+    v35 = sat2 * T11
+    v36 = T21 * sat2
+    v37 = T31 * cat2
+    v39 = T11 * cat2
+    v40 = T21 * cat2
+    v41 = sat2 * T31
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -403,52 +412,55 @@ def _solve(pose, seed, q, status):
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v1 * root1 - v6)
-        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v5 + v2 * root1))
+        ahead1 = root1 * v7 if near1 else -1.0
+        same1 = near1 and 0.0 <= ahead1 and v8
+        held1 = free1 or same1
+        c1 = math.cos(seed[0]) if held1 else inverse1 * (v1 * root1 - v6)
+        s1 = math.sin(seed[0]) if held1 else -(inverse1 * (v5 + v2 * root1))
         q1 = _atan2(s1, c1)
 
         # r2, type 1: U1 A6^-1 [3, 4]
-        v12 = c1 * -wy + wx * s1
+        v14 = c1 * -wy + wx * s1
 
         # theta4
-        v16 = c1 * v13 + s1 * v14 - v15
-        v17 = T13 * s1 - T23 * c1
-        v21 = c1 * v18 + s1 * v19 + v20
-        v22 = v21 * v21
+        v18 = c1 * v15 + s1 * v16 - v17
+        v19 = T13 * s1 - T23 * c1
+        v23 = c1 * v20 + s1 * v21 + v22
+        v24 = v23 * v23
 
         # theta6
-        v26 = c1 * v23 + s1 * v24 + v25
-        v30 = c1 * v27 + s1 * v28 - v29
-        v31 = T22 * c1 - T12 * s1
-        v36 = c1 * v33 + s1 * v34 + v35
-        v40 = c1 * v37 + s1 * v38 - v39
-        v41 = T21 * c1 - T11 * s1
+        v28 = c1 * v25 + s1 * v26 + v27
+        v32 = c1 * v29 + s1 * v30 - v31
+        v33 = T22 * c1 - T12 * s1
+        v38 = c1 * v35 + s1 * v36 + v37
+        v42 = c1 * v39 + s1 * v40 - v41
+        v43 = T21 * c1 - T11 * s1
 
         for i2 in range(2):  # noflip3, flip3
             e2 = 1.0 - 2.0 * i2
             # theta3
-            if e2 < 0.0 and not apart3:
+            if e2 < 0.0 and (not apart3 or (near1 and not (blur_slack1 * (blur_slack1 + v9) < D3))):
                 continue  # both signs give the same
             root3 = w3 * e2
-            v10 = k6 * (v9 + k2 * root3)
-            s3 = k6 * (v8 - k3 * root3)
-            q3 = _atan2(s3, -v10)
+            v12 = k6 * (v11 + k2 * root3)
+            s3 = k6 * (v10 - k3 * root3)
+            q3 = _atan2(s3, -v12)
 
             # r2
-            v11 = a3 * s3 - d4 * v10
+            v13 = a3 * s3 - d4 * v12
 
             # theta4
-            X4 = v10 * v16 - s3 * -v17
-            w4 = math.sqrt(X4 * X4 + v22)
+            X4 = v12 * v18 - s3 * -v19
+            w4 = math.sqrt(X4 * X4 + v24)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = v10 * v17 - s3 * v16
+            c5 = v12 * v19 - s3 * v18
 
             # theta6
-            v32 = s3 * v31 - v10 * v30
-            v42 = s3 * v41 - v10 * v40
+            v34 = s3 * v33 - v12 * v32
+            v44 = s3 * v43 - v12 * v42
 
             for i3 in range(2):  # noflip4, flip4
                 e3 = 1.0 - 2.0 * i3
@@ -457,17 +469,17 @@ def _solve(pose, seed, q, status):
                     continue  # both signs give the same
                 factor4 = e3 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
-                s4 = math.sin(seed[3]) if free4 else -(v21 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v23 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5
                 q5 = _atan2(-(w4 * e3), c5)
 
                 # theta6
-                q6 = _atan2(-(c4 * v36 + s4 * v42), -(c4 * v26 + s4 * v32))
+                q6 = _atan2(-(c4 * v38 + s4 * v44), -(c4 * v28 + s4 * v34))
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0] = q1
-                q[row, 1] = -(v11 + v12)
+                q[row, 1] = -(v13 + v14)
                 q[row, 2] = q3
                 q[row, 3] = q4
                 q[row, 4] = q5
@@ -674,9 +686,9 @@ def _regular(pose, q, status):
     q2_mpp = v23 - v20
     q2_mmp = v23 - v21
     doubt1 = (
-        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
-        abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or v43 <= m5 or v42 <= m5 or v40 <=
-        m5 or v41 <= m5
+        abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or N1
+        <= near_limit_squared2 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or v43 <=
+        m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
     )
 
     # angles, side by side
@@ -1129,8 +1141,8 @@ def _in_tiles(T, q, status):
             q2_mmp = v23 - v21
             doubt1 = (
                 abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or N1 <=
-                doubt_limit_squared2 or abs(D3) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z3)) or
-                v43 <= m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
+                doubt_limit_squared2 or N1 <= near_limit_squared2 or abs(D3) <= reach_slack1 *
+                (reach_slack1 + 2.0 * abs(Z3)) or v43 <= m5 or v42 <= m5 or v40 <= m5 or v41 <= m5
             )
             work[272 + k] = v3
             work[288 + k] = v13

@@ -1349,13 +1349,15 @@ static inline void puma560_calibrated_begin(puma560_calibrated_rigid T, const do
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void puma560_calibrated_to_unit(puma560_calibrated_lane *c, puma560_calibrated_lane
     *s)
 {
     const puma560_calibrated_lane square = *c * *c + *s * *s, factor = 1.0 /
         puma560_calibrated_sqrt(square + 1e-300);
-    *c = puma560_calibrated_select(square > 1e-300, *c * factor, puma560_calibrated_all(1.0));
-    *s = puma560_calibrated_select(square > 1e-300, *s * factor, puma560_calibrated_all(0.0));
+    const puma560_calibrated_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = puma560_calibrated_select(told, *c * factor, puma560_calibrated_all(1.0));
+    *s = puma560_calibrated_select(told, *s * factor, puma560_calibrated_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

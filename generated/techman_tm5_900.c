@@ -782,7 +782,7 @@ static void solve(
             const double v4 = X6 * factor6, v5 = Y6 * factor6;
             const double off6 = near6 ? w6 * fabs(v4 * sin(seed[5]) + v5 * cos(seed[5])) : 1.0;
             const double ahead6 = near6 ? v5 * sin(seed[5]) - v4 * cos(seed[5]) : -1.0;
-            const int same6 = near6 && off6 <= free_limit && 0.0 < ahead6;
+            const int same6 = near6 && 0.0 < ahead6 && off6 <= free_limit;
             const int held6 = free6 || same6;
             const double c6 = held6 ? cos(seed[5]) : -v4, s6 = held6 ? sin(seed[5]) : v5;
             const double q6 = atan2(s6, c6);

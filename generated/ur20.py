@@ -410,7 +410,7 @@ def _solve(pose, seed, q, status):
             v4 = Y6 * factor6
             off6 = w6 * abs(v3 * math.sin(seed[5]) + v4 * math.cos(seed[5])) if near6 else 1.0
             ahead6 = v4 * math.sin(seed[5]) - v3 * math.cos(seed[5]) if near6 else -1.0
-            same6 = near6 and off6 <= free_limit and 0.0 < ahead6
+            same6 = near6 and 0.0 < ahead6 and off6 <= free_limit
             held6 = free6 or same6
             c6 = math.cos(seed[5]) if held6 else -v3
             s6 = math.sin(seed[5]) if held6 else v4

@@ -480,7 +480,7 @@ static void solve(
             const float v3 = X6 * factor6, v4 = Y6 * factor6;
             const float off6 = near6 ? w6 * fabsf(v3 * sinf(seed[5]) + v4 * cosf(seed[5])) : 1.0f;
             const float ahead6 = near6 ? v4 * sinf(seed[5]) - v3 * cosf(seed[5]) : -1.0f;
-            const int same6 = near6 && off6 <= free_limit && 0.0f < ahead6;
+            const int same6 = near6 && 0.0f < ahead6 && off6 <= free_limit;
             const int held6 = free6 || same6;
             const float c6 = held6 ? cosf(seed[5]) : -v3, s6 = held6 ? sinf(seed[5]) : v4;
             const float q6 = atan2f(s6, c6);

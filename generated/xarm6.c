@@ -1327,11 +1327,13 @@ static inline void xarm6_begin(xarm6_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void xarm6_to_unit(xarm6_lane *c, xarm6_lane *s)
 {
     const xarm6_lane square = *c * *c + *s * *s, factor = 1.0 / xarm6_sqrt(square + 1e-300);
-    *c = xarm6_select(square > 1e-300, *c * factor, xarm6_all(1.0));
-    *s = xarm6_select(square > 1e-300, *s * factor, xarm6_all(0.0));
+    const xarm6_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = xarm6_select(told, *c * factor, xarm6_all(1.0));
+    *s = xarm6_select(told, *s * factor, xarm6_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

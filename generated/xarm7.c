@@ -1342,11 +1342,13 @@ static inline void xarm7_begin(xarm7_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void xarm7_to_unit(xarm7_lane *c, xarm7_lane *s)
 {
     const xarm7_lane square = *c * *c + *s * *s, factor = 1.0 / xarm7_sqrt(square + 1e-300);
-    *c = xarm7_select(square > 1e-300, *c * factor, xarm7_all(1.0));
-    *s = xarm7_select(square > 1e-300, *s * factor, xarm7_all(0.0));
+    const xarm7_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = xarm7_select(told, *c * factor, xarm7_all(1.0));
+    *s = xarm7_select(told, *s * factor, xarm7_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

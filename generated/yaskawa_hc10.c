@@ -1331,12 +1331,14 @@ static inline void yaskawa_hc10_begin(yaskawa_hc10_rigid T, const double K[12])
     }
 }
 
+/* A cosine and a sine without their common factor, which is told while it has a square. */
 static inline void yaskawa_hc10_to_unit(yaskawa_hc10_lane *c, yaskawa_hc10_lane *s)
 {
     const yaskawa_hc10_lane square = *c * *c + *s * *s, factor = 1.0 / yaskawa_hc10_sqrt(square +
         1e-300);
-    *c = yaskawa_hc10_select(square > 1e-300, *c * factor, yaskawa_hc10_all(1.0));
-    *s = yaskawa_hc10_select(square > 1e-300, *s * factor, yaskawa_hc10_all(0.0));
+    const yaskawa_hc10_mask told = (square > 1e-300) & (square < 9.999999999999999e+299);
+    *c = yaskawa_hc10_select(told, *c * factor, yaskawa_hc10_all(1.0));
+    *s = yaskawa_hc10_select(told, *s * factor, yaskawa_hc10_all(0.0));
 }
 
 /* Reflect `rows` rows of a matrix with `columns` columns so that below the first, `column` becomes

@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 02a4db655604ce5a"
+_KEY = "yaskawa_hc10 21a9c9badfbeb4bd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -859,9 +859,9 @@ def _yaskawa_hc10_close(T):
 
 @_inner
 def _yaskawa_hc10_unit(c, s):
-    """A cosine and a sine without their common factor."""
+    """A cosine and a sine without their common factor, which is told while it has a square."""
     length = math.sqrt(c * c + s * s)
-    if length < 1e-150:
+    if not 1e-150 < length < math.inf:
         return 1.0, 0.0
     return c / length, s / length
 

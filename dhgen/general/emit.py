@@ -11,6 +11,7 @@ from dhgen.general.texts.arm import arm
 from dhgen.general.texts.equations import equations
 from dhgen.general.texts.links import links
 from dhgen.general.texts.rows import rows
+from dhgen.general.texts.searches import searches
 from dhgen.general.texts.sizes import Sizes
 from dhgen.general.texts.spelling import c_spelling, python_spelling
 from dhgen.general.texts.tables import tables
@@ -43,6 +44,7 @@ def python_source(kernel: GeneralKernel, name: str) -> str:
         **_texts(kernel, name),
         links=links(kernel, [f"links[{i}]" for i in range(LINKS + 2)], "q_free"),
         spelling=python_spelling(kernel),
+        searches=searches(name),
     )
 
 

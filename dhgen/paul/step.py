@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 MIXED_FORM = 15
 POINT_FORM = 3
+# A divisor is next to nothing: that of a twist of 1.5708, its cosine, would take five digits.
+NEARLY_NOTHING = 2000
+NOTHING = 1e-2
 
 
 class Kind(Enum):
@@ -115,6 +118,14 @@ class View:
     def is_constant(self, polynomial: Polynomial) -> bool:
         """Whether a coefficient is made of the arm's lengths alone."""
         return self.knowledge.runs.algebra.is_constant(polynomial)
+
+    def is_nearly_nothing(self, factor: Polynomial) -> bool:
+        """Whether a factor without lengths in it is a small constant."""
+        algebra = self.knowledge.runs.algebra
+        lengths = [algebra.index[c.name] for c in algebra.chain.constants if c.is_length]
+        if not self.is_constant(factor) or any(m[place] for m in factor for place in lengths):
+            return False
+        return float(abs(self.witnesses.evaluate(factor)).max()) < NOTHING
 
     def products(self, *terms: tuple[int, Polynomial, Polynomial]) -> Products:
         """The sum of n f g, to be multiplied out when it is wanted."""

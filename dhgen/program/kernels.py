@@ -18,9 +18,11 @@ from dhgen.program.distances import Extremes, extremes_of, reached, squared_dist
 from dhgen.program.ir import Failure
 from dhgen.program.quartic import lower_circle
 from dhgen.program.roots import (
+    NearlyFree,
     Reach,
     finish,
     finish_direction,
+    finish_nearly_free,
     is_short,
     is_short_square,
     is_within_reach,
@@ -93,7 +95,13 @@ def lower_angle(context: Lowering, step: Step) -> None:
     inverse = builder.hint(builder.div(builder.integer(1), safe), f"inverse{angle.suffix}")
     sine = builder.add(builder.mul(x, z), builder.mul(y, root))
     cosine = builder.sub(builder.mul(y, z), builder.mul(x, root))
-    finish(context, angle, builder.mul(cosine, inverse), builder.mul(sine, inverse), free)
+    direction = builder.mul(cosine, inverse), builder.mul(sine, inverse)
+    small = free is not None and not context.are_constant(step.coefficient("Z"))
+    if free is not None and small and len(angle.terms) == 1 and context.may_be_lost:
+        equation = NearlyFree((x, y, z), root, square, degree)
+        finish_nearly_free(context, angle, direction, equation, free)
+    else:
+        finish(context, angle, *direction, free)
     remember(context, step, angle, z, root)
 
 

@@ -142,24 +142,90 @@ def finish_direction(
     cosine, sine = direction
     limit = scales.tolerance(scales.tolerances.near, 0, "near")
     near = builder.name(builder.apply("at_most", length, limit), f"near{angle.suffix}")
-    seed = context.angles.seed(angle)
-    c, s = builder.apply("cos", seed), builder.apply("sin", seed)
+    c, s = _seed_direction(context, angle)
     across = builder.absolute(builder.sub(builder.mul(cosine, s), builder.mul(sine, c)))
     along = builder.add(builder.mul(cosine, c), builder.mul(sine, s))
     off = builder.select(near, builder.mul(across, length), builder.integer(1))
     ahead = builder.select(near, along, builder.integer(-1))
-    rounding = scales.tolerance(scales.tolerances.free, 0, "free")
-    agrees = builder.apply(
-        "and",
-        builder.apply("at_most", off, rounding),
-        builder.apply("less", builder.integer(0), ahead),
-    )
-    same = builder.apply("and", near, agrees)
-    builder.name(off, f"off{angle.suffix}")
-    builder.name(ahead, f"ahead{angle.suffix}")
-    builder.name(same, f"same{angle.suffix}")
+    ahead = builder.name(ahead, f"ahead{angle.suffix}")
+    same_side = builder.apply("less", builder.integer(0), ahead)
+    _finish_near(context, angle, direction, near, (off, same_side, 0), free)
+
+
+@dataclass(frozen=True, slots=True)
+class NearlyFree:
+    """An equation of type 2 whose factors may both be small, and its right side with them.
+
+    Attributes:
+        factors: X, Y and Z of X s + Y c = Z.
+        root: Y s - X c, with the branch's sign.
+        square: X^2 + Y^2.
+        degree: How many lengths are multiplied in X and Y.
+    """
+
+    factors: tuple[Node, Node, Node]
+    root: Node
+    square: Node
+    degree: int
+
+
+def finish_nearly_free(
+    context: Lowering,
+    angle: AngleSum,
+    direction: tuple[Node, Node],
+    equation: NearlyFree,
+    free: Node,
+) -> None:
+    """The angle of type 2 where the equation may say little about it, as in `finish_direction`.
+
+    Of roots that nearly meet there even fewer digits are right (UR5 with twists of 1.5708 and a
+    straight wrist): an angle that satisfies the equation up to rounding is as good.
+    """
+    builder, scales = context.builder, context.scales
+    x, y, z = equation.factors
+    degree = equation.degree
+    limit = scales.tolerance(scales.tolerances.near**2, 2 * degree, "near_square")
+    near = builder.apply("at_most", equation.square, limit)
+    near = builder.name(near, f"near{angle.suffix}")
+    c, s = _seed_direction(context, angle)
+    miss = builder.sub(builder.add(builder.mul(x, s), builder.mul(y, c)), z)
+    side = builder.mul(equation.root, builder.sub(builder.mul(y, s), builder.mul(x, c)))
+    off = builder.select(near, builder.absolute(miss), builder.integer(1))
+    ahead = builder.select(near, side, builder.integer(-1))
+    ahead = builder.name(ahead, f"ahead{angle.suffix}")
+    same_side = builder.apply("at_most", builder.integer(0), ahead)
+    _finish_near(context, angle, direction, near, (off, same_side, degree), free)
+
+
+def _seed_direction(context: Lowering, angle: AngleSum) -> tuple[Node, Node]:
+    """Cosine and sine of the seed's value."""
+    seed = context.angles.seed(angle)
+    return context.builder.apply("cos", seed), context.builder.apply("sin", seed)
+
+
+def _finish_near(
+    context: Lowering,
+    angle: AngleSum,
+    direction: tuple[Node, Node],
+    near: Node,
+    seen: tuple[Node, Node, int],
+    free: Node,
+) -> None:
+    """The angle is known, to few digits near to where it is free.
+
+    There the seed's value stands for it if it is off by rounding alone, and on the same side;
+    `seen` is by how much it is off, whether it is on that side, and the degree of the former.
+    """
+    builder, scales = context.builder, context.scales
+    off, same_side, degree = seen
+    rounding = scales.tolerance(scales.tolerances.free, degree, "free")
+    off = builder.name(off, f"off{angle.suffix}")
+    agrees = builder.apply("and", builder.apply("at_most", off, rounding), same_side)
+    same = builder.name(builder.apply("and", near, agrees), f"same{angle.suffix}")
     held = builder.name(builder.apply("or", free, same), f"held{angle.suffix}")
     context.angles.chosen(angle, free)
+    c, s = _seed_direction(context, angle)
+    cosine, sine = direction
     cosine, sine = builder.select(held, c, cosine), builder.select(held, s, sine)
     context.angles.solved(angle, cosine, sine)
     ((joint, _),) = angle.terms

@@ -20,6 +20,10 @@ _NAMES = {
     "free": (FREE_LIMIT, "a length that fixes no angle"),
     "free_square": (f"{FREE_LIMIT}_squared", "square of a length that fixes no angle"),
     "near": ("near_limit", "a length whose direction is good to few digits"),
+    "near_square": (
+        "near_limit_squared",
+        "square of a length whose direction is good to few digits",
+    ),
     "double": ("double_root", "a polynomial's value at a root, relative to its coefficients"),
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 STEP = 1e-5  # [rad or length] of the differences
+WAY = 17  # joint values on the way from one solution to another
 
 
 class Measures:
@@ -49,6 +50,12 @@ class Measures:
         miss = np.abs(rows - others)
         turned = np.abs(miss - 2.0 * np.pi * np.round(miss / (2.0 * np.pi)))
         return np.asarray(np.where(self._turns, turned, miss / self._chain.size))
+
+    def way(self, row: Array, q: Array) -> Array:
+        """Joint values (WAY, n) on the straight way from a row to others, the short way round."""
+        moved = q - row
+        moved -= np.where(self._turns, 2.0 * np.pi * np.round(moved / (2.0 * np.pi)), 0.0)
+        return np.asarray(row + np.linspace(0.0, 1.0, WAY)[:, None] * moved)
 
     def residual(self, rows: Array, T: Array) -> float:
         """The largest miss of the pose's entries that the task names, by any row."""

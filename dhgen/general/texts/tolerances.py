@@ -15,6 +15,7 @@ class Tolerances:
     """Every tolerance as text; what they mean stands where they come from."""
 
     tiny: str = repr(TINY)
+    huge: str = repr(1.0 / TINY)
     settled: str = repr(circle.SETTLED)
     quintic: str = repr(circle.QUINTIC)
     rounding: str = repr(circle.ROUNDING)

@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.paul.forms import is_multiple
-from dhgen.paul.step import Kind, Step, placing
+from dhgen.paul.step import NEARLY_NOTHING, NOTHING, Kind, Step, placing
+from dhgen.paul.witness import OWN_LENGTHS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -119,4 +122,12 @@ def _conditioning(factors: _Factors, view: View) -> int:
         return (TRIANGLE if apart else MAY_VANISH) + mirrored
     entries = (factors.x1, factors.y1, factors.x2, factors.y2)
     simple = all(view.is_constant(entry) for entry in entries)
-    return CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT
+    penalty = CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT
+    return penalty + (NEARLY_NOTHING if _are_nearly_parallel(entries, view) else 0)
+
+
+def _are_nearly_parallel(entries: Sequence[Polynomial], view: View) -> bool:
+    """Whether (X1, Y1) and (X2, Y2) have nearly the same direction, with the arm's own lengths."""
+    x1, y1, x2, y2 = (view.witnesses.evaluate(entry)[OWN_LENGTHS] for entry in entries)
+    sines = (x1 * y2 - x2 * y1) / (np.hypot(x1, y1) * np.hypot(x2, y2))
+    return bool(np.max(np.abs(sines)) < NOTHING)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import Kind, Step
+from dhgen.paul.step import NEARLY_NOTHING, Kind, Step
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -44,5 +44,6 @@ class SingleLength:
             return
         x, y = form.coefficient(length.name), -form.coefficient()
         penalty = CONSTANT_DIVISOR if view.is_constant(x) else VARIABLE_DIVISOR
+        penalty += NEARLY_NOTHING if view.is_nearly_nothing(x) else 0
         letters = (("X", x), ("Y", y))
         yield Step(Kind.LENGTH, (length,), (form,), letters, 1, penalty + len(y))

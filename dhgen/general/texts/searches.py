@@ -1,0 +1,53 @@
+"""How Python searches for the roots of a polynomial, for each kind of polynomial."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """How a polynomial is sampled.
+
+    Attributes:
+        kind: What the functions' names end with.
+        what: The polynomial, in words.
+        room: A line that makes room for its computation, or none.
+        at: Its value where the cosine and sine are c and s.
+    """
+
+    kind: str
+    what: str
+    room: str
+    at: str
+
+
+@dataclass(frozen=True, slots=True)
+class Searches:
+    """The two kinds.
+
+    Attributes:
+        determinant: Of the equations of a formulation.
+        closed: A polynomial in closed form.
+    """
+
+    determinant: Search
+    closed: Search
+
+
+def searches(name: str) -> Searches:
+    """Both, for functions that begin with a name."""
+    return Searches(
+        Search(
+            kind="",
+            what="The determinant",
+            room="    factor = np.empty((6, 6))\n",
+            at=f"_{name}_fold(of, c, s, factor)",
+        ),
+        Search(
+            kind="_closed",
+            what="The polynomial",
+            room="",
+            at=f"_{name}_closed_polynomial(of, c, s)",
+        ),
+    )

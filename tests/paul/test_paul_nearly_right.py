@@ -1,0 +1,45 @@
+"""Twists of 1.5708 instead of pi/2: all rows, and all their digits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.derivation import derive
+from dhgen.program.interpret import interpret
+from dhgen.program.lower import lower
+from dhgen.robot.load import load
+from tests.robots.cases import ROBOTS
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.kinematics.chain import Chain
+
+POSES = 40
+
+
+def nearly_right(folder: Path, name: str) -> Chain:
+    """An arm of robots/ with rounded twists."""
+    text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
+    path = folder / f"{name}.yaml"
+    path.write_text(text.replace("alpha: pi/2", "alpha: 1.5708"), encoding="utf-8")
+    return build_chain(load(path))
+
+
+@pytest.mark.parametrize("name", ["abb_irb120", "ur5"])
+def test_digits_and_rows(tmp_path: Path, name: str) -> None:
+    chain = nearly_right(tmp_path, name)
+    arm, source = numeric_arm(chain), np.random.default_rng(21)
+    q = source.uniform(-2.0, 2.0, (POSES, chain.dof))
+    poses = arm.pose(q)
+    rows = interpret(lower(derive(chain)), poses, q, np.empty((POSES, 0)))
+    reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
+    misses = np.abs(reached - poses[:, None]).max(axis=(2, 3))
+    assert misses[rows.solved].max() < 1e-12
+    away = np.abs(np.remainder(rows.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
+    assert np.where(rows.solved, away, np.inf).min(axis=1).max() < 1e-8
