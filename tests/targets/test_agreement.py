@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 COUNT = 12
 EVERY = [*NAMES, *MADE_UP_NAMES]
 POLISHED = 1e-9  # of general arms, where solutions meet
+ROOTS = 16  # rows that are sorted by their values
+HALF_TURN = 1e-9
 SIGNIFICANT = 1e-6  # poles of atan2: nearer to a singular pose rounding decides the angle
 
 
@@ -83,11 +85,15 @@ def test_singular_poses(name: str, kind: str) -> None:
         free = given(name, q[k])
         rows, status = in_c(name).ik(T[k], seeds[k], *free)
         others, other_status = in_python(name).ik_all(T[k], *free, seeds[k])
-        assert status.tolist() == other_status.tolist()
-        held = np.isin(status, (0, 2, 3))
+        if rows.shape[0] == ROOTS and (np.abs(np.abs(rows) - np.pi) < HALF_TURN).any():
+            # the sign of what is half a turn up to rounding decides which row comes first
+            assert sorted(status) == sorted(other_status)
+        else:
+            assert status.tolist() == other_status.tolist()
+        held, held_too = (np.isin(each, (0, 2, 3)) for each in (status, other_status))
         assert held.any(), q[k]
-        for found in (rows[held], others[held]):
-            assert residual(name, found, T[k]) < (POLISHED if rows.shape[0] == 16 else 1e-11)
+        for found in (rows[held], others[held_too]):
+            assert residual(name, found, T[k]) < (POLISHED if rows.shape[0] == ROOTS else 1e-11)
 
 
 @pytest.mark.parametrize("name", EVERY)
