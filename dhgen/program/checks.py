@@ -75,7 +75,8 @@ def checks_needed(
         return checks  # exact rows can't be told, or the task doesn't say all of a row
     # where roots nearly meet they are good to few digits, which poses that are tried don't show
     rooted = any(isinstance(statement, Roots) for statement in program.body)
-    return replace(checks, tightened=rooted or (checks.rows and _is_inexact(chain, program)))
+    enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
+    return replace(checks, tightened=rooted or _is_inexact(chain, program, enough))
 
 
 def _everywhere(chain: Chain) -> FloatArray:
@@ -117,12 +118,12 @@ def _has_strangers(chain: Chain, program: Program) -> bool:
     return bool(np.any(misses[rows.solved] > TOLERANCES.consistent))
 
 
-def _is_inexact(chain: Chain, program: Program) -> bool:
-    """Whether rows that pass for solutions are not exact, or poses are left without a row."""
+def _is_inexact(chain: Chain, program: Program, enough: float) -> bool:
+    """Whether rows that pass for solutions miss by more, or poses are left without a row."""
     q = np.concatenate([_everywhere(chain), _beside(chain)])
     rows, misses = _misses(chain, program, q)
     lost = ~rows.solved.any(axis=1)
-    return bool(lost.any() or np.any(misses[rows.solved] > TOLERANCES.exact))
+    return bool(lost.any() or np.any(misses[rows.solved] > enough))
 
 
 def _misses(chain: Chain, program: Program, q: FloatArray) -> tuple[Rows, FloatArray]:

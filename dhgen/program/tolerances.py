@@ -34,6 +34,8 @@ class Tolerances:
         exact: A row that misses its pose by no more is exact, but for rounding of the arithmetic;
             lengths count in arm sizes, or in the pose's distance where that is larger. Where one
             row is exact the pose was not rounded, and the others have to be exact, too.
+        promised: A row misses its pose by no more wherever it has a solution, singular poses
+            included: what the written files are held to, and a reason to tighten rows.
         doubtful: A row may miss its pose by this before it is tightened: an angle taken from a
             vector just longer than `free` is good to 1e-3 rad.
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
@@ -57,6 +59,7 @@ class Tolerances:
     last_row: float = 1e-9
     consistent: float = 1e-5
     exact: float = 1e-12
+    promised: float = 1e-11
     doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9

@@ -15,6 +15,7 @@ import numpy as np
 from dhgen.errors import VerificationError
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
+from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.walk import whole_arm
 from dhgen.verify.measures import Measures
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 COUNT = 150  # poses of each sort
-RESIDUAL = 1e-11  # of the arm's size: what a row may miss its pose by
+RESIDUAL = TOLERANCES.promised  # of the arm's size: what a row may miss its pose by
 GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are polished
 AGREEMENT = 1e-12  # between targets, where the branch is well conditioned
 FOUND = 1e-6  # [rad or arm sizes] the generating joint values on random poses

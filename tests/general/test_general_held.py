@@ -73,7 +73,7 @@ def check(arm: Chain, seed: int) -> None:
         assert np.abs(turns).max(axis=1).min() < 1e-6
 
 
-@pytest.mark.parametrize("place", range(1, 8))
+@pytest.mark.parametrize("place", [1, 4, 7])
 def test_a_joint_given(tmp_path: Path, place: int) -> None:
     check(chain(tmp_path, SKEW, [place]), place)
 

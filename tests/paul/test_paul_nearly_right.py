@@ -43,3 +43,8 @@ def test_digits_and_rows(tmp_path: Path, name: str) -> None:
     assert misses[rows.solved].max() < 1e-12
     away = np.abs(np.remainder(rows.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
     assert np.where(rows.solved, away, np.inf).min(axis=1).max() < 1e-8
+
+
+def test_rows_that_would_miss_are_tightened(tmp_path: Path) -> None:
+    """Seven twists: what is left of the digits is too little at right angles."""
+    assert lower(derive(nearly_right(tmp_path, "kuka_iiwa14"))).tightened is not None
