@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     FloatArray = NDArray[np.float64]
+    At = Callable[[FloatArray, FloatArray], FloatArray]
 
 
 HALF = SAMPLES // 2
@@ -56,6 +57,11 @@ class Lens:
         square = d * d + e * e
         return (u * d + v * e) / square, (v * d - u * e) / square, square
 
+    def samples(self, at: At) -> FloatArray:
+        """A polynomial's samples (24,) in ψ, |1 + ā w|^16 times its values."""
+        cosines, sines, square = self.through(*np.array(sample_cosines()))
+        return at(cosines, sines) * square**DEGREE
+
     def angle(self, psi: float) -> float:
         """φ from ψ."""
         cosine, sine, _ = self.through(np.array(cos(psi)), np.array(sin(psi)))
@@ -85,18 +91,12 @@ def spreading(samples: Sequence[float]) -> Lens:
     return Lens(part * x, part * y)
 
 
-def sampled(
-    at: Callable[[FloatArray, FloatArray], FloatArray],
-) -> tuple[FloatArray, Lens]:
+def sampled(at: At) -> tuple[FloatArray, Lens]:
     """A polynomial's samples (24,), through the lens that spreads its roots, and that lens.
 
     Args:
         at: The polynomial's values from the cosines and sines of its angle, (24,) each.
     """
-    cosines, sines = np.array(sample_cosines())
-    samples = at(cosines, sines)
+    samples = at(*np.array(sample_cosines()))
     lens = spreading(samples.tolist())
-    if lens == Lens():
-        return samples, lens
-    cosines, sines, square = lens.through(cosines, sines)
-    return at(cosines, sines) * square**DEGREE, lens
+    return (samples if lens == Lens() else lens.samples(at)), lens

@@ -10,28 +10,19 @@ from __future__ import annotations
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from dhgen.general.circle import (
     CELLS,
-    DEGREE,
     LIFTED,
     WIDTH,
     Roots,
     Window,
     roots,
-    sample_cosines,
     trigonometric,
 )
 from dhgen.general.lens import Lens, sampled
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from numpy.typing import NDArray
-
-    FloatArray = NDArray[np.float64]
-    At = Callable[[FloatArray, FloatArray], FloatArray]
+    from dhgen.general.lens import At
 
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
 LOOKS = 4  # more closely, at most
@@ -82,8 +73,7 @@ def _closer(at: At, found: Roots) -> Roots:
 def _magnified(at: At, middle: float) -> Roots:
     """The roots around an angle, through a lens that magnifies what is there."""
     lens = Lens(STRENGTH * cos(middle), STRENGTH * sin(middle))
-    cosines, sines, square = lens.through(*np.array(sample_cosines()))
-    f = trigonometric(at(cosines, sines) * square**DEGREE)
+    f = trigonometric(lens.samples(at))
     if not f.noise <= NOISE:
         return Roots((), (), complete=False)
     window = Window(int(middle % (2 * pi) / WIDTH) % CELLS, REACH, LIFTED / NEAR)

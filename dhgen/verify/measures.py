@@ -47,15 +47,17 @@ class Measures:
 
     def joint_miss(self, rows: Array, others: Array) -> Array:
         """Differences of joint values, whole turns aside."""
-        miss = np.abs(rows - others)
-        turned = np.abs(miss - 2.0 * np.pi * np.round(miss / (2.0 * np.pi)))
-        return np.asarray(np.where(self._turns, turned, miss / self._chain.size))
+        miss = np.abs(self._short_way(rows - others))
+        return np.asarray(np.where(self._turns, miss, miss / self._chain.size))
 
     def way(self, row: Array, q: Array) -> Array:
         """Joint values (WAY, n) on the straight way from a row to others, the short way round."""
-        moved = q - row
-        moved -= np.where(self._turns, 2.0 * np.pi * np.round(moved / (2.0 * np.pi)), 0.0)
-        return np.asarray(row + np.linspace(0.0, 1.0, WAY)[:, None] * moved)
+        return np.asarray(row + np.linspace(0.0, 1.0, WAY)[:, None] * self._short_way(q - row))
+
+    def _short_way(self, moved: Array) -> Array:
+        """Differences of joint values without whole turns."""
+        turns = 2.0 * np.pi * np.round(moved / (2.0 * np.pi))
+        return np.asarray(moved - np.where(self._turns, turns, 0.0))
 
     def residual(self, rows: Array, T: Array) -> float:
         """The largest miss of the pose's entries that the task names, by any row."""
