@@ -113,12 +113,13 @@ def _native(name: str, T: Array, folder: Path) -> Callable[[int], None]:
 
 
 def _numba(name: str, T: Array) -> Callable[[int], None]:
-    """Python's batch, which makes new arrays for every block."""
+    """Python's batch, on the caller's arrays."""
     module = generated(name)
+    q, status = module.ik_batch(T)
 
     def solve(count: int) -> None:
         for block in _blocks(count):
-            module.ik_batch(T[:block])
+            module.ik_batch(T[:block], out=(q[:block], status[:block]))
 
     return solve
 

@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 3c859d02d993c468"
+_KEY = "fanuc_crx10ia fb856ee474dfdcb3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2338,8 +2338,14 @@ def _one_by_one(T, q, status):
             _unseeded(T[k], q[k], status[k])
 
 
-def ik_batch(T, *, cores=None):
+def ik_batch(T, *, cores=None, out=None):
     """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Args:
+        T: Poses (N, 4, 4).
+        cores: How many threads share the poses.
+        out: The arrays q and status to write to, those that an earlier call returned or like
+            them: fresh memory can cost more time than the solutions.
 
     Returns:
         q (N, 16, 6) and status (N, 16).
@@ -2352,7 +2358,7 @@ def ik_batch(T, *, cores=None):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
-    q, status = np.empty((len(T), 16, 6)), np.empty((len(T), 16), _BYTE)
+    q, status = _results(out, len(T))
     status[:, 0] = _UNSOLVED
     if _UNSOLVED in status[:, 0]:
         _share(_one_by_one, cores, T, q, status)
@@ -2371,6 +2377,19 @@ def warm_up():
     ik_batch(T[np.newaxis])
     for number in range(len(_APART)):
         _address(number)
+
+
+def _results(out, count):
+    """The rows and the statuses of so many poses: the caller's arrays, or new ones."""
+    rows, row = (count, 16, 6), (count, 16)
+    if out is None:
+        return np.empty(rows), np.empty(row, _BYTE)
+    q, status = out
+    for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
+        ready = isinstance(array, np.ndarray) and array.flags.carray
+        if not ready or array.shape != shape or array.dtype != kind:
+            raise ValueError(f"{name} in out must be a contiguous array of {kind}, {shape}")
+    return q, status
 
 
 def _share(solve, cores, *arrays):

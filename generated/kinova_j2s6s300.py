@@ -1488,8 +1488,14 @@ def _in_tiles(T, q, status):
                     q[first + k, row, i] = work[_PLACES[row, i] + k]
 
 
-def ik_batch(T, *, cores=None):
+def ik_batch(T, *, cores=None, out=None):
     """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+
+    Args:
+        T: Poses (N, 4, 4).
+        cores: How many threads share the poses.
+        out: The arrays q and status to write to, those that an earlier call returned or like
+            them: fresh memory can cost more time than the solutions.
 
     Returns:
         q (N, 8, 6) and status (N, 8).
@@ -1502,7 +1508,7 @@ def ik_batch(T, *, cores=None):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
     if cores is not None and cores < 1:
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
-    q, status = np.empty((len(T), 8, 6)), np.empty((len(T), 8), _BYTE)
+    q, status = _results(out, len(T))
     status[:, 0] = _UNSOLVED
     if _COMPILED:
         _share(_in_tiles, cores, T, q, status)
@@ -1521,6 +1527,19 @@ def warm_up():
     _unseeded(T, q, status)
     _nearest(q, status, _ZEROS, True, np.empty(6))
     ik_batch(T[np.newaxis])
+
+
+def _results(out, count):
+    """The rows and the statuses of so many poses: the caller's arrays, or new ones."""
+    rows, row = (count, 8, 6), (count, 8)
+    if out is None:
+        return np.empty(rows), np.empty(row, _BYTE)
+    q, status = out
+    for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
+        ready = isinstance(array, np.ndarray) and array.flags.carray
+        if not ready or array.shape != shape or array.dtype != kind:
+            raise ValueError(f"{name} in out must be a contiguous array of {kind}, {shape}")
+    return q, status
 
 
 def _share(solve, cores, *arrays):

@@ -180,7 +180,10 @@ def test_every_way_to_call_gives_the_same(name: str) -> None:
     T[420:430, :3, 0] *= -1.0
     rows, status = module(name).ik_batch(T, *given(name, q))
     for cores in (1, 3):
-        again = module(name).ik_batch(T, *given(name, q), cores=cores)
+        held = np.full_like(rows, 9.0), np.full_like(status, 9)
+        again = module(name).ik_batch(T, *given(name, q), cores=cores, out=held)
+        assert again[0] is held[0]
+        assert again[1] is held[1]
         np.testing.assert_array_equal(again[0], rows)
         np.testing.assert_array_equal(again[1], status)
     others, other_status = one_by_one(name, T, q)
@@ -200,6 +203,7 @@ def test_python_takes_any_numbers_and_tells_what_it_wants() -> None:
     np.testing.assert_array_equal(scara.fk([0, 0.5, -1, 0]), scara.fk(np.array([0, 0.5, -1, 0])))
     np.testing.assert_array_equal(scara.jacobian((0, 0, 0, 0)), scara.jacobian(np.zeros(4)))
     poses = np.eye(4)[np.newaxis]
+    q, status = scara.ik_batch(poses)
     wrong: list[tuple[Callable[[], Any], str]] = [
         (lambda: scara.fk([0, 0.5]), r"q must have shape \(4,\), not \(2,\)"),
         (lambda: scara.jacobian("home"), r"q must hold numbers, in shape \(4,\)"),
@@ -209,6 +213,10 @@ def test_python_takes_any_numbers_and_tells_what_it_wants() -> None:
         (lambda: scara.ik_batch(3), r"T must have shape \(N, 4, 4\)"),
         (lambda: scara.ik_batch(poses, cores=0), "cores must be at least 1, or None for all"),
         (lambda: scara.ik_batch(poses, cores=-2), "cores must be at least 1, .*, not -2"),
+        (lambda: scara.ik_batch(poses, out=(q[0], status)), "q in out .* float64, .1, 2, 4."),
+        (lambda: scara.ik_batch(poses, out=(q, status * 1.0)), "status in out .* of uint8"),
+        (lambda: scara.ik_batch(poses, out=(q[..., ::-1], status)), "q in out .* contiguous"),
+        (lambda: scara.ik_batch(poses, out=(q.tolist(), status)), "q in out .* contiguous"),
     ]
     for call, message in wrong:
         with pytest.raises(ValueError, match=message):

@@ -149,6 +149,6 @@ def test_signatures_are_those_of_the_design() -> None:
         "jacobian": "(q)",
         "ik": "(T, q_seed=None, *, branch=None, limits=True)",
         "ik_all": "(T, q_seed=None)",
-        "ik_batch": "(T, *, cores=None)",
+        "ik_batch": "(T, *, cores=None, out=None)",
     }
     assert str(inspect.signature(in_python("planar_4r").ik_all)) == "(T, q_free, q_seed=None)"
