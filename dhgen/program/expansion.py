@@ -59,13 +59,25 @@ class Expansion:
     def remember(self, node: Node, original: Node) -> None:
         """A value has been written in another way."""
         builder = self._builder
-        self._originals.setdefault(node, original)
+        self._keep(node, original)
         if builder.entries[node].operator == "neg":  # its sign may go elsewhere
-            self._originals.setdefault(builder.neg(node), builder.neg(original))
+            self._keep(builder.neg(node), builder.neg(original))
 
     def original(self, node: Node) -> Node:
         """A value as it was before it was written in another way."""
         return self._originals.get(node, node)
+
+    def _keep(self, node: Node, original: Node) -> None:
+        """Unless the original is itself made of the value, as 2 (x / 2) is of x."""
+        seen: set[Node] = set()
+        ahead = [original]
+        while ahead:
+            each = self.original(ahead.pop())
+            if each not in seen:
+                seen.add(each)
+                ahead += self._builder.entries[each].operands
+        if node not in seen:
+            self._originals.setdefault(node, original)
 
     def polynomial(self, node: Node) -> Polynomial | None:
         """A value as a polynomial in the last root that it is made of by sums and products.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.program.builder import Builder
+from dhgen.program.expansion import Expansion
 from dhgen.program.interpret import outputs
 from dhgen.program.rewriting import Rewriting
 
@@ -92,3 +93,16 @@ def test_what_is_zero_by_an_identity_is_found() -> None:
     miss = b.sub(arm.x, b.add(b.mul(first, c1), b.mul(second, c12)))
     assert Rewriting(b).vanishes(miss)
     assert not Rewriting(b).vanishes(b.sub(arm.y, b.add(b.mul(first, c1), b.mul(second, c12))))
+
+
+def test_what_stands_for_a_multiple_of_itself_can_still_be_expanded() -> None:
+    """A value that was written anew as half of its double, and one with a sign in front."""
+    arm = TwoLinks()
+    b = arm.builder
+    double = b.mul(b.constant("two", 2.0, "a factor"), arm.s)
+    for value, original in ((arm.s, double), (b.neg(arm.c), b.mul(arm.sign, b.neg(arm.c)))):
+        expansion = Expansion(b)
+        expansion.remember(value, original)
+        polynomial = expansion.polynomial(b.mul(arm.root, value))
+        assert polynomial is not None
+        assert polynomial.terms
