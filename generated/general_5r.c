@@ -3128,7 +3128,7 @@ static void all_joints(
     for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
         for (int j = 0; j < 5; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
-        /* what is not nearly without the sixth turn is no start for the five joints */
+        /* what is not nearly without the turn that has to be zero is no start */
         if (fabs(angles[k][5]) < 0.1 && descend(&d, u) <= 1e-05)
             keep(&d, &kept, u);
     }

@@ -405,7 +405,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r ce2bb75d1fbd064e"
+_KEY = "general_5r 75734da747a8a933"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1966,7 +1966,7 @@ def _all_joints(pose, seed):
     for k in range(-1 - known if known < 0 else known):
         for j in range(5):
             u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
-        # what is not nearly without the sixth turn is no start for the five joints
+        # what is not nearly without the turn that has to be zero is no start
         if abs(angles[k, 5]) < 0.1 and _descend(T, joints, u) <= 1e-05:
             count = _keep(T, joints, near, kept, kinds, count, u)
     if known < 0 or count == 0:

@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 def general_kernel(chain: Chain) -> GeneralKernel | None:
     """The kernel of an arm with six joints that are asked for, at most two of them slides.
 
-    The others are held at the values that the caller gives. Five are enough, too, with a sixth that
+    The others are held at the values that the caller gives. Fewer are enough, too, with joints that
     the arm does not have: where the tool only points, its turn about its own axis, whose value
-    nobody needs; where the whole pose is asked for, a turn that has to come out as zero. None for
+    nobody needs; where then one is still missing, a turn that has to come out as zero. None for
     arms of other kinds, for tasks other than these, and where every elimination fails.
     """
     if not is_general(chain):
@@ -38,22 +38,24 @@ def general_kernel(chain: Chain) -> GeneralKernel | None:
     kernel = setup(loop_constants(chain), slides_of(chain))
     if kernel is None:
         return None
-    pointing = chain.task.kind is TaskKind.POINTING
-    numbers = tuple(joint.number for joint in chain.solved)
-    if len(numbers) == JOINTS:
-        return replace(kernel, numbers=numbers, given=given)
-    numbers = (*numbers, chain.dof + 1)
-    return replace(kernel, numbers=numbers, given=given, pointing=pointing, checked=not pointing)
+    numbers = *(joint.number for joint in chain.solved), chain.dof + 1, chain.dof + 2
+    return replace(
+        kernel,
+        numbers=numbers[:JOINTS],
+        given=given,
+        pointing=_only_points(chain),
+        checked=_missing(chain) > 0,
+    )
 
 
 def is_general(chain: Chain) -> bool:
     """Whether there are six joints to be solved for from poses, at most two of them slides.
 
-    Or five, from poses too or from where the tool is and points to.
+    Or five from where the tool is and points to; or one less, of either.
     """
-    counts = {TaskKind.POSE: (JOINTS - 1, JOINTS), TaskKind.POINTING: (JOINTS - 1,)}
-    fits = len(chain.solved) in counts.get(chain.task.kind, ())
-    return fits and len(slides_of(chain)) <= SLIDES_OF_FOUR_TURNS
+    asked = chain.task.kind in {TaskKind.POSE, TaskKind.POINTING}
+    fits = _missing(chain) in {0, 1} and len(slides_of(chain)) <= SLIDES_OF_FOUR_TURNS
+    return asked and fits
 
 
 def is_better_polished(chain: Chain) -> bool:
@@ -62,7 +64,7 @@ def is_better_polished(chain: Chain) -> bool:
     Where the tool only points, or two joints slide, a quartic's roots meet in fours at right
     angles; rounding then leaves four of sixteen digits, and every step after it inherits that.
     """
-    pointing = chain.task.kind is TaskKind.POINTING
+    pointing = _only_points(chain) and not _missing(chain)
     of_four_turns = len(slides_of(chain)) == SLIDES_OF_FOUR_TURNS
     return is_general(chain) and (pointing or of_four_turns)
 
@@ -83,8 +85,8 @@ def joint_values(angles: NDArray[np.float64], chain: Chain) -> NDArray[np.float6
 def loop_constants(chain: Chain) -> list[Link]:
     """C0 ... C6 of T = C0 J1 C1 ... J6 C6, base and tool included, J of joints that are solved for.
 
-    The last one is the tool's turn about its own axis where it only points, and the turn that has
-    to be zero where five joints have to take a whole pose.
+    The last one is the tool's turn about its own axis where it only points; the one before that, or
+    the last one, the turn that has to be zero where the arm has a joint too few for the task.
     Multiplied one after the other in plain floating point, so that every machine gets the same.
     """
     arm = numeric_arm(chain)
@@ -99,11 +101,18 @@ def loop_constants(chain: Chain) -> list[Link]:
         else:
             links.append(Link(IDENTITY))
     links[-1] = links[-1].between(IDENTITY, _matrix(arm.tool))
-    if chain.task.kind is TaskKind.POINTING:
-        return [*links, Link(IDENTITY)]
-    if len(links) == JOINTS:
-        return with_no_turn(links, chain.size)
-    return links
+    if _missing(chain):
+        links = with_no_turn(links, chain.size)
+    return [*links, Link(IDENTITY)] if _only_points(chain) else links
+
+
+def _only_points(chain: Chain) -> bool:
+    return chain.task.kind is TaskKind.POINTING
+
+
+def _missing(chain: Chain) -> int:
+    """How many joints too few there are for the task; a tool that only points turns as it likes."""
+    return JOINTS - len(chain.solved) - _only_points(chain)
 
 
 def _matrix(array: NDArray[np.float64]) -> Matrix:

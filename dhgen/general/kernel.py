@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from dhgen.general.formulation import OTHERS
 from dhgen.general.four_turns import FourTurns
 from dhgen.general.links import Value
+from dhgen.general.loop import JOINTS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -90,8 +91,8 @@ class GeneralKernel:
             sign q + offset.
         pointing: Whether the last joint of the loop is not one of the arm's, but the tool's turn
             about its own axis, which the task leaves open.
-        checked: Whether the last joint of the loop is a turn that the arm does not have: where its
-            angle does not come out as zero the arm cannot take the pose.
+        checked: Whether the joint of the loop behind the arm's is a turn that the arm does not
+            have: where its angle does not come out as zero the arm cannot take the pose.
     """
 
     loop: Loop
@@ -122,6 +123,11 @@ class GeneralKernel:
     def method(self) -> str:
         """What the method is called."""
         return method_name(len(self.loop.slides))
+
+    @property
+    def asked(self) -> int:
+        """How many joints of the loop are the arm's; these come first."""
+        return JOINTS - self.pointing - self.checked
 
     @property
     def first(self) -> Formulation:

@@ -1,8 +1,8 @@
-"""A sixth joint for five joints that have to take a whole pose: a turn that has to be zero.
+"""One more joint for an arm that has one too few for its task: a turn that has to be zero.
 
 Five joints take a pose only if it lies on a surface of five dimensions among the poses, which has
 six. With any turn behind the fifth joint the arm takes every pose nearby, and the solutions whose
-sixth angle is zero are those of the five joints.
+sixth angle is zero are those of the five joints. Four joints whose tool only points are alike.
 """
 
 from __future__ import annotations
@@ -21,30 +21,35 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
 
-# From the frame of joint 5 to that of the turn [arm sizes]: skew to axis 5, at a distance that is
-# neither short nor long, and parallel to none of the frame's axes.
+# From the frame of the last joint to that of the turn [arm sizes]: skew to its axis, at a distance
+# that is neither short nor long, and parallel to none of the frame's axes.
 BEYOND: Matrix = (
     (2 / 7, 3 / 7, 6 / 7, 0.4),
     (6 / 7, 2 / 7, -3 / 7, 0.3),
     (-3 / 7, 6 / 7, -2 / 7, -0.2),
     (0.0, 0.0, 0.0, 1.0),
 )
-# A sixth angle above this [rad] belongs to a pose that the five joints do not take: rounding of a
+# An angle above this [rad] belongs to a pose that the arm does not take: rounding of a
 # pose, as far as it is accepted, is less unless the arm is nearly singular.
 NEARLY_NONE = 0.1
 
 
 def with_no_turn(links: Sequence[Link], size: float) -> list[Link]:
-    """C0 ... C6 of six joints from C0 ... C5 of five: C5 becomes W J6 W⁻¹ C5.
+    """C0 ... C6 of six joints from C0 ... C5 of five: C5 becomes W J6 W⁻¹ C5; or of fewer.
 
     Args:
-        links: Six constant transforms [file's unit].
+        links: Constant transforms, one more than the joints [file's unit].
         size: Of the arm [file's unit].
     """
     beyond = scaled(BEYOND, size)
     return [*links[:-1], Link(beyond), links[-1].between(inverse(beyond), IDENTITY)]
 
 
-def without_turn(angles: FloatArray) -> FloatArray:
-    """Of solutions of the loop (k, 6) those that are nearly the arm's: starts for its five."""
-    return angles[np.abs(angles[:, -1]) < NEARLY_NONE]
+def without_turn(angles: FloatArray, place: int) -> FloatArray:
+    """Of solutions of the loop (k, 6) those that are nearly the arm's: starts for its joints.
+
+    Args:
+        angles: The loop's.
+        place: Of the turn among them.
+    """
+    return angles[np.abs(angles[:, place]) < NEARLY_NONE]

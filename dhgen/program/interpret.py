@@ -188,7 +188,8 @@ class _Run:
                 solved = numerical.solve(pose, seed, free, statement.descent)
             else:
                 first = general.solve(pose, statement.general, free)
-                angles = without_turn(first.q) if statement.general.checked else first.q
+                kernel = statement.general
+                angles = without_turn(first.q, kernel.asked) if kernel.checked else first.q
                 rows = joint_values(angles, statement.descent.arm.chain)
                 safe = first.complete and not first.singular
                 arm = numerical.Arm(statement.descent, pose, seed, free)

@@ -25,7 +25,7 @@ class Rows:
         rows: Solutions that are kept.
         solved: Joints that are solved for.
         pointing: Whether the task leaves the turn about the tool's axis open.
-        checked: Whether the sixth joint is none of the arm's, and has to come out as zero.
+        checked: Whether the joint behind these is none of the arm's, and has to come out as zero.
         nearly_none: Beyond this [rad] it does not.
         pose: The pose that the algorithm gets.
         residual: What counts as a solution of the descent [arm sizes, rad].

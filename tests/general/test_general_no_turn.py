@@ -1,4 +1,4 @@
-"""Five joints without structure, asked for whole poses: a sixth turn that has to be zero."""
+"""A joint too few for the task, without structure: one more turn, which has to be zero."""
 
 from __future__ import annotations
 
@@ -75,21 +75,34 @@ def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi).max(axis=-1))
 
 
-@pytest.mark.parametrize(("place", "free"), [*((place, ()) for place in range(6)), (0, (1,))])
-def test_all_solutions(tmp_path: Path, place: int, free: tuple[int, ...]) -> None:
-    """Without a slide (place 0) and with one at each place; and on a joint that is given."""
-    rows = TURNS if place == 0 else (*TURNS[: place - 1], SLIDE, *TURNS[place:])
-    arm = skew(tmp_path, (SLIDE, *rows) if free else rows, free)
+@pytest.mark.parametrize(
+    ("place", "free", "task"),
+    [
+        *((place, (), "pose") for place in range(6)),
+        (0, (1,), "pose"),
+        *((place, (), "pointing") for place in range(5)),
+        (0, (1,), "pointing"),
+    ],
+)
+def test_all_solutions(tmp_path: Path, place: int, free: tuple[int, ...], task: str) -> None:
+    """Without a slide (place 0) and with one at each place; and on a joint that is given.
+
+    Five joints that take whole poses, and four whose tool points.
+    """
+    turns = TURNS if task == "pose" else TURNS[:4]
+    rows = turns if place == 0 else (*turns[: place - 1], SLIDE, *turns[place:])
+    arm = skew(tmp_path, (SLIDE, *rows) if free else rows, free, task)
     chain = build_chain(arm)
     forward = numeric_arm(chain)
     joints = np.random.default_rng(place).uniform(-1.5, 1.5, (POSES, chain.dof))
     joints[:, [number - 1 for number in free]] = 0.2
     poses = forward.pose(joints)
+    named = np.s_[..., 2:] if task == "pointing" else np.s_[...]
     found = solved(chain, poses, [0.2] if free else None)
     for k, T in enumerate(poses):
         q = found.q[k][found.solved[k]]
         expected = all_solutions(arm, T, [0.2] if free else [])
-        np.testing.assert_allclose(forward.pose(q), [T] * len(q), atol=1e-9)
+        np.testing.assert_allclose(forward.pose(q)[named], [T[named]] * len(q), atol=1e-9)
         assert len(q) == len(expected)
         assert gaps(q, joints[k]).min() < 1e-6
         for row in expected:
@@ -137,3 +150,19 @@ def test_in_c(tmp_path: Path) -> None:
         np.testing.assert_allclose(solver.fk(row), T, atol=2e-5)
     known = interpret(module.solver, T[None], seed=seed)
     np.testing.assert_allclose(held, known.q[0][known.solved[0]], atol=1e-9)
+
+
+def test_four_joints_whose_tool_points_in_c(tmp_path: Path) -> None:
+    """Whatever the two columns hold that nobody names; and a direction that the arm can't take."""
+    module = without_derivation(skew(tmp_path, TURNS[:4], task="pointing"))
+    for name, text in c_files(module).items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 4, 16, 0)
+    assert solver is not None
+    for q in np.random.default_rng(4).uniform(-3.0, 3.0, (20, 4)):
+        T = solver.fk(q)
+        T[:3, :2] = np.nan
+        rows, status = solver.ik(T, np.zeros(4))
+        assert gaps(rows[status != UNREACHABLE], q).min() < 1e-6
+        T[:3, 2] = [*T[1:3, 2], T[0, 2]]
+        assert (solver.ik(T, np.zeros(4))[1] == UNREACHABLE).all()
