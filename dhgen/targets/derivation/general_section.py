@@ -10,7 +10,7 @@ from dhgen.targets.derivation.formula import Symbol
 from dhgen.targets.derivation.four_turns_section import four_turns
 from dhgen.targets.derivation.general_loop import joint_symbol, loop_that_closes
 from dhgen.targets.derivation.no_turn_section import check, one_more_turn
-from dhgen.targets.derivation.words import numeral
+from dhgen.targets.derivation.words import joined, numeral
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
@@ -79,10 +79,9 @@ def _most(kernel: GeneralKernel) -> str:
 
 
 def _joints(kernel: GeneralKernel) -> str:
-    joints = f"he {numeral(kernel.asked)} joints"
-    if kernel.checked:
-        joints += " and a turn behind them"
-    return f"The tool's turn, t{joints}" if kernel.pointing else f"T{joints}"
+    joints = f"the {numeral(kernel.asked)} joints"
+    others = ["a turn behind them"] * kernel.checked + ["the tool's turn"] * kernel.pointing
+    return joined([joints, *others]).capitalize()
 
 
 def _given(kernel: GeneralKernel) -> str:

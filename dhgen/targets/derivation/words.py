@@ -29,8 +29,11 @@ def counted(count: int, noun: str) -> str:
     return f"{numeral(count)} {noun}{'' if count == 1 else 's'}"
 
 
+def joined(items: list[str]) -> str:
+    """1; 1 and 2; 1, 2 and 4."""
+    return " and ".join([*([", ".join(items[:-1])] if items[1:] else []), items[-1]])
+
+
 def many(noun: str, items: list[str]) -> str:
     """joint 3; joints 1 and 2; joints 1, 2 and 4."""
-    if len(items) == 1:
-        return f"{noun} {items[0]}"
-    return f"{noun}s {', '.join(items[:-1])} and {items[-1]}"
+    return f"{noun}{'s' if items[1:] else ''} {joined(items)}"
