@@ -30,7 +30,7 @@ def both_sides(
     T: FloatArray,
     q: FloatArray,
     close: NDArray[np.bool_],
-    moved: Callable[[float], FloatArray],
+    moved: Callable[[FloatArray], FloatArray],
 ) -> FloatArray:
     """The rows of a pose, with solutions for those that stand between two.
 
@@ -39,7 +39,7 @@ def both_sides(
         T: Pose (4, 4).
         q: Joint values (N, n), NaN where there is no solution.
         close: Which rows come from roots that nearly meet (N,).
-        moved: The rows (N, n) with all roots moved by an angle.
+        moved: The rows (M, N, n) with all roots moved by each of some angles (M,).
     """
     rows, exact = q.copy(), exactness(kernel, T)
     doubtful = [
@@ -47,10 +47,13 @@ def both_sides(
         for row in np.flatnonzero(close)
         if not descended(kernel, T, q[row], exact, steps=0).solves(exact)
     ]
+    if not doubtful:
+        return rows
+    starts = moved(np.array([angle for move in constants.MOVES for angle in (move, -move)]))
     known = [q[row] for row in range(len(q)) if row not in doubtful and not np.isnan(q[row]).any()]
     news: list[FloatArray] = []
     for row in doubtful:
-        for end in _ends(kernel, T, int(row), exact, moved):
+        for end in _ends(kernel, T, starts[:, row], exact):
             rows[row] = np.nan
             others = np.array([*known, *news]).reshape(-1, len(end))
             if not (gaps(kernel, others, end) < constants.TOGETHER).any():
@@ -62,17 +65,10 @@ def both_sides(
 
 
 def _ends(
-    kernel: NumericalKernel,
-    T: FloatArray,
-    row: int,
-    exact: float,
-    moved: Callable[[float], FloatArray],
+    kernel: NumericalKernel, T: FloatArray, starts: FloatArray, exact: float
 ) -> Iterator[FloatArray]:
-    """Where a row leads when its root is moved."""
-    for move in constants.MOVES:
-        for angle in (move, -move):
-            q = moved(angle)[row]
-            if not np.isnan(q).any():
-                end = descended(kernel, T, q, exact)
-                if end.solves(exact):
-                    yield end.q
+    """Where a row leads when its root is moved: from joint values (M, n)."""
+    for q in starts[~np.isnan(starts).any(axis=1)]:
+        end = descended(kernel, T, q, exact)
+        if end.solves(exact):
+            yield end.q

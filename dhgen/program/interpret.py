@@ -101,12 +101,12 @@ class _Run:
         poses: NDArray[np.float64],
         seed: NDArray[np.float64] | None,
         free: NDArray[np.float64] | None,
-        moved: float = 0.0,
+        moved: Array | None = None,
     ) -> None:
         self._program = program
         self._poses = poses
-        self._by = moved
         count = len(poses)
+        self._by = np.zeros(count) if moved is None else moved
         dof = len(program.outputs) if seed is None else np.shape(seed)[-1]
         given = 0 if free is None else np.shape(free)[-1]
         self._given = {
@@ -160,23 +160,24 @@ class _Run:
         if len(shape) < len(self._shape):  # constant coefficients
             shape = [1] * len(self._shape)
         flat = np.stack([value.reshape(-1) for value in values], axis=-1)
-        found = [circle_roots(*row) for row in flat.tolist()]
+        each, places = np.unique(flat, axis=0, return_inverse=True)
+        found = [circle_roots(*row) for row in each.tolist()]
         close = [
             [is_close((a0, a1, b1, a2, b2), x) for x in roots]
-            for (a0, a1, b1, a2, b2), roots in zip(flat.tolist(), found, strict=True)
+            for (a0, a1, b1, a2, b2), roots in zip(each.tolist(), found, strict=True)
         ]
 
         def along_axis(numbers: Array) -> Array:
-            whole = numbers.reshape(*shape, -1)
+            whole = numbers[places.reshape(-1)].reshape(*shape, -1)
             return np.moveaxis(whole, -1, statement.axis + 1).squeeze(statement.axis + 2)
 
-        return along_axis(np.array(found)) + self._by, along_axis(np.array(close))
+        return along_axis(np.array(found)) + self._column(self._by), along_axis(np.array(close))
 
-    def moved(self, pose: int, angle: float) -> Array:
-        """The rows of one of the poses with all roots of polynomials moved by an angle."""
+    def moved(self, pose: int, angles: Array) -> Array:
+        """The rows (M, N, n) of one pose with all roots of polynomials moved by angles (M,)."""
+        poses = np.broadcast_to(self._poses[pose], (len(angles), 4, 4))
         seed, free = (self._given[role][pose] for role in ("seed", "free"))
-        run = _Run(self._program, self._poses[pose][None], seed, free, angle)
-        return np.asarray(run.rows().q[0])
+        return _Run(self._program, poses, seed, free, angles).rows().q
 
     def _all_joints(self, statement: AllJoints) -> dict[str, Array]:
         """All joints of all solutions along the only axis."""
