@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
 
 _ELBOWS = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
-_SLIDES = {Kind.POLAR, Kind.ANGLE_AND_LENGTH}
+_SLIDES = {Kind.POLAR, Kind.ANGLE_AND_LENGTH, Kind.SQUARED_LENGTH}
 _WORDS = {
     "shoulder": ("left", "right"),
     "elbow": ("down", "up"),

@@ -38,6 +38,7 @@ class Kind(Enum):
     TWO_ANGLES_TURNED = 7  # the same with W1 c_k + W2 s_k
     ANGLE_AND_SUM = 8  # X c_i + Y c_{i+k} = Z1, X s_i + Y s_{i+k} = Z2
     CIRCLE = 9  # beyond the table: two equations linear in two angles, a quartic
+    SQUARED_LENGTH = 10  # X r^2 + Y r = Z
 
 
 @dataclass(frozen=True, slots=True)

@@ -84,7 +84,7 @@ def lower_angle(context: Lowering, step: Step) -> None:
         z, reach = _by_value(context, step, square, degree)
     else:
         z, reach = _by_distance(context, step, distance)
-    root = signed_root(context, angle, reach, free)
+    root = signed_root(context, angle.suffix, reach, free)
     safe = square
     if free is not None:
         # where the root is left out (X Z, Y Z) is to be a unit vector all the same
@@ -281,7 +281,7 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
         for delta in context.scales.distances(0)
     )
     within = _within(context, discriminant, (reach, merge, blur))
-    root = signed_root(context, angle, within)
+    root = signed_root(context, angle.suffix, within)
     r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
     context.angles.solved_slide(unknown.name, r)
     sine = builder.add(v1, builder.mul(w1, r))
@@ -314,13 +314,27 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
         for letter in "VW"
     )
     ends = Extremes(v + w, abs(v - w))
-    root = signed_root(context, angle, reached(context, reach, ends, angle.suffix))
+    root = signed_root(context, angle.suffix, reached(context, reach, ends, angle.suffix))
     if builder.is_zero(x):
         sine, cosine = builder.div(root, y), builder.div(k, y)
     else:
         sine = builder.div(builder.add(builder.mul(x, k), builder.mul(y, root)), square)
         cosine = builder.div(builder.sub(builder.mul(y, k), builder.mul(x, root)), square)
     finish(context, angle, cosine, sine)
+
+
+def lower_squared_length(context: Lowering, step: Step) -> None:
+    """Type 10: a quadratic in r."""
+    (unknown,) = step.unknowns
+    assert isinstance(unknown, Length)
+    builder, suffix = context.builder, str(unknown.joint)
+    x, y, z = letters(context, step, "X Y Z")
+    half = builder.hint(builder.div(y, builder.mul(builder.integer(2), x)), f"H{suffix}")
+    square = builder.add(builder.square(half), builder.div(z, x))
+    discriminant = builder.name(square, f"D{suffix}")
+    within = _within(context, discriminant, context.scales.distances(2))
+    root = signed_root(context, suffix, within)
+    context.angles.solved_slide(unknown.name, builder.sub(root, half))
 
 
 KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {
@@ -333,4 +347,5 @@ KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {
     Kind.TWO_ANGLES_TURNED: lower_two_angles,
     Kind.ANGLE_AND_SUM: lower_two_angles,
     Kind.CIRCLE: lower_circle,
+    Kind.SQUARED_LENGTH: lower_squared_length,
 }

@@ -47,7 +47,7 @@ class Reach:
     clear: Node
 
 
-def signed_root(context: Lowering, angle: AngleSum, reach: Reach, free: Node | None = None) -> Node:
+def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None = None) -> Node:
     """e sqrt(D): the guard for D < 0, the new sign, and the guard where both roots meet.
 
     Beside a place where an earlier angle is good to few digits only, roots that meet come out a
@@ -55,22 +55,22 @@ def signed_root(context: Lowering, angle: AngleSum, reach: Reach, free: Node | N
 
     Args:
         context: The program in the making.
-        angle: For names.
+        suffix: For names.
         reach: D.
         free: Whether the step fixes nothing, so that one root is enough.
     """
     builder = context.builder
     builder.guard(reach.inside, Failure.REACH, reach.discriminant, context.angles.options())
-    apart = builder.name(reach.apart, f"apart{angle.suffix}")
+    apart = builder.name(reach.apart, f"apart{suffix}")
     kept = builder.select(apart, reach.discriminant, builder.integer(0))
-    length = builder.name(builder.apply("sqrt", kept), f"w{angle.suffix}")
+    length = builder.name(builder.apply("sqrt", kept), f"w{suffix}")
     sign = context.new_sign()
     met = builder.apply("not", apart)
     for near in context.angles.near:
         blurred = builder.apply("and", near, builder.apply("not", reach.clear))
         met = builder.apply("or", met, blurred)
     keep_one(context, sign, met if free is None else builder.apply("or", met, free))
-    return builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
+    return builder.hint(builder.mul(sign, length), f"root{suffix}")
 
 
 def keep_one(context: Lowering, sign: Node, met: Node) -> None:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 STEP = 1e-5  # [rad or length] of the differences
 WAY = 17  # joint values on the way from one solution to another
+LITTLE = 1e-3  # [rad or arm sizes] a double solution moves by less with rounding
 
 
 class Measures:
@@ -50,9 +51,15 @@ class Measures:
         miss = np.abs(self._short_way(rows - others))
         return np.asarray(np.where(self._turns, miss, miss / self._chain.size))
 
-    def way(self, row: Array, q: Array) -> Array:
-        """Joint values (WAY, n) on the straight way from a row to others, the short way round."""
-        return np.asarray(row + np.linspace(0.0, 1.0, WAY)[:, None] * self._short_way(q - row))
+    def ways(self, row: Array, q: Array) -> Array:
+        """Joint values (2, WAY, n) on ways from a row to others, the short way round.
+
+        The straight one, and one on which the joints that differ by little move first.
+        """
+        moved, little = self._short_way(q - row), self.joint_miss(row, q) <= LITTLE
+        part = np.linspace(0.0, 1.0, WAY)[:, None]
+        bent = np.where(little, np.minimum(2.0 * part, 1.0), np.maximum(2.0 * part - 1.0, 0.0))
+        return np.asarray(row + np.stack([part * moved, bent * moved]))
 
     def _short_way(self, moved: Array) -> Array:
         """Differences of joint values without whole turns."""

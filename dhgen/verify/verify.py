@@ -236,11 +236,13 @@ class _Checker:
         """Whether the pose hardly tells joint values from those of a row with no free joint.
 
         Of an arm that is singular there rounding moves them: where two solutions meet beside a
-        place where a joint is free, as far as all joint values in between reach the pose.
+        place where a joint is free, as far as all joint values in between reach the pose. Where
+        the arm is at the edge of its reach, too, those are not on the straight way.
         """
         if self._measures.fixed(q) > FIXED:
             return False
-        ways = (self._measures.way(row, q) for row in rows[np.isfinite(rows).all(axis=1)])
+        held = rows[np.isfinite(rows).all(axis=1)]
+        ways = (way for row in held for way in self._measures.ways(row, q))
         return any(self._measures.residual(way, T) <= GENERAL_RESIDUAL for way in ways)
 
     def _nearest(self, q: Array, T: Array, where: str) -> None:

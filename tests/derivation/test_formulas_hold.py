@@ -25,7 +25,7 @@ from dhgen.targets.derivation.lines import broken
 from dhgen.targets.derivation.plain import box
 from dhgen.targets.derivation.steps import step_blocks
 from dhgen.targets.derivation.style import PLAIN
-from tests.derivation.stories import NAMES, WHOLE, story
+from tests.derivation.stories import NAMES, OWN, WHOLE, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def test_matrices_of_the_inverse(name: str) -> None:
             assert holds(relation, letters), box(relation)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", [*NAMES, OWN])
 def test_steps_with_the_branch_signs_of_the_program(name: str) -> None:
     """The program finds a configuration in one row; the steps hold with just that row's signs."""
     of = story(name)

@@ -10,6 +10,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
+from dhgen.paul.step import Kind
 from dhgen.program.interpret import interpret
 from dhgen.program.lower import lower
 from dhgen.robot.load import load
@@ -31,13 +32,15 @@ def nearly_right(folder: Path, name: str) -> Chain:
     return build_chain(load(path))
 
 
-@pytest.mark.parametrize("name", ["abb_irb120", "ur5"])
+@pytest.mark.parametrize("name", ["abb_irb120", "ur5", "stanford"])
 def test_digits_and_rows(tmp_path: Path, name: str) -> None:
     chain = nearly_right(tmp_path, name)
     arm, source = numeric_arm(chain), np.random.default_rng(21)
     q = source.uniform(-2.0, 2.0, (POSES, chain.dof))
     poses = arm.pose(q)
-    rows = interpret(lower(derive(chain)), poses, q, np.empty((POSES, 0)))
+    derivation = derive(chain)
+    assert Kind.CIRCLE not in {step.kind for step in derivation.steps}
+    rows = interpret(lower(derivation), poses, q, np.empty((POSES, 0)))
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
     misses = np.abs(reached - poses[:, None]).max(axis=(2, 3))
     assert misses[rows.solved].max() < 1e-12

@@ -106,7 +106,7 @@ def test_reasons_stand_with_the_types_that_give_them() -> None:
     assert len(lines) <= 25
     assert "no three consecutive axes are parallel or meet in one point, not even nearly" in lines
     assert "    type 2: the unknown is not one angle" in lines
-    assert "    type 1: the unknown is not one length" in lines
+    assert "    types 1, 10: the unknown is not one length" in lines
 
 
 def test_what_was_found_before_the_end_is_named() -> None:

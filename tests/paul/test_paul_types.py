@@ -13,6 +13,7 @@ from dhgen.paul.types.angle_and_length import AngleAndLength
 from dhgen.paul.types.angle_pair import AnglePair
 from dhgen.paul.types.length import SingleLength
 from dhgen.paul.types.polar import Polar
+from dhgen.paul.types.squared_length import SquaredLength
 from dhgen.paul.types.two_angles import TwoAngles
 from tests.kinematics.values import table
 from tests.paul.arms import Bench
@@ -183,6 +184,26 @@ def test_type_5_has_an_angle_and_a_length_side_by_side() -> None:
 )
 def test_type_5_refuses(first: Polynomial, second: Polynomial, reason: str) -> None:
     assert BENCH.why_not(AngleAndLength(), first, second) == reason
+
+
+def test_type_10_is_quadratic_in_a_length() -> None:
+    (step,) = BENCH.steps(SquaredLength(), 2 * g.r3**2 - g.a1 * g.r3 + g.a2**2 - g.t34**2)
+    assert (step.kind, step.roots) == (Kind.SQUARED_LENGTH, 2)
+    assert dict(step.coefficients) == {"X": 2, "Y": -g.a1, "Z": g.t34**2 - g.a2**2}
+
+
+@pytest.mark.parametrize(
+    ("equation", "reason"),
+    [
+        (g.r3 - g.t34, "X vanishes"),
+        (g.c1 - g.t11, "the unknown is not one length"),
+        (g.r3**3 - g.t34, "r3 occurs in a higher power than its square"),
+        (g.t11 * g.r3**2 - g.t34, "X or Y may vanish"),
+        (g.r3**2 - g.t11 * g.r3 - g.t34, "X or Y may vanish"),
+    ],
+)
+def test_type_10_refuses(equation: Polynomial, reason: str) -> None:
+    assert BENCH.why_not(SquaredLength(), equation) == reason
 
 
 def test_type_8_has_an_angle_and_a_sum() -> None:

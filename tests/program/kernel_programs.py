@@ -57,7 +57,7 @@ def kernel_program(
         kind: The type.
         letters: Of the type; None for a number that the pose will hold, a number, or the name of
             an earlier letter, perhaps with a sign in front.
-        slides: Whether the slide is unknown too, or alone for type 1.
+        slides: Whether the slide is unknown too, or alone for types 1 and 10.
     """
     algebra = pool().problem.algebra
     places = iter(PLACES)
@@ -69,7 +69,7 @@ def kernel_program(
             values[letter] = algebra.ring(number)
         else:
             values[letter] = values[number[-2:]] * (-1 if number[0] == "-" else 1)
-    angles = () if kind is Kind.LENGTH else (ANGLE,)
+    angles = () if kind in {Kind.LENGTH, Kind.SQUARED_LENGTH} else (ANGLE,)
     unknowns = (*angles, *((slide(),) if slides else ()))
     roots = {Kind.LENGTH: 1, Kind.ANGLE_PAIR: 1}.get(kind, 2)
     step = Step(kind, unknowns, (), tuple(values.items()), roots, 0)

@@ -220,6 +220,27 @@ def test_type_5_beside_the_circle_is_unreachable() -> None:
     assert not run(program, np.array([[1.0, 0.0, 1.0, 1.0, 1.001, 0.0]])).solved.any()
 
 
+def test_type_10_finds_every_root_and_no_other() -> None:
+    given = numbers(3, 10)
+    program = kernel_program(Kind.SQUARED_LENGTH, dict.fromkeys("XYZ"), slides=True)
+    found = run(program, given)
+    counts = set()
+    for (x, y, z), rows in zip(given, found.q[..., 0], strict=True):
+        roots = np.roots([x, y, -z])
+        real = np.sort(roots[np.abs(roots.imag) < 1e-12].real)
+        np.testing.assert_allclose(np.sort(rows[np.isfinite(rows)]), real, rtol=1e-9, atol=1e-9)
+        counts.add(len(real))
+    assert counts == {0, 2}
+
+
+def test_type_10_touching_stands_once() -> None:
+    """2 r^2 - 4 r = -2 has the double root 1."""
+    program = kernel_program(Kind.SQUARED_LENGTH, dict.fromkeys("XYZ"), slides=True)
+    found = run(program, np.array([[2.0, -4.0, -2.0]]))
+    assert found.solved.tolist() == [[True, False]]
+    assert found.q[0, 0].tolist() == [1.0]
+
+
 LINKS = {"V1": 3, "V2": 0, "W1": 2, "W2": 0}  # lengths 3 and 2
 TWO = {**LINKS, "X": 0, "Y": 12, "N": 13, "Z1": None, "Z2": None}
 

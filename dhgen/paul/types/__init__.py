@@ -1,7 +1,7 @@
 """The equation types, one module each, in the order in which they are tried.
 
-`CLOSED` are the types of the books, with roots of squares only; `QUARTIC` adds type 9, for arms
-that `CLOSED` does not solve.
+`CLOSED` are the types of the books and one more, with roots of squares only; `QUARTIC` adds type 9,
+for arms that `CLOSED` does not solve.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from dhgen.paul.types.angle_pair import AnglePair
 from dhgen.paul.types.circle import Circle
 from dhgen.paul.types.length import SingleLength
 from dhgen.paul.types.polar import Polar
+from dhgen.paul.types.squared_length import SquaredLength
 from dhgen.paul.types.two_angles import TwoAngles
 
 if TYPE_CHECKING:
@@ -26,5 +27,6 @@ CLOSED: tuple[EquationType, ...] = (
     Polar(),
     AngleAndLength(),
     TwoAngles(),
+    SquaredLength(),
 )
 QUARTIC: tuple[EquationType, ...] = (*CLOSED, Circle())

@@ -59,7 +59,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
 
 def _why(kernel: GeneralKernel) -> str:
     """Why the joints do not come one after the other, and what finds them."""
-    kinds = "1 to 9" if kernel.eliminations and not kernel.pointing else "1 to 8"
+    kinds = "1 to 10" if kernel.eliminations and not kernel.pointing else "1 to 8 and 10"
     steps = f"no order of equations of the types {kinds} gives the joints one after the other."
     if kernel.eliminations:
         beginning = steps.capitalize() if kernel.pointing else f"{UNRELATED}, and {steps}"

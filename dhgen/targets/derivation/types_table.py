@@ -43,7 +43,10 @@ _FORMS = {
         Symbol("X_1 s_i + Y_1 c_i + V_1 s_j + W_1 c_j = Z_1", "X₁ sᵢ + Y₁ cᵢ + V₁ sⱼ + W₁ cⱼ = Z₁"),
         Symbol("X_2 s_i + Y_2 c_i + V_2 s_j + W_2 c_j = Z_2", "X₂ sᵢ + Y₂ cᵢ + V₂ sⱼ + W₂ cⱼ = Z₂"),
     ),
+    Kind.SQUARED_LENGTH: (Symbol("X r^2 + Y r = Z", "X r² + Y r = Z"),),
 }
+
+_BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH}
 
 
 def types_table(story: Story) -> list[Block]:
@@ -51,7 +54,8 @@ def types_table(story: Story) -> list[Block]:
     kinds = sorted({step.kind for step in story.steps}, key=lambda kind: kind.value)
     header = tuple(say(word) for word in ("type", "equations", "steps"))
     rows = tuple(_row(story, kind) for kind in kinds)
-    beyond = " (type 9 is beyond it)" if Kind.CIRCLE in kinds else ""
+    new = [f"type {kind.value}" for kind in kinds if kind in _BEYOND]
+    beyond = f" ({' and '.join(new)} {'is' if len(new) == 1 else 'are'} beyond it)" if new else ""
     text = (
         "The types that occur here, with their numbers in document 003, which has the table of "
         f"W. Khalil and E. Dombre{beyond}: {{}} is an unknown length, {{}} and {{}} are cosine and "

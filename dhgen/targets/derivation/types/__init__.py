@@ -11,6 +11,7 @@ from dhgen.targets.derivation.types.angle_pair import print_angle_pair
 from dhgen.targets.derivation.types.circle import print_circle
 from dhgen.targets.derivation.types.length import print_length
 from dhgen.targets.derivation.types.polar import print_polar
+from dhgen.targets.derivation.types.squared_length import print_squared_length
 from dhgen.targets.derivation.types.two_angles import print_two_angles
 
 if TYPE_CHECKING:
@@ -28,4 +29,5 @@ PRINTERS: dict[Kind, Callable[[StepContext], StepText]] = {
     Kind.TWO_ANGLES_TURNED: print_two_angles,
     Kind.ANGLE_AND_SUM: print_two_angles,
     Kind.CIRCLE: print_circle,
+    Kind.SQUARED_LENGTH: print_squared_length,
 }
