@@ -306,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa c132e49576438bd5"
+_KEY = "kuka_kr40pa a3482a6484b19e04"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -536,26 +536,30 @@ def _damped_step(A, e, length, step):
 def _descended(T, steps, exact, q, ahead):
     """Takes a row as far as steps help, and tells how long another one would be, into `ahead`.
 
-    Returns by how much the row misses the pose then.
+    Returns by how much the row misses the pose then. Beside a singular place a step that is right
+    may be long, and what it leaves, half of its square, far more than was missed.
     """
     e, A = np.empty(6), np.empty((6, 4))
     joints, u, step = q.copy(), np.empty(4), np.empty(4)
     for j in range(4):
         u[j] = q[_SOLVED[j]] / _UNIT[j]
-    best, least = u.copy(), math.inf
+    best, least, last, left = u.copy(), math.inf, math.inf, 0.0
     ahead[0] = math.inf
     for _ in range(steps + 1):
         length = _look(T, joints, u, e, A)
         _damped_step(A, e, length, step)
-        slow = not length <= 0.5 * least
+        slow = not length <= max(0.5 * last, left)
         if length < least:
             least, ahead[0] = length, np.abs(step).max()
             _take(best, u)
-        if slow or least <= 0.001 * exact:
+        if slow or (least <= 0.001 * exact and ahead[0] <= 0.0001):
             break
         _shorten(step)
+        way = 0.0
         for j in range(4):
             u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way
     _wrap_angles(best)
     for j in range(4):
         q[_SOLVED[j]] = _UNIT[j] * best[j]
@@ -572,7 +576,7 @@ def _tightened(T, exact, first, q):
     if first <= exact:
         return first, False
     end, moved = q.copy(), False
-    least = _descended(T, 24, exact, end, np.empty(1))
+    least = _descended(T, 72, exact, end, np.empty(1))
     if least > exact:  # the pose is rounded, or this is no solution
         return first, False
     for i in range(4):

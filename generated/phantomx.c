@@ -374,10 +374,12 @@ static void damped_step(
 }
 
 /* Takes a row as far as steps help, and tells how long another one would be; returns by how much
- * the row misses the pose then. */
+ * the row misses the pose then. Beside a singular place a step that is right may be long, and what
+ * it leaves, half of its square, far more than was missed. */
 static double descended(struct descent *d, int steps, double exact, double q[4], double *ahead)
 {
     double u[4], best[4], step[4], least = HUGE_VAL;
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
     for (int i = 0; i < 4; i++)
         d->q[i] = q[i];
     for (int j = 0; j < 4; j++)
@@ -386,7 +388,7 @@ static double descended(struct descent *d, int steps, double exact, double q[4],
     for (int k = 0; k <= steps; k++) {
         look(d, u);
         damped_step(d, d->e, d->length, step);
-        const int slow = !(d->length <= 0.5 * least);
+        const int slow = !(d->length <= fmax(0.5 * last, left));
         if (d->length < least) {
             least = d->length;
             *ahead = 0.0;
@@ -394,11 +396,16 @@ static double descended(struct descent *d, int steps, double exact, double q[4],
             for (int j = 0; j < 4; j++)
                 *ahead = fmax(*ahead, fabs(step[j]));
         }
-        if (slow || least <= 0.001 * exact)
+        if (slow || (least <= 0.001 * exact && *ahead <= 0.0001))
             break;
         shorten(step);
-        for (int j = 0; j < 4; j++)
+        double way = 0.0;
+        for (int j = 0; j < 4; j++) {
             u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = 0.5 * way * way;
     }
     wrap_angles(best);
     for (int j = 0; j < 4; j++)
@@ -417,7 +424,7 @@ static double tightened(struct descent *d, double exact, double q[4], int *moved
         return first;
     for (int i = 0; i < 4; i++)
         end[i] = q[i];
-    const double least = descended(d, 24, exact, end, &ahead);
+    const double least = descended(d, 72, exact, end, &ahead);
     if (least > exact) /* the pose is rounded, or this is no solution */
         return first;
     for (int i = 0; i < 4; i++) {

@@ -377,10 +377,12 @@ static void damped_step(
 }
 
 /* Takes a row as far as steps help, and tells how long another one would be; returns by how much
- * the row misses the pose then. */
+ * the row misses the pose then. Beside a singular place a step that is right may be long, and what
+ * it leaves, half of its square, far more than was missed. */
 static double descended(struct descent *d, int steps, double exact, double q[5], double *ahead)
 {
     double u[5], best[5], step[5], least = HUGE_VAL;
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
     for (int i = 0; i < 5; i++)
         d->q[i] = q[i];
     for (int j = 0; j < 5; j++)
@@ -389,7 +391,7 @@ static double descended(struct descent *d, int steps, double exact, double q[5],
     for (int k = 0; k <= steps; k++) {
         look(d, u);
         damped_step(d, d->e, d->length, step);
-        const int slow = !(d->length <= 0.5 * least);
+        const int slow = !(d->length <= fmax(0.5 * last, left));
         if (d->length < least) {
             least = d->length;
             *ahead = 0.0;
@@ -397,11 +399,16 @@ static double descended(struct descent *d, int steps, double exact, double q[5],
             for (int j = 0; j < 5; j++)
                 *ahead = fmax(*ahead, fabs(step[j]));
         }
-        if (slow || least <= 0.001 * exact)
+        if (slow || (least <= 0.001 * exact && *ahead <= 0.0001))
             break;
         shorten(step);
-        for (int j = 0; j < 5; j++)
+        double way = 0.0;
+        for (int j = 0; j < 5; j++) {
             u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = 0.5 * way * way;
     }
     wrap_angles(best);
     for (int j = 0; j < 5; j++)
@@ -420,7 +427,7 @@ static double tightened(struct descent *d, double exact, double q[5], int *moved
         return first;
     for (int i = 0; i < 5; i++)
         end[i] = q[i];
-    const double least = descended(d, 24, exact, end, &ahead);
+    const double least = descended(d, 72, exact, end, &ahead);
     if (least > exact) /* the pose is rounded, or this is no solution */
         return first;
     for (int i = 0; i < 5; i++) {

@@ -267,10 +267,12 @@ static void damped_step(
 }
 
 /* Takes a row as far as steps help, and tells how long another one would be; returns by how much
- * the row misses the pose then. */
+ * the row misses the pose then. Beside a singular place a step that is right may be long, and what
+ * it leaves, half of its square, far more than was missed. */
 static double descended(struct descent *d, int steps, double exact, double q[6], double *ahead)
 {
     double u[6], best[6], step[6], least = HUGE_VAL;
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
     for (int i = 0; i < 6; i++)
         d->q[i] = q[i];
     for (int j = 0; j < 6; j++)
@@ -279,7 +281,7 @@ static double descended(struct descent *d, int steps, double exact, double q[6],
     for (int k = 0; k <= steps; k++) {
         look(d, u);
         damped_step(d, d->e, d->length, step);
-        const int slow = !(d->length <= 0.5 * least);
+        const int slow = !(d->length <= fmax(0.5 * last, left));
         if (d->length < least) {
             least = d->length;
             *ahead = 0.0;
@@ -287,11 +289,16 @@ static double descended(struct descent *d, int steps, double exact, double q[6],
             for (int j = 0; j < 6; j++)
                 *ahead = fmax(*ahead, fabs(step[j]));
         }
-        if (slow || least <= 0.001 * exact)
+        if (slow || (least <= 0.001 * exact && *ahead <= 0.0001))
             break;
         shorten(step);
-        for (int j = 0; j < 6; j++)
+        double way = 0.0;
+        for (int j = 0; j < 6; j++) {
             u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = 0.5 * way * way;
     }
     wrap_angles(best);
     for (int j = 0; j < 6; j++)
@@ -309,7 +316,7 @@ static double tightened(struct descent *d, double exact, double q[6], int *moved
         return first;
     for (int i = 0; i < 6; i++)
         end[i] = q[i];
-    const double least = descended(d, 24, exact, end, &ahead);
+    const double least = descended(d, 72, exact, end, &ahead);
     for (int i = 0; i < 6; i++) {
         *moved = *moved || q[i] < end[i] || q[i] > end[i];
         q[i] = end[i];
@@ -712,9 +719,43 @@ static int is_new(double known[16][6], int count, const double q[6])
     return 1;
 }
 
+/* Puts a solution behind those that are known, unless it is one of them; returns how many there
+ * are. */
+static int keep(double known[16][6], int count, const double q[6])
+{
+    if (!is_new(known, count, q))
+        return count;
+    for (int i = 0; i < 6; i++)
+        known[count][i] = q[i];
+    return count + 1;
+}
+
+/* Whether the row of a root that is moved leads to a solution, and to which. */
+static int leads(
+    struct descent *d, const double seed[6], double angle, int row, double exact,
+    double end[6])
+{
+    double q[8][6];
+    unsigned char kind[8];
+    for (int k = 0; k < 8; k++)
+        kind[k] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+    solve(d->T, seed, angle, q, kind);
+    if (kind[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE || kind[row] > CLOSE /* lost */)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        end[i] = q[row][i];
+    return solves(d, 72, exact, end);
+}
+
+/* How far roots are moved: beside a row, as parts of what it misses, and to the other solution, as
+ * parts of the way to the one that is known. */
+static const double beside[4] = { 8.0, -8.0, 64.0, -64.0 };
+static const double across[4] = { -1.0, -2.0, -0.5, -4.0 };
+
 /* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
  * a
- * joint that is nearly free. Rows of roots a little to both sides lead there. */
+ * joint that is nearly free. Steps from it lead to one; the root of the other is as far from it on
+ * the other side. */
 static void both_sides(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
@@ -740,23 +781,32 @@ static void both_sides(
     }
     if (!any)
         return;
+    const int others = count;
     int next = count;
     for (int row = 0; row < 8; row++) {
-        for (int move = 0; doubtful[row] && move < 58; move++) {
-            double other[8][6], angle = ldexp(move % 2 ? -1.0 : 1.0, -12 - move / 2);
-            unsigned char kind[8] = { 0 };
-            for (int k = 0; k < 8; k++)
-                kind[k] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
-            solve(T, seed, angle, other, kind);
-            if (kind[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE || kind[row] > CLOSE /* lost */
-                    || !solves(&d, 24, exact, other[row]))
+        if (!doubtful[row])
+            continue;
+        const double aside = missed_by(T, q[row]);
+        double end[6], other[6], off = 0.0;
+        for (int i = 0; i < 6; i++)
+            end[i] = q[row][i];
+        /* long steps may lead to solutions of other roots, which are known */
+        int found = solves(&d, 72, exact, end) && is_new(known, others, end);
+        for (int k = 0; k < 4 && !found; k++)
+            found = leads(&d, seed, beside[k] * aside, row, exact, end)
+                && is_new(known, others, end);
+        if (!found)
+            continue;
+        status[row] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+        count = keep(known, count, end);
+        off += end[0] - q[row][0];
+        off -= 6.283185307179586 * ceil(off / 6.283185307179586 - 0.5);
+        for (int k = 0; k < 4; k++) {
+            if (!leads(&d, seed, across[k] * off, row, exact, other)
+                    || !is_new(known, others, other) || gap_between(end, other) < 0.001)
                 continue;
-            status[row] = SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
-            if (count < 16 && is_new(known, count, other[row])) {
-                for (int i = 0; i < 6; i++)
-                    known[count][i] = other[row][i];
-                count++;
-            }
+            count = keep(known, count, other);
+            break;
         }
     }
     for (int row = 0; row < 8; row++) {

@@ -535,7 +535,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm 759b6014e19a8565"
+_KEY = "spherical_wrist_general_arm c284a52649baef94"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -801,26 +801,30 @@ def _damped_step(A, e, length, step):
 def _descended(T, steps, exact, q, ahead):
     """Takes a row as far as steps help, and tells how long another one would be, into `ahead`.
 
-    Returns by how much the row misses the pose then.
+    Returns by how much the row misses the pose then. Beside a singular place a step that is right
+    may be long, and what it leaves, half of its square, far more than was missed.
     """
     e, A = np.empty(6), np.empty((6, 6))
     joints, u, step = q.copy(), np.empty(6), np.empty(6)
     for j in range(6):
         u[j] = q[_SOLVED[j]] / _UNIT[j]
-    best, least = u.copy(), math.inf
+    best, least, last, left = u.copy(), math.inf, math.inf, 0.0
     ahead[0] = math.inf
     for _ in range(steps + 1):
         length = _look(T, joints, u, e, A)
         _damped_step(A, e, length, step)
-        slow = not length <= 0.5 * least
+        slow = not length <= max(0.5 * last, left)
         if length < least:
             least, ahead[0] = length, np.abs(step).max()
             _take(best, u)
-        if slow or least <= 0.001 * exact:
+        if slow or (least <= 0.001 * exact and ahead[0] <= 0.0001):
             break
         _shorten(step)
+        way = 0.0
         for j in range(6):
             u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way
     _wrap_angles(best)
     for j in range(6):
         q[_SOLVED[j]] = _UNIT[j] * best[j]
@@ -837,7 +841,7 @@ def _tightened(T, exact, first, q):
     if first <= exact:
         return first, False
     end, moved = q.copy(), False
-    least = _descended(T, 24, exact, end, np.empty(1))
+    least = _descended(T, 72, exact, end, np.empty(1))
     for i in range(6):
         moved = moved or q[i] != end[i]
         q[i] = end[i]
@@ -1142,11 +1146,32 @@ def _is_new(known, count, q):
     return True
 
 
+@_inner
+def _keep(known, count, q):
+    """Puts a solution behind those that are known, unless it is one of them; how many there are."""
+    if not _is_new(known, count, q):
+        return count
+    _take(known[count], q)
+    return count + 1
+
+
+@_inner
+def _leads(pose, T, seed, angle, row, exact, end):
+    """Whether the row of a root that is moved leads to a solution, and to which."""
+    q, kind = np.empty((8, 6)), np.empty(8, np.uint8)
+    kind[:] = UNREACHABLE
+    _solve(pose, seed, angle, q, kind)
+    if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
+        return False
+    _take(end, q[row])
+    return _solves(T, 72, exact, end)
+
+
 @_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
 def _beside(pose, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
 
-    Rows of roots a little to both sides lead there.
+    Steps from a row lead to one; the root of the other is as far from it on the other side.
     """
     T, exact = _upper_rows(pose), _exactness(pose)
     known, count = np.empty((16, 6)), 0
@@ -1158,21 +1183,31 @@ def _beside(pose, seed, q, status):
         if status[row] != UNREACHABLE and not doubtful[row]:
             _take(known[count], q[row])
             count += 1
-    after = count
-    other, kind = np.empty((8, 6)), np.empty(8, np.uint8)
+    others, after = count, count
+    other = np.empty(6)
     for row in range(8):
-        for move in range(58 if doubtful[row] else 0):
-            kind[:] = UNREACHABLE
-            angle = math.ldexp(-1.0 if move % 2 else 1.0, -12 - move // 2)
-            _solve(pose, seed, angle, other, kind)
-            if kind[row] == UNREACHABLE or kind[row] > _CLOSE:  # lost
+        if not doubtful[row]:
+            continue
+        aside, end = _missed_by(pose, q[row]), q[row].copy()
+        # long steps may lead to solutions of other roots, which are known
+        found = _solves(T, 72, exact, end) and _is_new(known, others, end)
+        for part in (8.0, -8.0, 64.0, -64.0):
+            if found or not _leads(pose, T, seed, part * aside, row, exact, end):
                 continue
-            if not _solves(T, 24, exact, other[row]):
+            found = _is_new(known, others, end)
+        if not found:
+            continue
+        status[row] = UNREACHABLE
+        count = _keep(known, count, end)
+        off = 0.0
+        off += end[0] - q[row, 0]
+        off -= 6.283185307179586 * math.ceil(off / 6.283185307179586 - 0.5)
+        for part in (-1.0, -2.0, -0.5, -4.0):  # of the way to the one that is known
+            if not _leads(pose, T, seed, part * off, row, exact, other):
                 continue
-            status[row] = UNREACHABLE
-            if count < 16 and _is_new(known, count, other[row]):
-                _take(known[count], other[row])
-                count += 1
+            if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
+                count = _keep(known, count, other)
+                break
     for row in range(8):
         if status[row] != UNREACHABLE:
             continue

@@ -3,11 +3,14 @@
 Beside a place where a joint would be free two solutions may differ in that joint by anything and
 in all others by next to nothing. Their root is a double one but for a billionth of its square,
 which is beyond the digits of the polynomial; a row of the root between them is not exact, and its
-free joint has nothing to do with theirs. Rows of roots a little to both sides lead there.
+free joint has nothing to do with theirs. Steps from there lead to one of them. The double root
+lies in the middle of both: the row of a root as far to its other side leads to the other one.
 """
 
 from __future__ import annotations
 
+from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,13 +19,15 @@ from dhgen.numerical import kernel as constants
 from dhgen.numerical.tighten import descended, exactness, gaps
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from numpy.typing import NDArray
 
     from dhgen.numerical.kernel import NumericalKernel
 
     FloatArray = NDArray[np.float64]
+    Moved = Callable[[FloatArray], FloatArray]
+    Turning = tuple[tuple[int, int], ...]
 
 
 def both_sides(
@@ -30,7 +35,8 @@ def both_sides(
     T: FloatArray,
     q: FloatArray,
     close: NDArray[np.bool_],
-    moved: Callable[[FloatArray], FloatArray],
+    turning: Turning,
+    moved: Moved,
 ) -> FloatArray:
     """The rows of a pose, with solutions for those that stand between two.
 
@@ -39,6 +45,7 @@ def both_sides(
         T: Pose (4, 4).
         q: Joint values (N, n), NaN where there is no solution.
         close: Which rows come from roots that nearly meet (N,).
+        turning: The joints, from 1, whose values add up to the root, each with its sign.
         moved: The rows (M, N, n) with all roots moved by each of some angles (M,).
     """
     rows, exact = q.copy(), exactness(kernel, T)
@@ -47,16 +54,13 @@ def both_sides(
         for row in np.flatnonzero(close)
         if not descended(kernel, T, q[row], exact, steps=0).solves(exact)
     ]
-    if not doubtful:
-        return rows
-    starts = moved(np.array([angle for move in constants.MOVES for angle in (move, -move)]))
     known = [q[row] for row in range(len(q)) if row not in doubtful and not np.isnan(q[row]).any()]
     news: list[FloatArray] = []
     for row in doubtful:
-        for end in _ends(kernel, T, starts[:, row], exact):
+        at_row = partial(_moved, moved, int(row))
+        for end in _ends(kernel, T, q[row], known, turning, at_row):
             rows[row] = np.nan
-            others = np.array([*known, *news]).reshape(-1, len(end))
-            if not (gaps(kernel, others, end) < constants.TOGETHER).any():
+            if _is_new(kernel, [*known, *news], end):
                 news.append(end)
     spare = np.flatnonzero(np.isnan(rows).any(axis=1))
     for place, end in zip(spare, news, strict=False):
@@ -64,11 +68,44 @@ def both_sides(
     return rows
 
 
+def _moved(moved: Moved, row: int, parts: tuple[float, ...], angle: float) -> FloatArray:
+    """One row (M, n) with all roots moved by parts of an angle, where it is a row at all."""
+    starts = moved(angle * np.array(parts))[:, row]
+    return np.asarray(starts[~np.isnan(starts).any(axis=1)])
+
+
+def _is_new(kernel: NumericalKernel, known: list[FloatArray], end: FloatArray) -> bool:
+    return not (gaps(kernel, np.array(known).reshape(-1, len(end)), end) < constants.TOGETHER).any()
+
+
 def _ends(
-    kernel: NumericalKernel, T: FloatArray, starts: FloatArray, exact: float
+    kernel: NumericalKernel,
+    T: FloatArray,
+    q: FloatArray,
+    known: list[FloatArray],
+    turning: Turning,
+    moved: Callable[[tuple[float, ...], float], FloatArray],
 ) -> Iterator[FloatArray]:
-    """Where a row leads when its root is moved: from joint values (M, n)."""
-    for q in starts[~np.isnan(starts).any(axis=1)]:
-        end = descended(kernel, T, q, exact)
-        if end.solves(exact):
-            yield end.q
+    """Where a row (n,) leads, and where it does when its root is moved to the other side.
+
+    Those that are `known` belong to other roots: long steps may lead there.
+    """
+    exact = exactness(kernel, T)
+
+    def ends(starts: Iterable[FloatArray]) -> Iterator[FloatArray]:
+        for start in starts:
+            end = descended(kernel, T, start, exact)
+            if end.solves(exact) and _is_new(kernel, known, end.q):
+                yield end.q
+
+    first = next(ends([q]), None)
+    if first is None:
+        aside = descended(kernel, T, q, exact, steps=0).miss
+        first = next(ends(moved(constants.BESIDE, aside)), None)
+    if first is None:
+        return
+    yield first
+    off = sum(sign * (first[joint - 1] - q[joint - 1]) for joint, sign in turning)
+    off -= 2 * np.pi * np.ceil(off / (2 * np.pi) - 0.5)
+    others = ends(moved(constants.ACROSS, off))
+    yield from islice((end for end in others if _is_new(kernel, [first], end)), 1)

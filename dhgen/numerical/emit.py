@@ -9,7 +9,7 @@ from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import ASIDE
 from dhgen.numerical.reference import TIE
 from dhgen.numerical.starts import directions
-from dhgen.numerical.texts import any_turn, given_places, position_rows
+from dhgen.numerical.texts import any_turn, given_places, position_rows, turning_places
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.layout import c_array, python_array
 from dhgen.targets.templates import render
@@ -17,6 +17,7 @@ from dhgen.targets.templates import render
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from dhgen.numerical.both_sides import Turning
     from dhgen.numerical.kernel import NumericalKernel
 
 
@@ -57,14 +58,16 @@ def c_tightening(kernel: NumericalKernel, name: str) -> str:
     return render("c/tighten.c.jinja", arrays=_c_arrays(kernel), **values)
 
 
-def c_both_sides(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+def c_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
     """The static function `both_sides` in C99; it needs `solve` and what tightens."""
-    return render("c/both_sides.c.jinja", **(shared | _texts(kernel)))
+    values = shared | _texts(kernel) | {"turning": turning_places(turning)}
+    return render("c/both_sides.c.jinja", **values)
 
 
-def python_both_sides(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+def python_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
-    return render("python/both_sides.py.jinja", **(shared | _texts(kernel)))
+    values = shared | _texts(kernel) | {"turning": turning_places(turning)}
+    return render("python/both_sides.py.jinja", **values)
 
 
 def python_tightening(kernel: NumericalKernel) -> str:
@@ -159,8 +162,8 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "spare": repr(constants.SPARE),
         "sure": repr(constants.SURE),
         "kept": 2 * kernel.rows,
-        "moves": 2 * len(constants.MOVES),
-        "widest_move": constants.WIDEST_MOVE,
+        "beside": constants.BESIDE,
+        "across": constants.ACROSS,
         "pull": repr(constants.PULL),
         "pulled": constants.PULLED,
         "settled": repr(constants.SETTLED),

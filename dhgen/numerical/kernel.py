@@ -28,13 +28,16 @@ STARTS = 48  # in a round; the search ends with the first round that finds nothi
 ROUNDS = 8
 FEW_STARTS = 12  # beside what another algorithm found, where that is not certainly everything
 REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
-TIGHTENINGS = 24  # steps of a row that is not exact: double roots take a quarter off with each
+# Steps of a row that is not exact. Double roots take a quarter off with each; beside a singular
+# place a joint that is nearly free may be anywhere, and three steps are one of it.
+TIGHTENINGS = 72
 FINE = 1e-26  # what is added then: beside singular places the last digits count
 SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet
-# Moves of a root that stands for two, or nearly so, to both sides [rad], the widest first.
-WIDEST_MOVE, NARROWEST_MOVE = -12, -40  # powers of two
-MOVES = tuple(2.0**power for power in range(WIDEST_MOVE, NARROWEST_MOVE - 1, -1))
+# Where steps begin when those from a row lead nowhere: its root moved so many times its miss [rad].
+BESIDE = (8.0, -8.0, 64.0, -64.0)
+# Where the other of two solutions is looked for, as parts of the way from their double root to one.
+ACROSS = (-1.0, -2.0, -0.5, -4.0)
 # Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.
 PULL = 0.5
 PULLED = 60

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.kinematics.chain import Chain
+    from dhgen.numerical.both_sides import Turning
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +39,14 @@ class PositionRow:
 
 
 @dataclass(frozen=True, slots=True)
+class TurningPlace:
+    """A joint that turns a root: its place in the arm, from 0, and + or -."""
+
+    place: int
+    sign: str
+
+
+@dataclass(frozen=True, slots=True)
 class TurnComponent:
     """A component of half a turn about some axis [rad]."""
 
@@ -53,6 +62,11 @@ def given_places(chain: Chain) -> tuple[GivenPlace, ...]:
 def position_rows(rows: Sequence[int]) -> tuple[PositionRow, ...]:
     """The coordinates in these rows of the translation."""
     return tuple(PositionRow(equation, row, 4 * row + 3) for equation, row in enumerate(rows))
+
+
+def turning_places(turning: Turning) -> tuple[TurningPlace, ...]:
+    """The joints, given from 1, that turn a root."""
+    return tuple(TurningPlace(joint - 1, "+" if sign > 0 else "-") for joint, sign in turning)
 
 
 def any_turn() -> tuple[TurnComponent, ...]:

@@ -101,19 +101,26 @@ def descended(
     exact: float,
     steps: int = constants.TIGHTENINGS,
 ) -> End:
-    """Takes a row (n,) as far as steps of damped least squares help."""
+    """Takes a row (n,) as far as steps of damped least squares help.
+
+    Half of the square of a step may be left by the curvature of the motion. Beside a singular place
+    a step that is right may be long, and what it leaves far more than was missed.
+    """
     solved, units = list(kernel.solved), np.array(kernel.units)
     best, least, there, ahead = q.copy(), np.inf, q.copy(), np.inf
+    last, left = np.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(steps + 1):
         e, length, A = miss(kernel, T, there[None])
         step = damped_step(e, length, A, constants.FINE)[0]
-        slow = not length[0] <= 0.5 * least
+        slow = not length[0] <= max(0.5 * last, left)
         if length[0] < least:
             least, best = float(length[0]), there.copy()
             ahead = float(np.abs(step).max())
-        if slow or least <= constants.SPARE * exact:
+        if slow or (least <= constants.SPARE * exact and ahead <= constants.SURE):
             break
-        there[solved] += units * shortened(step)
+        step = shortened(step)
+        last, left = float(length[0]), 0.5 * float(np.abs(step).sum()) ** 2
+        there[solved] += units * step
     turning = [place for place, turns in zip(solved, kernel.turns, strict=True) if turns]
     best[turning] -= 2 * np.pi * np.ceil(best[turning] / (2 * np.pi) - 0.5)
     return End(best, least, ahead)

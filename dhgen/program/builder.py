@@ -209,11 +209,17 @@ class Builder(Graph):
         return tuple(dict.fromkeys(options))
 
     def circle_root(
-        self, wanted: str, coefficients: tuple[Node, ...], meaning: tuple[str, ...], step: int
+        self,
+        wanted: str,
+        coefficients: tuple[Node, ...],
+        turning: tuple[tuple[int, int], ...],
+        meaning: tuple[str, ...],
+        step: int,
     ) -> Node:
         """A root, in (-pi, pi], of a trigonometric polynomial of degree 2: a0, a1, b1, a2, b2."""
         inner = sorted({axis for node in coefficients for axis in self.entries[node].axes})
-        mark = Mark(len(self.entries), roots=coefficients, axis=len(self.axes))
+        axis = len(self.axes)
+        mark = Mark(len(self.entries), roots=coefficients, axis=axis, turning=turning)
         self._marks.append(mark)
         return self.root(wanted, meaning, step, tuple(inner))
 

@@ -77,7 +77,8 @@ def interpret(
         return rows
     q = rows.q.copy()
     for k in np.flatnonzero(rows.close.any(axis=1)):
-        q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], partial(run.moved, int(k)))
+        moved = partial(run.moved, int(k))
+        q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], program.turning, moved)
     pairs = zip(poses, q, strict=True)
     q = np.array([tighten(kernel, T, each) for T, each in pairs]).reshape(q.shape)
     solved = np.asarray(~np.isnan(q).any(axis=-1))

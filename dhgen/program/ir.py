@@ -185,11 +185,13 @@ class Roots:
         axis: Position of that axis in `Program.axes`.
         coefficients: a0, a1, b1, a2, b2.
         axes: The axes that the coefficients depend on.
+        turning: The joints, from 1, whose values add up to x but for a constant, and their signs.
     """
 
     axis: int
     coefficients: tuple[Expression, ...]
     axes: tuple[int, ...]
+    turning: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -272,7 +274,7 @@ class Program:
         near: The truth values that say a joint was nearly free, where that matters to a guard.
         tightened: Damped least squares for this arm, where rows that are not exact take some steps
             of it in the end; where a pose may be none of the arm's, only those stay that then fit.
-            Where roots nearly meet, rows of roots to both sides take them, too.
+            Where roots nearly meet, rows of both of their sides are looked for with it.
     """
 
     name: str
@@ -288,6 +290,12 @@ class Program:
     def rows(self) -> int:
         """How many branches there are."""
         return self.combinations(range(len(self.axes)))
+
+    @property
+    def turning(self) -> tuple[tuple[int, int], ...]:
+        """The joints, from 1, that turn the root of a polynomial, each with its sign."""
+        found = (statement for statement in self.body if isinstance(statement, Roots))
+        return next((statement.turning for statement in found), ())
 
     def combinations(self, axes: Iterable[int]) -> int:
         """How many values a value of this type stands for."""

@@ -118,10 +118,13 @@ class Lowering:
         words = self._words[len(self.builder.axes)]
         return self.builder.sign(words, self.step_number)
 
-    def new_root(self, wanted: str, coefficients: tuple[Node, ...]) -> Node:
-        """A root of the polynomial of the step at hand, as an angle."""
+    def new_root(self, angle: AngleSum, coefficients: tuple[Node, ...]) -> Node:
+        """A root of the polynomial of the step at hand, which is an angle."""
         words = self._words[len(self.builder.axes)]
-        return self.builder.circle_root(wanted, coefficients, words, self.step_number)
+        joints = self._algebra.chain.joints
+        turning = tuple((joint, sign * joints[joint - 1].sign) for joint, sign in angle.terms)
+        name = f"x{angle.suffix}"
+        return self.builder.circle_root(name, coefficients, turning, words, self.step_number)
 
     def value(self, name: str) -> Node:
         """The value of one of the ring's generators."""

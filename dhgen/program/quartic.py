@@ -42,7 +42,7 @@ def lower_circle(context: Lowering, step: Step) -> None:
         determinant = builder.sub(builder.mul(p1[0], q2[0]), builder.mul(q1[0], p2[0]))
         total = _sum(builder, _square(builder, cosine), _square(builder, sine))
         polynomial = (builder.sub(total[0], builder.square(determinant)), *total[1:])
-    root = context.new_root(f"x{angle.suffix}", polynomial)
+    root = context.new_root(angle, polynomial)
     builder.guard(builder.apply("at_most", root, builder.integer(4)), Failure.REACH)
     if len(angle.terms) == 1 and context.may_be_lost:
         root = _with_serving_digits(context, angle, polynomial, root)

@@ -56,6 +56,7 @@ class Mark:
         detail: Its details.
         roots: The coefficients of a polynomial; else empty.
         axis: The axis of its roots.
+        turning: The joints whose values add up to a root, each with its sign.
         condition: What must hold.
         margin: What must not be negative or, for a pose, be near to zero, if that is asked.
         failure: Why it may not hold.
@@ -67,6 +68,7 @@ class Mark:
     detail: str = ""
     roots: tuple[Node, ...] = ()
     axis: int = -1
+    turning: tuple[tuple[int, int], ...] = ()
     condition: Node = -1
     margin: Node | None = None
     failure: Failure = Failure.REACH
@@ -179,7 +181,7 @@ class _Schedule:
         if mark.roots:
             inner = {axis for node in mark.roots for axis in self._entries[node].axes}
             coefficients = tuple(self.expression(node) for node in mark.roots)
-            return Roots(mark.axis, coefficients, tuple(sorted(inner)))
+            return Roots(mark.axis, coefficients, tuple(sorted(inner)), mark.turning)
         margin = None if mark.margin is None else self.expression(mark.margin)
         chosen = tuple(
             Choice(

@@ -40,7 +40,7 @@ def c_files(module: SolverModule) -> dict[str, str]:
     if flats:
         values |= regular_values(module, *flats)
     if (kernel := parted(module.solver)) is not None:
-        values["both_sides"] = c_both_sides(kernel, values)
+        values["both_sides"] = c_both_sides(kernel, module.solver.turning, values)
     texts = {
         f"{module.name}.h": fitted(render("c/solver.h.jinja", **values)),
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **values)),

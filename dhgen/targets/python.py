@@ -52,7 +52,7 @@ def python_files(module: SolverModule) -> dict[str, str]:
     values = module_values(module) | _texts(module) | _bodies(module)
     values |= _flat(module, flat)
     if (kernel := parted(module.solver)) is not None:
-        values["both_sides"] = python_both_sides(kernel, values)
+        values["both_sides"] = python_both_sides(kernel, module.solver.turning, values)
     text = render("python/solver.py.jinja", **values, digest="")
     digest = sha256(text.encode()).hexdigest()[:16]
     return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}

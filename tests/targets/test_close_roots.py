@@ -1,7 +1,9 @@
 """Roots of a quartic that nearly meet: a joint is nearly free, and two solutions differ in it.
 
-The arm's third link reaches axis 2 where cos theta_3 = -a2 / a3; beside that place theta_1 and
-theta_3 of two solutions are nearly the same, and theta_2 is anything.
+An arm's third link reaches axis 2 where cos theta_3 = -a2 / a3; beside that place theta_1 and
+theta_3 of two solutions are nearly the same, and theta_2 is anything. Another one's axes 3, 4 and 5
+meet in a point that reaches axis 1 where cos theta_2 = -a1 / a2: theta_1 is anything there, and
+theta_3, theta_4 and theta_5 follow it.
 """
 
 from __future__ import annotations
@@ -24,13 +26,26 @@ if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
     from dhgen.verify.native import CompiledSolver
 
-NAME = "touching"
-JOINTS = (
-    "theta: q, d: 0, a: 0.3, alpha: pi/2",
-    "theta: q, d: 0.1, a: 0.15, alpha: -pi/2",
-    "theta: q, d: 0, a: 0.5, alpha: 0",
-)
-TOUCHING = np.arccos(-0.15 / 0.5)
+TOUCHING = "touching"
+MEETING = "meeting"
+JOINTS = {
+    TOUCHING: (
+        "theta: q, d: 0, a: 0.3, alpha: pi/2",
+        "theta: q, d: 0.1, a: 0.15, alpha: -pi/2",
+        "theta: q, d: 0, a: 0.5, alpha: 0",
+    ),
+    MEETING: (
+        "theta: q, d: 0, a: 0.136, alpha: pi/2",
+        "theta: q, d: 0, a: 0.23, alpha: pi/2",
+        "theta: q, d: 0, a: 0, alpha: -pi/2",
+        "theta: q, d: 0, a: 0, alpha: -pi/2",
+        "theta: q, d: 0, a: 0.15, alpha: 120 deg",
+        "theta: q, d: 0, a: 0, alpha: 0",
+    ),
+}
+TASK = {TOUCHING: "position", MEETING: "pose"}
+# The joint, from 0, whose angle makes another one free, and that angle.
+PLACE = {TOUCHING: (2, np.arccos(-0.15 / 0.5)), MEETING: (1, np.arccos(-0.136 / 0.23))}
 DISTANCES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5)
 COUNT = 20
 EXACT = 1e-11
@@ -38,12 +53,12 @@ APART = 1e-3  # of two solutions, and of one from what rounding of the pose leav
 
 
 @cache
-def compiled() -> Compilation:
-    joints = "".join(f"  - {{{joint}}}\n" for joint in JOINTS)
-    path = folder() / f"{NAME}.yaml"
+def compiled(name: str) -> Compilation:
+    joints = "".join(f"  - {{{joint}}}\n" for joint in JOINTS[name])
+    path = folder() / f"{name}.yaml"
     path.write_text(
-        f"name: {NAME}\ntitle: made up\nsource: made up\nconvention: standard\n"
-        f"joints:\n{joints}task: position\n"
+        f"name: {name}\ntitle: made up\nsource: made up\nconvention: standard\n"
+        f"joints:\n{joints}task: {TASK[name]}\n"
     )
     compilation = compile_robot(path)
     for file, text in compilation.files.items():
@@ -52,22 +67,24 @@ def compiled() -> Compilation:
 
 
 @cache
-def in_c() -> CompiledSolver:
-    solver = compile_solver(folder() / f"{NAME}.c", folder(), NAME, 3, 4, 0, PORTABLE)
+def in_c(name: str) -> CompiledSolver:
+    dof, rows = len(JOINTS[name]), compiled(name).module.solver.rows
+    solver = compile_solver(folder() / f"{name}.c", folder(), name, dof, rows, 0, PORTABLE)
     assert solver is not None, "the tests need a C compiler"
     return solver
 
 
-def beside(distance: float, count: int) -> FloatArray:
-    """Joint vectors at a distance from where joint 2 is free."""
+def beside(name: str, distance: float, count: int) -> FloatArray:
+    """Joint vectors at a distance from where a joint is free."""
     source = np.random.default_rng(5)
-    q: FloatArray = source.uniform(-3.0, 3.0, (count, 3))
-    q[:, 2] = source.choice([-1.0, 1.0], count) * TOUCHING + distance * source.uniform(0.5, 1.0)
+    q: FloatArray = source.uniform(-3.0, 3.0, (count, len(JOINTS[name])))
+    joint, angle = PLACE[name]
+    q[:, joint] = source.choice([-1.0, 1.0], count) * angle + distance * source.uniform(0.5, 1.0)
     return q
 
 
-def poses_of(q: FloatArray) -> FloatArray:
-    return np.asarray(forward(compiled().robot, q), dtype=float)
+def poses_of(name: str, q: FloatArray) -> FloatArray:
+    return np.asarray(forward(compiled(name).robot, q), dtype=float)
 
 
 def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
@@ -77,34 +94,51 @@ def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
 
 @pytest.mark.parametrize("distance", DISTANCES)
 def test_both_solutions_are_found(distance: float) -> None:
-    for q, T in zip(beside(distance, COUNT), poses_of(beside(distance, COUNT)), strict=True):
-        rows, status = in_c().ik(T, np.zeros(3))
+    q = beside(TOUCHING, distance, COUNT)
+    for joints, T in zip(q, poses_of(TOUCHING, q), strict=True):
+        rows, status = in_c(TOUCHING).ik(T, np.zeros(3))
         held = rows[np.isin(status, HELD)]
-        assert gap(held, q).min() < APART, q
-        assert np.abs(poses_of(held)[:, :3, 3] - T[:3, 3]).max() < EXACT
+        assert gap(held, joints).min() < APART, joints
+        assert np.abs(poses_of(TOUCHING, held)[:, :3, 3] - T[:3, 3]).max() < EXACT
         # the other solution: the same place from the other side of axis 2
-        close = held[gap(held[:, [0, 2]], q[[0, 2]]) < 10 * distance + 1e-9]
-        assert len(close) == 2, (q, held)
+        close = held[gap(held[:, [0, 2]], joints[[0, 2]]) < 10 * distance + 1e-9]
+        assert len(close) == 2, (joints, held)
         assert gap(close[0], close[1]) > APART
 
 
-def test_a_free_joint_stays_free() -> None:
-    q = beside(0.0, COUNT)
-    for joints, T in zip(q, poses_of(q), strict=True):
-        rows, status = in_c().ik(T, joints)
+@pytest.mark.parametrize("distance", DISTANCES[1:])
+def test_both_solutions_are_found_where_other_joints_follow(distance: float) -> None:
+    """Steps to them are long, and leave far more than they mend; each has its turned wrist."""
+    q = beside(MEETING, distance, COUNT)
+    for joints, T in zip(q, poses_of(MEETING, q), strict=True):
+        rows, status = in_c(MEETING).ik(T, np.zeros(6))
+        held = rows[np.isin(status, HELD)]
+        assert gap(held, joints).min() < APART, joints
+        assert np.abs(poses_of(MEETING, held) - T).max() < EXACT
+        close = held[gap(held[:, [1, 5]], joints[[1, 5]]) < 100 * distance + 1e-9]
+        assert len(close) == 4, (joints, held)
+
+
+@pytest.mark.parametrize("name", [TOUCHING, MEETING])
+def test_a_free_joint_stays_free(name: str) -> None:
+    q = beside(name, 0.0, COUNT)
+    for joints, T in zip(q, poses_of(name, q), strict=True):
+        rows, status = in_c(name).ik(T, joints)
         assert gap(rows[np.isin(status, HELD)], joints).min() < APART
 
 
+@pytest.mark.parametrize("name", [TOUCHING, MEETING])
 @pytest.mark.parametrize("distance", [1e-9, 1e-6])
-def test_python_and_the_meaning_have_the_same_rows(distance: float) -> None:
-    text = compiled().files[f"{NAME}.py"]
-    module = without_numba(text, NAME)
-    for q, T in zip(beside(distance, 3), poses_of(beside(distance, 3)), strict=True):
-        rows, status = in_c().ik(T, np.zeros(3))
-        others, kinds = module.ik_all(T, np.zeros(3))
-        meant = interpret(compiled().module.solver, T[None], np.zeros(3)).q[0]
+def test_python_and_the_meaning_have_the_same_rows(name: str, distance: float) -> None:
+    module = without_numba(compiled(name).files[f"{name}.py"], name)
+    q = beside(name, distance, 3)
+    zeros = np.zeros(q.shape[1])
+    for joints, T in zip(q, poses_of(name, q), strict=True):
+        rows, status = in_c(name).ik(T, zeros)
+        others, kinds = module.ik_all(T, zeros)
+        meant = interpret(compiled(name).module.solver, T[None], zeros).q[0]
         held = np.isin(status, HELD)
         assert (kinds == status).all()
         for found in (others, meant):
-            assert (held == np.isfinite(found).all(axis=1)).all(), q
-            assert gap(found[held], rows[held]).max() < APART, q
+            assert (held == np.isfinite(found).all(axis=1)).all(), joints
+            assert gap(found[held], rows[held]).max() < APART, joints

@@ -140,8 +140,8 @@ def _tightening(program: Program) -> Block:
     if finds_roots(program):
         text += (
             " Where two roots nearly meet, a joint may be nearly free, and the row of one root "
-            "that stands for both is none of their solutions; those are looked for from roots a "
-            "little to both sides, from 2e-4 down to 1e-12 rad."
+            "that stands for both is none of their solutions. Steps from it lead to one of them; "
+            "the root of the other one is as far from it on the other side."
         )
     if program.tightened is not None and program.tightened.checked:
         text += (
