@@ -37,6 +37,8 @@ def sides(step: Step, values: Mapping[str, float]) -> list[tuple[float, float]]:
                 (k["X1"] * s, k["Y1"] + k["Z1"] * r),
                 (k["X2"] * c, k["Y2"] + k["Z2"] * r),
             ]
+        case Kind.SQUARED_LENGTH:
+            return [(k["X"] * r * r + k["Y"] * r, k["Z"])]
     # types 6 to 8 are resolved into a type 2 whose right side is |Z|^2 - N, or given as Z
     reach = k["Z1"] ** 2 + k["Z2"] ** 2
     return [(k["X"] * s + k["Y"] * c, k["Z"] if "Z" in k else reach - k["N"])]
