@@ -515,9 +515,14 @@ static int leads(
     return solves(d, 72, exact, end);
 }
 
-/* How far roots are moved: beside a row, as parts of what it misses, and to the other solution, as
- * parts of the way to the one that is known. */
-static const double beside[4] = { 8.0, -8.0, 64.0, -64.0 };
+/* How far roots are moved: where steps from a row lead nowhere, and to the other solution, as parts
+ * of
+ * the way to the one that is known. */
+static const double beside[18] = { 3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06,
+    -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08,
+    -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10,
+    -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11,
+    -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12 };
 static const double across[4] = { -1.0, -2.0, -0.5, -4.0 };
 
 /* Roots that nearly meet: a row of them may stand between two solutions that differ by anything in
@@ -554,14 +559,13 @@ static void both_sides(
     for (int row = 0; row < 4; row++) {
         if (!doubtful[row])
             continue;
-        const double aside = missed_by(T, q[row]);
         double end[3], other[3], off = 0.0;
         for (int i = 0; i < 3; i++)
             end[i] = q[row][i];
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
-        for (int k = 0; k < 4 && !found; k++)
-            found = leads(&d, seed, beside[k] * aside, row, exact, end)
+        for (int k = 0; k < 18 && !found; k++)
+            found = leads(&d, seed, beside[k], row, exact, end)
                 && is_new(known, others, end);
         if (!found)
             continue;

@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 4b93adb83594d54f"
+_KEY = "cuspidal_3r e4960ddcbca08902"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -794,6 +794,9 @@ def _leads(pose, T, seed, angle, row, exact, end):
     return _solves(T, 72, exact, end)
 
 
+_BESIDE = (3.0517578125e-05, -3.0517578125e-05, 3.814697265625e-06, -3.814697265625e-06, 4.76837158203125e-07, -4.76837158203125e-07, 5.960464477539063e-08, -5.960464477539063e-08, 7.450580596923828e-09, -7.450580596923828e-09, 9.313225746154785e-10, -9.313225746154785e-10, 1.1641532182693481e-10, -1.1641532182693481e-10, 1.4551915228366852e-11, -1.4551915228366852e-11, 1.8189894035458565e-12, -1.8189894035458565e-12)
+
+
 @_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
 def _beside(pose, seed, q, status):
     """Solutions for the rows that stand between two of them, which are known by no more than that.
@@ -815,11 +818,11 @@ def _beside(pose, seed, q, status):
     for row in range(4):
         if not doubtful[row]:
             continue
-        aside, end = _missed_by(pose, q[row]), q[row].copy()
+        end = q[row].copy()
         # long steps may lead to solutions of other roots, which are known
         found = _solves(T, 72, exact, end) and _is_new(known, others, end)
-        for part in (8.0, -8.0, 64.0, -64.0):
-            if found or not _leads(pose, T, seed, part * aside, row, exact, end):
+        for angle in _BESIDE:
+            if found or not _leads(pose, T, seed, angle, row, exact, end):
                 continue
             found = _is_new(known, others, end)
         if not found:

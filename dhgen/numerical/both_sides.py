@@ -100,8 +100,7 @@ def _ends(
 
     first = next(ends([q]), None)
     if first is None:
-        aside = descended(kernel, T, q, exact, steps=0).miss
-        first = next(ends(moved(constants.BESIDE, aside)), None)
+        first = next(ends(moved(constants.BESIDE, 1.0)), None)
     if first is None:
         return
     yield first

@@ -34,8 +34,8 @@ TIGHTENINGS = 72
 FINE = 1e-26  # what is added then: beside singular places the last digits count
 SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet
-# Where steps begin when those from a row lead nowhere: its root moved so many times its miss [rad].
-BESIDE = (8.0, -8.0, 64.0, -64.0)
+# How far the root of a row is moved where steps from it lead nowhere [rad], powers of two.
+BESIDE = tuple(side * 2.0**-power for power in range(15, 40, 3) for side in (1.0, -1.0))
 # Where the other of two solutions is looked for, as parts of the way from their double root to one.
 ACROSS = (-1.0, -2.0, -0.5, -4.0)
 # Along a continuum of solutions: a part of the way to the seed with every step, then Newton alone.

@@ -63,6 +63,7 @@ class Lowering:
         angles: The joints that are known.
         scales: Tolerances and reaches.
         step_number: Of the step at hand, from 1.
+        meeting: Whether roots of a polynomial nearly meet; only where rows are doubted.
 
     Args:
         derivation: What to compute, and why.
@@ -84,6 +85,7 @@ class Lowering:
         self.scales = Scales(derivation.pool, self.builder, tolerances)
         self._target = Target(self._problem, self.builder, self.lower)
         self.step_number = 0
+        self.meeting: list[Node] = []
 
     def run(self) -> Program:
         """The whole program."""
@@ -139,6 +141,11 @@ class Lowering:
     def at_seed(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial where the joints have the seed's values."""
         return PolynomialLowering(self._algebra, self.builder, self._seed_value).lower(polynomial)
+
+    @property
+    def doubts_rows(self) -> bool:
+        """Whether rows that miss the pose by far have none, though steps might lead them there."""
+        return self._checks.rows and self._checks.tightened
 
     @property
     def may_be_lost(self) -> bool:
@@ -238,13 +245,28 @@ class Lowering:
             groups.setdefault(builder.axes_of(near), []).append(near)
         if total is None or not chosen:
             for group in groups.values():
-                builder.guard(reduce(partial(builder.apply, "and"), group), Failure.INCONSISTENT)
+                fits = reduce(partial(builder.apply, "and"), group)
+                builder.guard(self._or_leads(fits, chosen), Failure.INCONSISTENT)
             return
         # all at once, so that the whole miss is known where a branch ends
         builder.name(total, "missed")
         every = [near for group in groups.values() for near in group]
-        condition = reduce(partial(builder.apply, "and"), every)
-        builder.guard(condition, Failure.INCONSISTENT, total, chosen)
+        fits = reduce(partial(builder.apply, "and"), every)
+        builder.guard(self._or_leads(fits, chosen), Failure.INCONSISTENT, total, chosen)
+
+    def _or_leads(self, fits: Node, chosen: tuple[Option, ...]) -> Node:
+        """Whether a row fits, or may stand between two that do, however far it misses the pose.
+
+        Between roots that nearly meet, what follows from them may be anything. Where a joint was
+        chosen another choice is looked for instead.
+        """
+        either, neither = partial(self.builder.apply, "or"), partial(self.builder.apply, "not")
+        if not self.meeting:
+            return fits
+        leads = reduce(either, self.meeting)
+        for option in chosen:
+            leads = self.builder.apply("and", leads, neither(option.flag))
+        return either(fits, leads)
 
     def _misses(self) -> list[tuple[Node, int]]:
         """What each entry that tells the task differs by, and the lengths in it: one or none."""

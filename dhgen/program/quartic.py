@@ -44,9 +44,21 @@ def lower_circle(context: Lowering, step: Step) -> None:
         polynomial = (builder.sub(total[0], builder.square(determinant)), *total[1:])
     root = context.new_root(angle, polynomial)
     builder.guard(builder.apply("at_most", root, builder.integer(4)), Failure.REACH)
+    if context.doubts_rows:
+        context.meeting.append(_is_close(context, angle, polynomial, root))
     if len(angle.terms) == 1 and context.may_be_lost:
         root = _with_serving_digits(context, angle, polynomial, root)
     context.angles.solved_by_angle(angle, root)
+
+
+def _is_close(context: Lowering, angle: AngleSum, polynomial: Circle, root: Node) -> Node:
+    """Whether the root may stand for two: there the slope is small."""
+    builder, scales = context.builder, context.scales
+    simple = scales.tolerance(scales.tolerances.simple, 0, "simple")
+    size = reduce(builder.add, map(builder.absolute, polynomial))
+    slope = builder.absolute(_Place(builder, root).slope(polynomial))
+    close = builder.apply("at_most", slope, builder.mul(simple, size))
+    return builder.name(close, f"meeting{angle.suffix}")
 
 
 def _with_serving_digits(

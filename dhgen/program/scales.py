@@ -25,6 +25,7 @@ _NAMES = {
         "square of a length whose direction is good to few digits",
     ),
     "double": ("double_root", "a polynomial's value at a root, relative to its coefficients"),
+    "simple": ("simple_root", "its slope at a root that stands for one, relative to them"),
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),
     "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),

@@ -3,7 +3,8 @@
 An arm's third link reaches axis 2 where cos theta_3 = -a2 / a3; beside that place theta_1 and
 theta_3 of two solutions are nearly the same, and theta_2 is anything. Another one's axes 3, 4 and 5
 meet in a point that reaches axis 1 where cos theta_2 = -a1 / a2: theta_1 is anything there, and
-theta_3, theta_4 and theta_5 follow it.
+theta_3, theta_4 and theta_5 follow it. A third one's slide is a quotient that has no digits where
+its polynomial is a square, at right angles of theta_3 with theta_5 zero.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 TOUCHING = "touching"
 MEETING = "meeting"
+SLIDING = "sliding"
 JOINTS = {
     TOUCHING: (
         "theta: q, d: 0, a: 0.3, alpha: pi/2",
@@ -42,8 +44,16 @@ JOINTS = {
         "theta: q, d: 0, a: 0.15, alpha: 120 deg",
         "theta: q, d: 0, a: 0, alpha: 0",
     ),
+    SLIDING: (
+        "theta: 0, d: q, a: 0.2, alpha: 0",
+        "theta: q, d: 0, a: 0, alpha: -pi/2",
+        "theta: q, d: 0, a: 0, alpha: pi/2",
+        "theta: q, d: 0.2, a: 0.2, alpha: pi/2",
+        "theta: q, d: 0, a: 0.2, alpha: -pi/2",
+        "theta: q, d: 0.05, a: 0, alpha: 0",
+    ),
 }
-TASK = {TOUCHING: "position", MEETING: "pose"}
+TASK = {TOUCHING: "position", MEETING: "pose", SLIDING: "pose"}
 # The joint, from 0, whose angle makes another one free, and that angle.
 PLACE = {TOUCHING: (2, np.arccos(-0.15 / 0.5)), MEETING: (1, np.arccos(-0.136 / 0.23))}
 DISTANCES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5)
@@ -117,6 +127,17 @@ def test_both_solutions_are_found_where_other_joints_follow(distance: float) -> 
         assert np.abs(poses_of(MEETING, held) - T).max() < EXACT
         close = held[gap(held[:, [1, 5]], joints[[1, 5]]) < 100 * distance + 1e-9]
         assert len(close) == 4, (joints, held)
+
+
+@pytest.mark.parametrize("distance", [1e-8, 1e-6])
+def test_rows_that_miss_the_pose_by_far_lead_to_it(distance: float) -> None:
+    q = beside(MEETING, 0.0, COUNT)
+    q[:, 2], q[:, 4] = distance - np.pi / 2, distance
+    for joints, T in zip(q, poses_of(SLIDING, q), strict=True):
+        rows, status = in_c(SLIDING).ik(T, np.zeros(6))
+        held = rows[np.isin(status, HELD)]
+        assert gap(held, joints).min() < APART, joints
+        assert np.abs(poses_of(SLIDING, held) - T).max() < EXACT
 
 
 @pytest.mark.parametrize("name", [TOUCHING, MEETING])
