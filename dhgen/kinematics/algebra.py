@@ -97,6 +97,14 @@ class Algebra:
         first = len(self.ring.gens) - len(self.chain.ring.gens)
         return all(not any(monomial[:first]) for monomial in polynomial)
 
+    def degree(self, *polynomials: Polynomial) -> int:
+        """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
+        constants = [constant.name for constant in self.chain.constants if constant.is_length]
+        names = ("t14", "t24", "t34", *POINT_NAMES, *self.slides.values(), *constants)
+        places = [self.index[name] for name in names]
+        terms = (monomial for polynomial in polynomials for monomial in polynomial)
+        return max((sum(term[place] for place in places) for term in terms), default=0)
+
     def lift(self, transform: Transform) -> Transform:
         """A constant transform of the chain as a transform of this ring."""
         return transform.mapped(self._lifted_entry)

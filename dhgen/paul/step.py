@@ -7,6 +7,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Protocol
 
 from dhgen.paul.pool import common_origins
+from dhgen.paul.witness import RANDOM_LENGTHS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -21,9 +22,11 @@ if TYPE_CHECKING:
 
 MIXED_FORM = 15
 POINT_FORM = 3
-# A divisor is next to nothing: that of a twist of 1.5708, its cosine, would take five digits.
-NEARLY_NOTHING = 2000
+# A divisor is next to nothing: that of a twist of 1.5708, its cosine, would take five digits. It
+# costs more than a second root: what a calibration alone makes known is not known.
+NEARLY_NOTHING = 12_000
 NOTHING = 1e-2
+FEW_SIZES = 4  # so many lengths of an arm make its size, more or less
 
 
 class Kind(Enum):
@@ -120,13 +123,15 @@ class View:
         """Whether a coefficient is made of the arm's lengths alone."""
         return self.knowledge.runs.algebra.is_constant(polynomial)
 
-    def is_nearly_nothing(self, factor: Polynomial) -> bool:
-        """Whether a factor without lengths in it is a small constant."""
+    def is_nearly_nothing(self, *factors: Polynomial) -> bool:
+        """Whether factors of one equation are small together wherever the arm is.
+
+        Whatever its lengths are: so are the products of the cosines of nearly right twists.
+        """
         algebra = self.knowledge.runs.algebra
-        lengths = [algebra.index[c.name] for c in algebra.chain.constants if c.is_length]
-        if not self.is_constant(factor) or any(m[place] for m in factor for place in lengths):
-            return False
-        return float(abs(self.witnesses.evaluate(factor)).max()) < NOTHING
+        unit = (algebra.chain.size / FEW_SIZES) ** algebra.degree(*factors)
+        sizes = [abs(self.witnesses.evaluate(each)[RANDOM_LENGTHS]).max() for each in factors]
+        return float(max(sizes)) < NOTHING * unit
 
     def products(self, *terms: tuple[int, Polynomial, Polynomial]) -> Products:
         """The sum of n f g, to be multiplied out when it is wanted."""

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 COUNT = 4
 LOOSE = 2
 OWN_LENGTHS = slice(0, COUNT, 2)  # witnesses with the arm's own lengths
+RANDOM_LENGTHS = slice(1, COUNT, 2)  # and the others
 RIGHT_ANGLES = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))  # cosine and sine
 VANISHING = 1e-9  # of the sum of the sizes of a polynomial's terms
 

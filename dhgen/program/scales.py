@@ -49,11 +49,6 @@ class Scales:
         self._algebra = pool.problem.algebra
         self._builder = builder
         self._size = self._algebra.chain.size
-        points = [name for point in pool.points for name in point.names]
-        points += [name for point in pool.base_points for name in point.names]
-        lengths = [c.name for c in self._algebra.chain.constants if c.is_length]
-        names = ["t14", "t24", "t34", *self._algebra.slides.values(), *points, *lengths]
-        self._lengths = [self._algebra.index[name] for name in names]
 
     def tolerance(self, relative: float, degree: int, kind: str) -> Node:
         """A tolerance for a value that is a product of `degree` lengths."""
@@ -78,12 +73,7 @@ class Scales:
 
     def degree(self, *polynomials: Polynomial) -> int:
         """How many lengths are multiplied in these polynomials (0 for the zero polynomial)."""
-        degrees = (
-            sum(monomial[place] for place in self._lengths)
-            for polynomial in polynomials
-            for monomial in list(polynomial)[:1]
-        )
-        return max(degrees, default=0)
+        return self._algebra.degree(*polynomials)
 
     def extreme_reach(
         self, ends: Extremes, suffix: str, meaning: str, kind: str = "", widened: float = 0.0

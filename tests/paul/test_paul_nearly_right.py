@@ -51,3 +51,29 @@ def test_digits_and_rows(tmp_path: Path, name: str) -> None:
 def test_rows_that_would_miss_are_tightened(tmp_path: Path) -> None:
     """Seven twists: what is left of the digits is too little at right angles."""
     assert lower(derive(nearly_right(tmp_path, "kuka_iiwa14"))).tightened is not None
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        # a wrist and a planar arm whose twists are off by a calibration of 1e-7
+        ("alpha: pi/2 - 7.8873e-8", "alpha: -pi/2", "alpha: -4.1773e-8"),
+        (
+            "a: 0.4, alpha: 4e-8, d: 2e-8",
+            "a: 0.3, alpha: 6e-8, d: 5e-8",
+            "a: 0.1, alpha: -3e-8, d: 6e-8",
+        ),
+    ],
+)
+def test_what_only_noise_says_is_not_divided_by(tmp_path: Path, joints: tuple[str, ...]) -> None:
+    """All digits, although some elements are made of next to nothing but noise."""
+    path = tmp_path / "arm.yaml"
+    rows = "".join(f"  - {{theta: q, {joint}}}\n" for joint in joints)
+    task = "pose" if "a: 0.4" in joints[0] else "orientation"
+    path.write_text(f"name: arm\ntask: {task}\njoints:\n{rows}", encoding="utf-8")
+    chain = build_chain(load(path))
+    arm = numeric_arm(chain)
+    q = np.random.default_rng(5).uniform(-2.0, 2.0, (POSES, 3))
+    rows_found = interpret(lower(derive(chain)), arm.pose(q), q, np.empty((POSES, 0)))
+    away = np.abs(np.remainder(rows_found.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
+    assert np.where(rows_found.solved, away, np.inf).min(axis=1).max() < 1e-12

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import Kind, Step, placing
+from dhgen.paul.step import NEARLY_NOTHING, Kind, Step, placing
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -58,5 +58,6 @@ class Angle:
         penalty += len(x) + len(y) + len(z) + placing(form) + SUM * (joints - 1)
         penalty += SQUARED if form.equation.origin.row == 0 else 0
         penalty += CANCELLING if x and y and z else 0
+        penalty += NEARLY_NOTHING if view.is_nearly_nothing(x, y) else 0
         letters = (("X", x), ("Y", y), ("Z", z))
         yield Step(Kind.ANGLE, (angle,), (form,), letters, 2, penalty)

@@ -116,18 +116,20 @@ def _read(forms: Sequence[Form]) -> _Factors | str:
 
 
 def _conditioning(factors: _Factors, view: View) -> int:
+    rows = (factors.x1, factors.y1), (factors.x2, factors.y2)
+    little = NEARLY_NOTHING if any(view.is_nearly_nothing(*row) for row in rows) else 0
     if not view.is_constant_sum(factors.determinant(view)):  # it is a sum of two squares then
         apart = view.witnesses.stay_apart(factors.x1, factors.y1)
         mirrored = MIRRORED if factors.x2 == factors.y1 else 0
-        return (TRIANGLE if apart else MAY_VANISH) + mirrored
-    entries = (factors.x1, factors.y1, factors.x2, factors.y2)
-    simple = all(view.is_constant(entry) for entry in entries)
-    penalty = CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT
-    return penalty + (NEARLY_NOTHING if _are_nearly_parallel(entries, view) else 0)
+        return little + (TRIANGLE if apart else MAY_VANISH) + mirrored
+    simple = all(view.is_constant(entry) for row in rows for entry in row)
+    little = little or (NEARLY_NOTHING if _are_nearly_parallel(rows, view) else 0)
+    return little + (CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT)
 
 
-def _are_nearly_parallel(entries: Sequence[Polynomial], view: View) -> bool:
+def _are_nearly_parallel(rows: Sequence[tuple[Polynomial, Polynomial]], view: View) -> bool:
     """Whether (X1, Y1) and (X2, Y2) have nearly the same direction, with the arm's own lengths."""
+    entries = [entry for row in rows for entry in row]
     x1, y1, x2, y2 = (view.witnesses.evaluate(entry)[OWN_LENGTHS] for entry in entries)
     sines = (x1 * y2 - x2 * y1) / (np.hypot(x1, y1) * np.hypot(x2, y2))
     return bool(np.max(np.abs(sines)) < NOTHING)
