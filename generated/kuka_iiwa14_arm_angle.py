@@ -1178,12 +1178,14 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
         q_free: The arm angle [rad] (1,).
         q_seed: Where the arm is (7,); zeros without it.
         branch: Only this branch: a name out of BRANCHES, or its row.
-        limits: Whether joint limits count.
+        limits: Whether joint limits count: True or False.
 
     Raises:
         Unreachable: There is no such solution; the text says why.
-        ValueError: T is no pose, or there is no such branch.
+        ValueError: T is no pose, there is no such branch, or limits is no truth value.
     """
+    if not isinstance(limits, (bool, np.bool_)):
+        raise ValueError(f"limits must be True or False, not {limits!r}")
     first, last = (0, 8) if branch is None else _span(branch)
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
@@ -1702,13 +1704,13 @@ def ik_batch(T, q_free, *, cores=None, out=None):
         q (N, 8, 7) and status (N, 8).
 
     Raises:
-        ValueError: An argument has another shape, or cores is less than 1.
+        ValueError: An argument has another shape, or cores is no number of at least 1.
     """
     T = np.ascontiguousarray(T, _FLOAT)
     if T.ndim != 3 or T.shape[1:] != (4, 4):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
-    if cores is not None and cores < 1:
-        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
+    if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
+        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
     status[:, 0] = _UNSOLVED
     q_free = _array(q_free, (len(T), 1), "q_free")

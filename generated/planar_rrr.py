@@ -763,12 +763,14 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
         T: Pose (4, 4).
         q_seed: Where the arm is (3,); zeros without it.
         branch: Only this branch: a name out of BRANCHES, or its row.
-        limits: Whether joint limits count.
+        limits: Whether joint limits count: True or False.
 
     Raises:
         Unreachable: There is no such solution; the text says why.
-        ValueError: T is no pose, or there is no such branch.
+        ValueError: T is no pose, there is no such branch, or limits is no truth value.
     """
+    if not isinstance(limits, (bool, np.bool_)):
+        raise ValueError(f"limits must be True or False, not {limits!r}")
     first, last = (0, 2) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
@@ -948,13 +950,13 @@ def ik_batch(T, *, cores=None, out=None):
         q (N, 2, 3) and status (N, 2).
 
     Raises:
-        ValueError: An argument has another shape, or cores is less than 1.
+        ValueError: An argument has another shape, or cores is no number of at least 1.
     """
     T = np.ascontiguousarray(T, _FLOAT)
     if T.ndim != 3 or T.shape[1:] != (4, 4):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
-    if cores is not None and cores < 1:
-        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores}")
+    if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
+        raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
     status[:, 0] = _UNSOLVED
     if _COMPILED:

@@ -29,6 +29,7 @@ from dhgen.robot.expression import (
     Pi,
     evaluate,
 )
+from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
 from dhgen.robot.tokens import CellError, UnknownNameError
@@ -59,7 +60,9 @@ class Cells:
 
     def define(self, name: str, expression: Expression) -> float:
         """Make a parameter known to all cells that are read from now on."""
-        value = self._values[name] = self.value(expression)
+        value = self.value(expression)
+        if name not in RESERVED:  # has its own meaning all the same
+            self._values[name] = value
         if self._speaks_of_pi(expression):
             self._angles.add(name)
         return value

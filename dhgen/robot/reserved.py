@@ -39,9 +39,31 @@ uint64_t uint8_t ungetc va_arg va_end va_list va_start vprintf y0 y1 yn
 # As file names these hide what the generated files import or include, or open a device.
 _FILES = """
 aux cmath com0 com1 com2 com3 com4 com5 com6 com7 com8 com9 complex con ctype errno fenv float
-inttypes iso646 limits locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 math nul numba
-numpy prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn
-string dhgen_native dhgen_pose tgmath threads time uchar wchar wctype
+inttypes iso646 limits llvmlite locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 math nul
+numba numpy prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib
+stdnoreturn string dhgen_native dhgen_pose tgmath threads time uchar wchar wctype
+"""
+
+# Python's standard modules (3.11 to 3.14, small letters), which numpy, or the caller, would not
+# find behind a robot's file. A fixed table: which names serve must not hang on the running Python.
+_MODULES = """
+abc aifc annotationlib antigravity argparse array ast asynchat asyncio asyncore atexit audioop
+base64 bdb binascii bisect builtins bz2 calendar cgi cgitb chunk cmd code codecs codeop collections
+colorsys compileall compression concurrent configparser contextlib contextvars copy copyreg
+cprofile crypt csv ctypes curses dataclasses datetime dbm decimal difflib dis distutils doctest
+email encodings ensurepip enum faulthandler fcntl filecmp fileinput fnmatch fractions ftplib
+functools gc genericpath getopt getpass gettext glob graphlib grp gzip hashlib heapq hmac html http
+idlelib imaplib imghdr imp importlib inspect io ipaddress itertools json keyword lib2to3 linecache
+logging lzma mailbox mailcap marshal mimetypes mmap modulefinder msilib msvcrt multiprocessing
+netrc nis nntplib nt ntpath nturl2path numbers opcode operator optparse os ossaudiodev pathlib pdb
+pickle pickletools pipes pkgutil platform plistlib poplib posix posixpath pprint profile pstats pty
+pwd py_compile pyclbr pydoc pydoc_data pyexpat queue quopri random re readline reprlib resource
+rlcompleter runpy sched secrets select selectors shelve shlex shutil site smtpd smtplib sndhdr
+socket socketserver spwd sqlite3 sre_compile sre_constants sre_parse ssl stat statistics stringprep
+struct subprocess sunau symtable sys sysconfig syslog tabnanny tarfile telnetlib tempfile termios
+textwrap this threading timeit tkinter token tokenize tomllib trace traceback tracemalloc tty
+turtle turtledemo types typing unicodedata unittest urllib uu uuid venv warnings wave weakref
+webbrowser winreg winsound wsgiref xdrlib xml xmlrpc zipapp zipfile zipimport zlib zoneinfo
 """
 
 # A parameter becomes a name of the generated Python, which needs these for itself.
@@ -55,5 +77,5 @@ C_KEYWORDS = frozenset(_KEYWORDS.split())
 C_LIBRARY = frozenset(
     (*_LIBRARY.split(), *(name + end for name in _MATH.split() for end in ("", "f", "l")))
 )
-FILES = frozenset(_FILES.split())
+FILES = frozenset(f"{_FILES} {_MODULES}".split())
 PYTHON = frozenset(_PYTHON.split())

@@ -78,7 +78,9 @@ def _report(report: Report, details: ErrorDetails) -> None:
     path = details["loc"]
     if details["type"] == "extra_forbidden":
         key = str(path[-1])
-        report.error_at_key(path, f"unknown key {quoted(key)}{nearest(key, _valid_keys(path))}")
+        # {a: 0,4} is a pair and a key
+        meant = "; write 0.4 for 0,4" if key[:1].isdecimal() else nearest(key, _valid_keys(path))
+        report.error_at_key(path, f"unknown key {quoted(key)}{meant}")
     elif details["type"] == "missing":
         report.error(path, f"the key '{path[-1]}' is missing")
     elif details["type"] in {"too_long", "too_short"}:

@@ -20,6 +20,8 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 _DEGREES = re.compile(rf"(?<![\w.])({_NUMBER}\ *)\ (?=deg\b)", re.ASCII)
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
+_NOT_FINITE = re.compile(r"\.(?:inf|nan)\b", re.ASCII | re.IGNORECASE)  # as YAML writes them
 _LOOKALIKES = {"−": "-", "–": "-", "×": "*", "·": "*", "÷": "/", "°": " deg", "π": "pi", "^": "**"}
 
 
@@ -54,7 +56,7 @@ def check_tokens(text: str) -> None:
     while position < len(text):
         match = _TOKEN.match(text, position)
         if match is None:
-            raise CellError(_stray(text[position]), Span(position))
+            raise _stray(text, position)
         number, glued = match["number"], match["glued"]
         if glued:
             hint = f"write '{number} deg'" if glued == "deg" else "between factors stands a *"
@@ -70,10 +72,14 @@ def multiply_degrees(text: str) -> str:
     return _DEGREES.sub(r"\1*", text)
 
 
-def _stray(character: str) -> str:
-    meant = _LOOKALIKES.get(character)
+def _stray(text: str, position: int) -> CellError:
+    if endless := _NOT_FINITE.match(text, position):
+        return CellError(f"{quoted(endless[0])} is no finite number", Span(position, 4))
+    character = text[position]
+    meant = "." if _DECIMAL_COMMA.match(text, position) else _LOOKALIKES.get(character)
     hint = f"write '{meant}'" if meant else f"allowed are {ALLOWED}"
-    return f"{quoted(character)} (U+{ord(character):04X}) can't stand in a cell: {hint}"
+    message = f"{quoted(character)} (U+{ord(character):04X}) can't stand in a cell: {hint}"
+    return CellError(message, Span(position))
 
 
 def _check_number(number: str, position: int) -> None:
@@ -82,6 +88,7 @@ def _check_number(number: str, position: int) -> None:
     if len(mantissa) > MAX_DIGITS:
         raise CellError(f"a number has at most {MAX_DIGITS} digits", span)
     if len(exponent) > 4 or (exponent and abs(int(exponent)) > MAX_DECIMAL_EXPONENT):
-        raise CellError(f"a decimal exponent is at most {MAX_DECIMAL_EXPONENT}", span)
+        bounds = f"from -{MAX_DECIMAL_EXPONENT} to {MAX_DECIMAL_EXPONENT}"
+        raise CellError(f"a decimal exponent is a whole number {bounds}", span)
     if re.match(r"0\d", mantissa) and mantissa.isdigit() and not exponent:
         raise CellError("a number does not start with 0", span)

@@ -162,9 +162,9 @@ class _Checker:
         others, kinds = np.empty_like(rows), np.empty_like(status)
         self._python._whole(pose, *given, q, others, kinds)  # noqa: SLF001
         if not np.array_equal(status, kinds):
-            raise VerificationError(f"{where}: Python says {status}, its other solver {kinds}")
+            raise VerificationError(f"{where}: Python says {status}, its careful solver {kinds}")
         held = np.isfinite(rows).all(axis=1)
-        self._agree(rows[held], others[held], "its other solver", where)
+        self._agree(rows[held], others[held], "its careful solver", where)
 
     def impossible(self) -> None:
         """Poses that are none, and poses out of reach."""

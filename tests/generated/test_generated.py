@@ -213,6 +213,8 @@ def test_python_takes_any_numbers_and_tells_what_it_wants() -> None:
         (lambda: scara.ik_batch(3), r"T must have shape \(N, 4, 4\)"),
         (lambda: scara.ik_batch(poses, cores=0), "cores must be at least 1, or None for all"),
         (lambda: scara.ik_batch(poses, cores=-2), "cores must be at least 1, .*, not -2"),
+        (lambda: scara.ik_batch(poses, cores="all"), "cores must be at least 1, .*, not 'all'"),
+        (lambda: scara.ik(poses[0], limits=[1, 2]), r"limits must be True or False, not \[1, 2\]"),
         (lambda: scara.ik_batch(poses, out=(q[0], status)), "q in out .* float64, .1, 2, 4."),
         (lambda: scara.ik_batch(poses, out=(q, status * 1.0)), "status in out .* of uint8"),
         (lambda: scara.ik_batch(poses, out=(q[..., ::-1], status)), "q in out .* contiguous"),

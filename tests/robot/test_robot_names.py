@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -10,7 +12,7 @@ from dhgen.robot.names import why_no_parameter_name, why_no_robot_name
 from tests.robot.robot_texts import JOINTS, MINIMAL, mistake, robot
 
 
-@pytest.mark.parametrize("name", ["puma560", "KR6_R900", "a", "x" * 48, "turtle", "c1"])
+@pytest.mark.parametrize("name", ["puma560", "KR6_R900", "a", "x" * 48, "turtlebot", "c1"])
 def test_names_of_robots(name: str) -> None:
     assert why_no_robot_name(name) is None
     assert robot(f"name: {name}\n{JOINTS}").name == name
@@ -51,11 +53,19 @@ def test_names_of_robots(name: str) -> None:
         ("main", "it is a name of the C library"),
         ("math", "it is the name of a library or of a device"),
         ("numba", "it is the name of a library or of a device"),
+        ("llvmlite", "it is the name of a library or of a device"),
+        ("json", "it is the name of a library or of a device"),
+        ("cProfile", "it is the name of a library or of a device"),
         ("CON", "it is the name of a library or of a device"),
     ],
 )
 def test_names_that_no_robot_can_have(name: str, reason: str) -> None:
     assert (why_no_robot_name(name) or "").startswith(reason)
+
+
+def test_no_robot_hides_a_module_of_this_python() -> None:
+    public = {name for name in sys.stdlib_module_names if not name.startswith("_")}
+    assert {name for name in public if why_no_robot_name(name) is None} == set()
 
 
 @pytest.mark.parametrize("escaped", ["../r", "a\\nb", "a\\0b", 'a\\"b', "a\\u202eb", "\\ud800"])
