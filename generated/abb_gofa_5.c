@@ -1624,7 +1624,8 @@ typedef struct {
     double lifted;
 } abb_gofa_5_window;
 
-static void abb_gofa_5_fit(const double samples[24], abb_gofa_5_trigonometric *f)
+/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
+static void abb_gofa_5_fit(const double samples[24], double alike, abb_gofa_5_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1645,7 +1646,7 @@ static void abb_gofa_5_fit(const double samples[24], abb_gofa_5_trigonometric *f
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
     f->rounding = most * (3e-15 + 8.0 * f->noise);
 }
 
@@ -2164,8 +2165,8 @@ static int abb_gofa_5_magnify(abb_gofa_5_sampler sample, const void *of, double 
     abb_gofa_5_trigonometric f;
     abb_gofa_5_roots found;
     sample(of, &lens, samples);
-    abb_gofa_5_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    abb_gofa_5_fit(samples, 8.0, &f);
+    if (!(f.noise <= 1e-09)) {
         return 0;
     }
     abb_gofa_5_find_roots(&f, &window, &found);
@@ -2228,7 +2229,7 @@ static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_
     if (abb_gofa_5_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    abb_gofa_5_fit(samples, &f);
+    abb_gofa_5_fit(samples, 1.0, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 939e050a000667c7"
+_KEY = "fanuc_crx10ia e1a05a8624578c93"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1226,14 +1226,15 @@ def _fanuc_crx10ia_behind(x, y, roots, counts):
 
 
 @_inner
-def _fanuc_crx10ia_seen(samples, x, y, middle, reach, near):
-    """The roots that samples through a lens show: (whether f does not vanish identically, the roots,
-    their counts)."""
+def _fanuc_crx10ia_seen(samples, x, y, middle, reach, near, alike):
+    """The roots that samples through a lens show: (the noise of the samples, the roots, their
+    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
     f, scale, noise = _fanuc_crx10ia_fit(samples)
+    noise *= alike
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _fanuc_crx10ia_find_roots(f, scale, rounding, middle, reach, near)
     _fanuc_crx10ia_behind(x, y, roots, counts)
-    return noise <= 1e-06, roots, counts
+    return noise, roots, counts
 
 
 @_inner
@@ -1744,7 +1745,10 @@ def _fanuc_crx10ia_real_roots_closed(of):
     x, y = _fanuc_crx10ia_spread(samples)
     if x != 0.0 or y != 0.0:
         _fanuc_crx10ia_sample_closed(of, x, y, samples)
-    good, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
+    noise, roots, counts = _fanuc_crx10ia_seen(
+        samples, x, y, 0, 128, 5e-09, 1.0
+    )
+    good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
@@ -1756,10 +1760,10 @@ def _fanuc_crx10ia_real_roots_closed(of):
         _fanuc_crx10ia_sample_closed(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        all_of_them, closer, closer_counts = _fanuc_crx10ia_seen(
-            samples, x, y, cell, 38, 1.28e-06
+        noise, closer, closer_counts = _fanuc_crx10ia_seen(
+            samples, x, y, cell, 38, 1.28e-06, 8.0
         )
-        if all_of_them and closer_counts[2]:
+        if noise <= 1e-09 and closer_counts[2]:
             _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
@@ -1831,7 +1835,10 @@ def _fanuc_crx10ia_real_roots(of):
     x, y = _fanuc_crx10ia_spread(samples)
     if x != 0.0 or y != 0.0:
         _fanuc_crx10ia_sample(of, x, y, samples)
-    good, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
+    noise, roots, counts = _fanuc_crx10ia_seen(
+        samples, x, y, 0, 128, 5e-09, 1.0
+    )
+    good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
@@ -1843,10 +1850,10 @@ def _fanuc_crx10ia_real_roots(of):
         _fanuc_crx10ia_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        all_of_them, closer, closer_counts = _fanuc_crx10ia_seen(
-            samples, x, y, cell, 38, 1.28e-06
+        noise, closer, closer_counts = _fanuc_crx10ia_seen(
+            samples, x, y, cell, 38, 1.28e-06, 8.0
         )
-        if all_of_them and closer_counts[2]:
+        if noise <= 1e-09 and closer_counts[2]:
             _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

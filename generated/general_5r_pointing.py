@@ -409,7 +409,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing ba53c55bd3623dc1"
+_KEY = "general_5r_pointing 5a5f13b793851980"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1303,14 +1303,15 @@ def _general_5r_pointing_behind(x, y, roots, counts):
 
 
 @_inner
-def _general_5r_pointing_seen(samples, x, y, middle, reach, near):
-    """The roots that samples through a lens show: (whether f does not vanish identically, the roots,
-    their counts)."""
+def _general_5r_pointing_seen(samples, x, y, middle, reach, near, alike):
+    """The roots that samples through a lens show: (the noise of the samples, the roots, their
+    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
     f, scale, noise = _general_5r_pointing_fit(samples)
+    noise *= alike
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _general_5r_pointing_find_roots(f, scale, rounding, middle, reach, near)
     _general_5r_pointing_behind(x, y, roots, counts)
-    return noise <= 1e-06, roots, counts
+    return noise, roots, counts
 
 
 @_inner
@@ -1730,7 +1731,10 @@ def _general_5r_pointing_real_roots(of):
     x, y = _general_5r_pointing_spread(samples)
     if x != 0.0 or y != 0.0:
         _general_5r_pointing_sample(of, x, y, samples)
-    good, roots, counts = _general_5r_pointing_seen(samples, x, y, 0, 128, 5e-09)
+    noise, roots, counts = _general_5r_pointing_seen(
+        samples, x, y, 0, 128, 5e-09, 1.0
+    )
+    good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
@@ -1742,10 +1746,10 @@ def _general_5r_pointing_real_roots(of):
         _general_5r_pointing_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        all_of_them, closer, closer_counts = _general_5r_pointing_seen(
-            samples, x, y, cell, 38, 1.28e-06
+        noise, closer, closer_counts = _general_5r_pointing_seen(
+            samples, x, y, cell, 38, 1.28e-06, 8.0
         )
-        if all_of_them and closer_counts[2]:
+        if noise <= 1e-09 and closer_counts[2]:
             _general_5r_pointing_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

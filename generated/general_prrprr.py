@@ -424,7 +424,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr a57c8d87b97847e2"
+_KEY = "general_prrprr 3b9b941f1a0df101"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1217,14 +1217,15 @@ def _general_prrprr_behind(x, y, roots, counts):
 
 
 @_inner
-def _general_prrprr_seen(samples, x, y, middle, reach, near):
-    """The roots that samples through a lens show: (whether f does not vanish identically, the roots,
-    their counts)."""
+def _general_prrprr_seen(samples, x, y, middle, reach, near, alike):
+    """The roots that samples through a lens show: (the noise of the samples, the roots, their
+    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
     f, scale, noise = _general_prrprr_fit(samples)
+    noise *= alike
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _general_prrprr_find_roots(f, scale, rounding, middle, reach, near)
     _general_prrprr_behind(x, y, roots, counts)
-    return noise <= 1e-06, roots, counts
+    return noise, roots, counts
 
 
 @_inner
@@ -1647,7 +1648,10 @@ def _general_prrprr_real_roots_closed(of):
     x, y = _general_prrprr_spread(samples)
     if x != 0.0 or y != 0.0:
         _general_prrprr_sample_closed(of, x, y, samples)
-    good, roots, counts = _general_prrprr_seen(samples, x, y, 0, 128, 5e-09)
+    noise, roots, counts = _general_prrprr_seen(
+        samples, x, y, 0, 128, 5e-09, 1.0
+    )
+    good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
@@ -1659,10 +1663,10 @@ def _general_prrprr_real_roots_closed(of):
         _general_prrprr_sample_closed(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        all_of_them, closer, closer_counts = _general_prrprr_seen(
-            samples, x, y, cell, 38, 1.28e-06
+        noise, closer, closer_counts = _general_prrprr_seen(
+            samples, x, y, cell, 38, 1.28e-06, 8.0
         )
-        if all_of_them and closer_counts[2]:
+        if noise <= 1e-09 and closer_counts[2]:
             _general_prrprr_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 8490e4e2fd9c1cb3"
+_KEY = "kinova_jaco2 ba29dc7a38a06077"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1249,14 +1249,15 @@ def _kinova_jaco2_behind(x, y, roots, counts):
 
 
 @_inner
-def _kinova_jaco2_seen(samples, x, y, middle, reach, near):
-    """The roots that samples through a lens show: (whether f does not vanish identically, the roots,
-    their counts)."""
+def _kinova_jaco2_seen(samples, x, y, middle, reach, near, alike):
+    """The roots that samples through a lens show: (the noise of the samples, the roots, their
+    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
     f, scale, noise = _kinova_jaco2_fit(samples)
+    noise *= alike
     rounding = scale * (3e-15 + 8.0 * noise)
     roots, counts = _kinova_jaco2_find_roots(f, scale, rounding, middle, reach, near)
     _kinova_jaco2_behind(x, y, roots, counts)
-    return noise <= 1e-06, roots, counts
+    return noise, roots, counts
 
 
 @_inner
@@ -1676,7 +1677,10 @@ def _kinova_jaco2_real_roots(of):
     x, y = _kinova_jaco2_spread(samples)
     if x != 0.0 or y != 0.0:
         _kinova_jaco2_sample(of, x, y, samples)
-    good, roots, counts = _kinova_jaco2_seen(samples, x, y, 0, 128, 5e-09)
+    noise, roots, counts = _kinova_jaco2_seen(
+        samples, x, y, 0, 128, 5e-09, 1.0
+    )
+    good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
@@ -1688,10 +1692,10 @@ def _kinova_jaco2_real_roots(of):
         _kinova_jaco2_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        all_of_them, closer, closer_counts = _kinova_jaco2_seen(
-            samples, x, y, cell, 38, 1.28e-06
+        noise, closer, closer_counts = _kinova_jaco2_seen(
+            samples, x, y, cell, 38, 1.28e-06, 8.0
         )
-        if all_of_them and closer_counts[2]:
+        if noise <= 1e-09 and closer_counts[2]:
             _kinova_jaco2_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

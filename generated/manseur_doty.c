@@ -1629,7 +1629,8 @@ typedef struct {
     double lifted;
 } manseur_doty_window;
 
-static void manseur_doty_fit(const double samples[24], manseur_doty_trigonometric *f)
+/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
+static void manseur_doty_fit(const double samples[24], double alike, manseur_doty_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1650,7 +1651,7 @@ static void manseur_doty_fit(const double samples[24], manseur_doty_trigonometri
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
     f->rounding = most * (3e-15 + 8.0 * f->noise);
 }
 
@@ -2176,8 +2177,8 @@ static int manseur_doty_magnify(manseur_doty_sampler sample, const void *of, dou
     manseur_doty_trigonometric f;
     manseur_doty_roots found;
     sample(of, &lens, samples);
-    manseur_doty_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    manseur_doty_fit(samples, 8.0, &f);
+    if (!(f.noise <= 1e-09)) {
         return 0;
     }
     manseur_doty_find_roots(&f, &window, &found);
@@ -2241,7 +2242,7 @@ static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, 
     if (manseur_doty_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    manseur_doty_fit(samples, &f);
+    manseur_doty_fit(samples, 1.0, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

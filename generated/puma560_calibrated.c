@@ -1647,7 +1647,9 @@ typedef struct {
     double lifted;
 } puma560_calibrated_window;
 
-static void puma560_calibrated_fit(const double samples[24], puma560_calibrated_trigonometric *f)
+/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
+static void puma560_calibrated_fit(const double samples[24], double alike,
+    puma560_calibrated_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1668,7 +1670,7 @@ static void puma560_calibrated_fit(const double samples[24], puma560_calibrated_
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
     f->rounding = most * (3e-15 + 8.0 * f->noise);
 }
 
@@ -2215,8 +2217,8 @@ static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const v
     puma560_calibrated_trigonometric f;
     puma560_calibrated_roots found;
     sample(of, &lens, samples);
-    puma560_calibrated_fit(samples, &f);
-    if (!(f.noise <= 1e-06)) {
+    puma560_calibrated_fit(samples, 8.0, &f);
+    if (!(f.noise <= 1e-09)) {
         return 0;
     }
     puma560_calibrated_find_roots(&f, &window, &found);
@@ -2282,7 +2284,7 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
     if (puma560_calibrated_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    puma560_calibrated_fit(samples, &f);
+    puma560_calibrated_fit(samples, 1.0, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -64,7 +64,7 @@ def is_better_polished(chain: Chain) -> bool:
     Where the tool only points, or two joints slide, a quartic's roots meet in fours at right
     angles; rounding then leaves four of sixteen digits, and every step after it inherits that.
     """
-    pointing = _only_points(chain) and not _missing(chain)
+    pointing = _only_points(chain)
     of_four_turns = len(slides_of(chain)) == SLIDES_OF_FOUR_TURNS
     return is_general(chain) and (pointing or of_four_turns)
 

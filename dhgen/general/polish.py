@@ -66,8 +66,8 @@ def polish(
         if residual < GOOD_ENOUGH:
             break
         if afar:
-            damping = DAMPING * min(residual**2, 1.0)
-            step = np.linalg.solve(J.T @ J + (damping + 1e-30) * np.eye(6), J.T @ miss)
+            damped = np.sqrt(DAMPING) * min(residual, 1.0) * np.eye(6)
+            step, *_ = np.linalg.lstsq(np.vstack([J, damped]), np.append(miss, np.zeros(6)))
         else:
             step, *_ = np.linalg.lstsq(J, miss, rcond=RANK)
         theta = theta + np.clip(step, -1.0, 1.0)

@@ -126,7 +126,7 @@ class _Checker:
                 if self._has_branches:
                     self._whole(T, q, rows, status, where)
             if meant is not None:
-                self._agree(rows[held], meant.q[number][held], "the program's meaning", where)
+                self._agree(rows[held], meant.q[number][held], T, "the program's meaning", where)
             self.poses += 1
             self.solutions += int(solved.sum())
         self._batch(sample, poses)
@@ -151,7 +151,7 @@ class _Checker:
                         told = f"{language} says {status}, alone {one_status}"
                         raise VerificationError(f"{where}: {told}")
                     held = np.isfinite(one).all(axis=1)
-                    self._agree(rows[held], one[held], language, where)
+                    self._agree(rows[held], one[held], T, language, where)
 
     def _whole(
         self, T: Array, q: Array, rows: Array, status: NDArray[np.uint8], where: str
@@ -164,7 +164,7 @@ class _Checker:
         if not np.array_equal(status, kinds):
             raise VerificationError(f"{where}: Python says {status}, its careful solver {kinds}")
         held = np.isfinite(rows).all(axis=1)
-        self._agree(rows[held], others[held], "its careful solver", where)
+        self._agree(rows[held], others[held], T, "its careful solver", where)
 
     def impossible(self) -> None:
         """Poses that are none, and poses out of reach."""
@@ -208,15 +208,16 @@ class _Checker:
             if not np.array_equal(status, other_status):
                 raise VerificationError(f"{where}: Python says {status}, C says {other_status}")
             held = np.isfinite(rows).all(axis=1)
-            self._agree(rows[held], other[held], "C", where)
+            self._agree(rows[held], other[held], T, "C", where)
         return rows, status
 
-    def _agree(self, rows: Array, others: Array, what: str, where: str) -> None:
-        """Joint values agree up to rounding, more where the pose hardly fixes them."""
+    def _agree(self, rows: Array, others: Array, T: Array, what: str, where: str) -> None:
+        """Joint values agree up to rounding, as far as the pose fixes what meets it so well."""
         if not len(rows):
             return
         miss, enough = float(self._measures.joint_miss(rows, others).max()), AGREEMENT
         if not miss <= enough:
+            enough = max(enough, *(self._measures.residual(each, T) for each in (rows, others)))
             enough /= min(max(self._measures.fixed(rows), 1e-9), 1.0)
         self._demand(miss, enough, f"{where}: Python and {what} differ")
 

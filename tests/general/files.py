@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.arm import joint_values
+from dhgen.general.arm import general_kernel, joint_values
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.program.forward import forward_program, jacobian_program
+from dhgen.program.tolerances import DOUBLE
+from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.newton import all_solutions
+from dhgen.targets.module import SolverModule
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -49,6 +54,25 @@ def written(folder: Path, rows: Sequence[str]) -> Robot:
     text = "".join(f"  - {row}\n" for row in rows)
     path.write_text(f"name: arm\ntask: pose\njoints:\n{text}", encoding="utf-8")
     return load(path)
+
+
+def without_derivation(arm: Robot) -> SolverModule:
+    """The programs alone: the search for a closed form takes seconds, and finds none."""
+    chain = build_chain(arm)
+    kernel = general_kernel(chain)
+    assert kernel is not None
+    return SolverModule(
+        name=chain.name,
+        title=arm.title,
+        source="arm.yaml",
+        chain=chain,
+        solver=whole_program(chain, kernel),
+        forward=replace(forward_program(chain), name=chain.name),
+        jacobian=replace(jacobian_program(chain), name=chain.name),
+        length_unit=arm.length_unit,
+        arm_angle=None,
+        precision=DOUBLE,
+    )
 
 
 def poses(chain: Chain, count: int, seed: int) -> list[np.ndarray]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,23 +10,19 @@ import pytest
 from dhgen.general.arm import general_kernel
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.forward import forward_program, jacobian_program
 from dhgen.program.interpret import interpret
-from dhgen.program.tolerances import DOUBLE
 from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.survey.oracle.newton import all_solutions
 from dhgen.targets.c import c_files
-from dhgen.targets.module import SolverModule
 from dhgen.verify.native import compile_solver
-from tests.general.files import SLIDE, TURNS, skew
+from tests.general.files import SLIDE, TURNS, skew, without_derivation
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from dhgen.kinematics.chain import Chain
     from dhgen.program.interpret import Rows
-    from dhgen.robot.robot import Robot
 
 POSES = 2
 UNREACHABLE = 1
@@ -50,25 +45,6 @@ def solved(chain: Chain, T: np.ndarray, values: list[float] | None = None) -> Ro
     assert kernel.checked
     free = None if values is None else np.array(values)
     return interpret(whole_program(chain, kernel), T, seed=np.zeros(chain.dof), free=free)
-
-
-def without_derivation(arm: Robot) -> SolverModule:
-    """The programs alone: the search for a closed form takes seconds, and finds none."""
-    chain = build_chain(arm)
-    kernel = general_kernel(chain)
-    assert kernel is not None
-    return SolverModule(
-        name=chain.name,
-        title=arm.title,
-        source="arm.yaml",
-        chain=chain,
-        solver=whole_program(chain, kernel),
-        forward=replace(forward_program(chain), name=chain.name),
-        jacobian=replace(jacobian_program(chain), name=chain.name),
-        length_unit=arm.length_unit,
-        arm_angle=None,
-        precision=DOUBLE,
-    )
 
 
 def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:

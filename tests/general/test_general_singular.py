@@ -9,9 +9,12 @@ import pytest
 
 from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
+from dhgen.robot.load import load
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import in_a_family, singular_sets
+from dhgen.targets.c import c_files
 from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.general.files import without_derivation
 from tests.robots.cases import ROBOTS, robot
 
 if TYPE_CHECKING:
@@ -94,3 +97,57 @@ def test_solutions_that_meet_are_found_without_a_seed(name: str, tmp_path: Path)
             if not met and not in_a_family(robot(name), q):
                 missed.append((kind, q.tolist()))
     assert not missed
+
+
+# A laser arm that points with a tilted tool: at right angles four roots meet.
+LASER = """
+name: arm
+task: pointing
+joints:
+  - {theta: q, d: 0.35, a: 0.03, alpha: pi/2}
+  - {theta: q, a: 0.22}
+  - {theta: q, a: 0.22}
+  - {theta: q + pi/2, a: 0.02, alpha: pi/2}
+  - {theta: q, d: 0.15}
+tool: {xyz: [0.05, 0, 0.1], rpy: [0, 40 deg, 0]}
+"""
+# A welding arm with a hollow wrist, its three axes past each other.
+HOLLOW = """
+name: arm
+parameters: {tw: 65 deg}
+joints:
+  - {theta: q, d: 0.45, a: 0.155, alpha: -pi/2}
+  - {theta: q - pi/2, a: 0.614, alpha: pi}
+  - {theta: q, a: 0.2, alpha: -pi/2}
+  - {theta: q, d: -0.64, alpha: tw}
+  - {theta: q, d: -0.08, alpha: -tw}
+  - {theta: q, d: -0.1, alpha: pi}
+tool: {xyz: [0.03, 0, 0.35], rpy: [0, 35 deg, 0]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "q"),
+    [
+        (LASER, (-np.pi / 2, 0.0, 0.0, -np.pi / 2, -np.pi / 2)),
+        (HOLLOW, (0.0, 0.0, np.pi / 2, np.pi / 2, 0.0, np.pi)),
+    ],
+)
+def test_where_four_roots_meet_there_are_rows(
+    tmp_path: Path, text: str, q: tuple[float, ...]
+) -> None:
+    """Rounding moves them by thousandths; in C, and in what C is held to."""
+    (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
+    module = without_derivation(load(tmp_path / "arm.yaml"))
+    for name, written in c_files(module).items():
+        (tmp_path / name).write_text(written, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", len(q), 16, 0)
+    assert solver is not None
+    T = solver.fk(np.array(q))
+    rows, _ = solver.ik(T, np.array(q))
+    meant = interpret(module.solver, T[None], np.array(q))
+    for held in (rows[np.isfinite(rows).all(axis=1)], meant.q[0][meant.solved[0]]):
+        assert gaps(held, np.array(q)).min() < 1e-9  # a free joint followed the seed
+        named = np.s_[:, :3, 2:]
+        reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in held])
+        np.testing.assert_allclose(reached[named], np.tile(T, (len(held), 1, 1))[named], atol=1e-9)
