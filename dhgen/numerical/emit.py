@@ -15,7 +15,7 @@ from dhgen.targets.layout import c_array, python_array
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.numerical.both_sides import Turning
     from dhgen.numerical.kernel import NumericalKernel
@@ -148,6 +148,11 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
     return {"n": numbers, "dof": dof, "rows": kernel.rows, "floor": repr(constants.FLOOR)}
 
 
+def _listed(numbers: Sequence[float]) -> dict[str, object]:
+    """Numbers as both languages write them one after another, and how many they are."""
+    return {"many": len(numbers), "text": ", ".join(map(repr, numbers))}
+
+
 def _method(kernel: NumericalKernel) -> dict[str, object]:
     starts = constants.REDUNDANT_STARTS if kernel.redundant else constants.STARTS
     return {
@@ -162,8 +167,8 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "spare": repr(constants.SPARE),
         "sure": repr(constants.SURE),
         "kept": 2 * kernel.rows,
-        "beside": constants.BESIDE,
-        "across": constants.ACROSS,
+        "beside": _listed(constants.BESIDE),
+        "across": _listed(constants.ACROSS),
         "pull": repr(constants.PULL),
         "pulled": constants.PULLED,
         "settled": repr(constants.SETTLED),

@@ -131,7 +131,7 @@ def missed_structure(chain: Chain) -> list[str]:
     described = near_structure(chain)
     if not described:
         return ["no three consecutive axes are parallel or meet in one point, not even nearly"]
-    head = "three axes that are parallel or meet in one point make a closed form:"
+    head = "three axes that are parallel or meet in one point can make a closed form:"
     return [head, *(f"  {text}" for text in described)]
 
 

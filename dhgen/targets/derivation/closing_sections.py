@@ -58,9 +58,11 @@ def cost_section(story: Story) -> list[Block]:
     rows = story.program.rows
     label = "the solution" if rows == 1 else f"all {rows} rows"
     lines = [_operations(label, count)]
+    quartic = any(step.kind is Kind.CIRCLE for step in story.steps)
+    made_of = "atan2, square roots and roots of a quartic" if quartic else "atan2 and square roots"
     text = (
         "A value that depends on a part of the signs is computed once for each combination of "
-        "them. The solutions are made of atan2 and square roots alone"
+        f"them. The solutions are made of {made_of} alone"
         + ("." if not count.sines_cosines else "; " + _sines(story))
     )
     solver = regular(story.program)
@@ -68,7 +70,8 @@ def cost_section(story: Story) -> list[Block]:
         lines.append(_operations("at a regular pose", count_operations(solver.program)))
         text += (
             " At a regular pose no joint is free and no two branches meet, so that neither has to "
-            "be asked; what is odd or even in a sign is computed once for both of its values."
+            "be asked; what is odd or even in a sign is computed once for both of its values, and "
+            "additions stand for divisions and roots where they can."
         )
     return [Heading(2, say("Cost")), Table(_COUNTED, tuple(lines)), paragraph(text)]
 
