@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import Kind
 from dhgen.program.count import count_operations
 from dhgen.program.regular import regular
 from dhgen.targets.derivation.blocks import Drawing, Heading, Table, paragraph, say
 from dhgen.targets.derivation.tree import tree_text
+from dhgen.targets.walk import finds_roots
 
 if TYPE_CHECKING:
     from dhgen.program.count import OperationCount
@@ -58,8 +58,9 @@ def cost_section(story: Story) -> list[Block]:
     rows = story.program.rows
     label = "the solution" if rows == 1 else f"all {rows} rows"
     lines = [_operations(label, count)]
-    quartic = any(step.kind is Kind.CIRCLE for step in story.steps)
-    made_of = "atan2, square roots and roots of a quartic" if quartic else "atan2 and square roots"
+    made_of = "atan2 and square roots"
+    if finds_roots(story.program):
+        made_of = "atan2, square roots and roots of a quartic"
     text = (
         "A value that depends on a part of the signs is computed once for each combination of "
         f"them. The solutions are made of {made_of} alone"
@@ -105,6 +106,6 @@ def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
 def _sines(story: Story) -> str:
     if story.robot.free or story.robot.arm_angle:
         return "sine and cosine are taken of values that the caller gives."
-    if any(step.kind is Kind.CIRCLE for step in story.steps):
+    if finds_roots(story.program):
         return "sine and cosine are taken of the roots and, where a joint is free, of the seed."
     return "sine and cosine are taken of the seed only, where a joint is free."
