@@ -1624,8 +1624,7 @@ typedef struct {
     double lifted;
 } abb_gofa_5_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void abb_gofa_5_fit(const double samples[24], double alike, abb_gofa_5_trigonometric *f)
+static void abb_gofa_5_fit(const double samples[24], abb_gofa_5_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1646,8 +1645,8 @@ static void abb_gofa_5_fit(const double samples[24], double alike, abb_gofa_5_tr
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2165,8 +2164,8 @@ static int abb_gofa_5_magnify(abb_gofa_5_sampler sample, const void *of, double 
     abb_gofa_5_trigonometric f;
     abb_gofa_5_roots found;
     sample(of, &lens, samples);
-    abb_gofa_5_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    abb_gofa_5_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     abb_gofa_5_find_roots(&f, &window, &found);
@@ -2229,7 +2228,7 @@ static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_
     if (abb_gofa_5_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    abb_gofa_5_fit(samples, 1.0, &f);
+    abb_gofa_5_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

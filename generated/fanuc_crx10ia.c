@@ -1628,9 +1628,7 @@ typedef struct {
     double lifted;
 } fanuc_crx10ia_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void fanuc_crx10ia_fit(const double samples[24], double alike, fanuc_crx10ia_trigonometric
-    *f)
+static void fanuc_crx10ia_fit(const double samples[24], fanuc_crx10ia_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1651,8 +1649,8 @@ static void fanuc_crx10ia_fit(const double samples[24], double alike, fanuc_crx1
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2180,8 +2178,8 @@ static int fanuc_crx10ia_magnify(fanuc_crx10ia_sampler sample, const void *of, d
     fanuc_crx10ia_trigonometric f;
     fanuc_crx10ia_roots found;
     sample(of, &lens, samples);
-    fanuc_crx10ia_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    fanuc_crx10ia_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     fanuc_crx10ia_find_roots(&f, &window, &found);
@@ -2245,7 +2243,7 @@ static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of
     if (fanuc_crx10ia_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    fanuc_crx10ia_fit(samples, 1.0, &f);
+    fanuc_crx10ia_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

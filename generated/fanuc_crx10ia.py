@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia e1a05a8624578c93"
+_KEY = "fanuc_crx10ia 9d83f062bfc43fdc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1226,12 +1226,11 @@ def _fanuc_crx10ia_behind(x, y, roots, counts):
 
 
 @_inner
-def _fanuc_crx10ia_seen(samples, x, y, middle, reach, near, alike):
+def _fanuc_crx10ia_seen(samples, x, y, middle, reach, near):
     """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
+    counts)."""""
     f, scale, noise = _fanuc_crx10ia_fit(samples)
-    noise *= alike
-    rounding = scale * (3e-15 + 8.0 * noise)
+    rounding = scale * (3e-15 + 64.0 * noise)
     roots, counts = _fanuc_crx10ia_find_roots(f, scale, rounding, middle, reach, near)
     _fanuc_crx10ia_behind(x, y, roots, counts)
     return noise, roots, counts
@@ -1745,9 +1744,7 @@ def _fanuc_crx10ia_real_roots_closed(of):
     x, y = _fanuc_crx10ia_spread(samples)
     if x != 0.0 or y != 0.0:
         _fanuc_crx10ia_sample_closed(of, x, y, samples)
-    noise, roots, counts = _fanuc_crx10ia_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1761,9 +1758,9 @@ def _fanuc_crx10ia_real_roots_closed(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _fanuc_crx10ia_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
@@ -1835,9 +1832,7 @@ def _fanuc_crx10ia_real_roots(of):
     x, y = _fanuc_crx10ia_spread(samples)
     if x != 0.0 or y != 0.0:
         _fanuc_crx10ia_sample(of, x, y, samples)
-    noise, roots, counts = _fanuc_crx10ia_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1851,9 +1846,9 @@ def _fanuc_crx10ia_real_roots(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _fanuc_crx10ia_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _fanuc_crx10ia_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

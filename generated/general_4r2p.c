@@ -1421,8 +1421,7 @@ typedef struct {
     double lifted;
 } general_4r2p_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void general_4r2p_fit(const double samples[24], double alike, general_4r2p_trigonometric *f)
+static void general_4r2p_fit(const double samples[24], general_4r2p_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1443,8 +1442,8 @@ static void general_4r2p_fit(const double samples[24], double alike, general_4r2
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1969,8 +1968,8 @@ static int general_4r2p_magnify(general_4r2p_sampler sample, const void *of, dou
     general_4r2p_trigonometric f;
     general_4r2p_roots found;
     sample(of, &lens, samples);
-    general_4r2p_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    general_4r2p_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     general_4r2p_find_roots(&f, &window, &found);
@@ -2034,7 +2033,7 @@ static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, 
     if (general_4r2p_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    general_4r2p_fit(samples, 1.0, &f);
+    general_4r2p_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

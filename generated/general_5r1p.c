@@ -1673,8 +1673,7 @@ typedef struct {
     double lifted;
 } general_5r1p_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void general_5r1p_fit(const double samples[24], double alike, general_5r1p_trigonometric *f)
+static void general_5r1p_fit(const double samples[24], general_5r1p_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1695,8 +1694,8 @@ static void general_5r1p_fit(const double samples[24], double alike, general_5r1
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2221,8 +2220,8 @@ static int general_5r1p_magnify(general_5r1p_sampler sample, const void *of, dou
     general_5r1p_trigonometric f;
     general_5r1p_roots found;
     sample(of, &lens, samples);
-    general_5r1p_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    general_5r1p_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     general_5r1p_find_roots(&f, &window, &found);
@@ -2286,7 +2285,7 @@ static int general_5r1p_real_roots(general_5r1p_sampler sample, const void *of, 
     if (general_5r1p_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    general_5r1p_fit(samples, 1.0, &f);
+    general_5r1p_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

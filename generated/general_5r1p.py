@@ -424,7 +424,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p 66acaf1ef28d2626"
+_KEY = "general_5r1p 93bfdf2f1bdb4511"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1338,12 +1338,11 @@ def _general_5r1p_behind(x, y, roots, counts):
 
 
 @_inner
-def _general_5r1p_seen(samples, x, y, middle, reach, near, alike):
+def _general_5r1p_seen(samples, x, y, middle, reach, near):
     """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
+    counts)."""""
     f, scale, noise = _general_5r1p_fit(samples)
-    noise *= alike
-    rounding = scale * (3e-15 + 8.0 * noise)
+    rounding = scale * (3e-15 + 64.0 * noise)
     roots, counts = _general_5r1p_find_roots(f, scale, rounding, middle, reach, near)
     _general_5r1p_behind(x, y, roots, counts)
     return noise, roots, counts
@@ -1775,9 +1774,7 @@ def _general_5r1p_real_roots(of):
     x, y = _general_5r1p_spread(samples)
     if x != 0.0 or y != 0.0:
         _general_5r1p_sample(of, x, y, samples)
-    noise, roots, counts = _general_5r1p_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _general_5r1p_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1791,9 +1788,9 @@ def _general_5r1p_real_roots(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _general_5r1p_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _general_5r1p_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

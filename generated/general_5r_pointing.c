@@ -1642,9 +1642,7 @@ typedef struct {
     double lifted;
 } general_5r_pointing_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void general_5r_pointing_fit(const double samples[24], double alike,
-    general_5r_pointing_trigonometric *f)
+static void general_5r_pointing_fit(const double samples[24], general_5r_pointing_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1665,8 +1663,8 @@ static void general_5r_pointing_fit(const double samples[24], double alike,
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2215,8 +2213,8 @@ static int general_5r_pointing_magnify(general_5r_pointing_sampler sample, const
     general_5r_pointing_trigonometric f;
     general_5r_pointing_roots found;
     sample(of, &lens, samples);
-    general_5r_pointing_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    general_5r_pointing_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     general_5r_pointing_find_roots(&f, &window, &found);
@@ -2282,7 +2280,7 @@ static int general_5r_pointing_real_roots(general_5r_pointing_sampler sample, co
     if (general_5r_pointing_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    general_5r_pointing_fit(samples, 1.0, &f);
+    general_5r_pointing_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -1426,9 +1426,7 @@ typedef struct {
     double lifted;
 } general_prrprr_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void general_prrprr_fit(const double samples[24], double alike, general_prrprr_trigonometric
-    *f)
+static void general_prrprr_fit(const double samples[24], general_prrprr_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1449,8 +1447,8 @@ static void general_prrprr_fit(const double samples[24], double alike, general_p
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1980,8 +1978,8 @@ static int general_prrprr_magnify(general_prrprr_sampler sample, const void *of,
     general_prrprr_trigonometric f;
     general_prrprr_roots found;
     sample(of, &lens, samples);
-    general_prrprr_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    general_prrprr_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     general_prrprr_find_roots(&f, &window, &found);
@@ -2045,7 +2043,7 @@ static int general_prrprr_real_roots(general_prrprr_sampler sample, const void *
     if (general_prrprr_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    general_prrprr_fit(samples, 1.0, &f);
+    general_prrprr_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

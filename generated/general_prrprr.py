@@ -424,7 +424,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr 3b9b941f1a0df101"
+_KEY = "general_prrprr 36810d85a5ded64b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1217,12 +1217,11 @@ def _general_prrprr_behind(x, y, roots, counts):
 
 
 @_inner
-def _general_prrprr_seen(samples, x, y, middle, reach, near, alike):
+def _general_prrprr_seen(samples, x, y, middle, reach, near):
     """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
+    counts)."""""
     f, scale, noise = _general_prrprr_fit(samples)
-    noise *= alike
-    rounding = scale * (3e-15 + 8.0 * noise)
+    rounding = scale * (3e-15 + 64.0 * noise)
     roots, counts = _general_prrprr_find_roots(f, scale, rounding, middle, reach, near)
     _general_prrprr_behind(x, y, roots, counts)
     return noise, roots, counts
@@ -1648,9 +1647,7 @@ def _general_prrprr_real_roots_closed(of):
     x, y = _general_prrprr_spread(samples)
     if x != 0.0 or y != 0.0:
         _general_prrprr_sample_closed(of, x, y, samples)
-    noise, roots, counts = _general_prrprr_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _general_prrprr_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1664,9 +1661,9 @@ def _general_prrprr_real_roots_closed(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _general_prrprr_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _general_prrprr_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

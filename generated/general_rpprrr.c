@@ -1424,9 +1424,7 @@ typedef struct {
     double lifted;
 } general_rpprrr_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void general_rpprrr_fit(const double samples[24], double alike, general_rpprrr_trigonometric
-    *f)
+static void general_rpprrr_fit(const double samples[24], general_rpprrr_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1447,8 +1445,8 @@ static void general_rpprrr_fit(const double samples[24], double alike, general_r
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1978,8 +1976,8 @@ static int general_rpprrr_magnify(general_rpprrr_sampler sample, const void *of,
     general_rpprrr_trigonometric f;
     general_rpprrr_roots found;
     sample(of, &lens, samples);
-    general_rpprrr_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    general_rpprrr_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     general_rpprrr_find_roots(&f, &window, &found);
@@ -2043,7 +2041,7 @@ static int general_rpprrr_real_roots(general_rpprrr_sampler sample, const void *
     if (general_rpprrr_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    general_rpprrr_fit(samples, 1.0, &f);
+    general_rpprrr_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -1644,9 +1644,7 @@ typedef struct {
     double lifted;
 } kinova_gen3_7_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void kinova_gen3_7_fit(const double samples[24], double alike, kinova_gen3_7_trigonometric
-    *f)
+static void kinova_gen3_7_fit(const double samples[24], kinova_gen3_7_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1667,8 +1665,8 @@ static void kinova_gen3_7_fit(const double samples[24], double alike, kinova_gen
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2196,8 +2194,8 @@ static int kinova_gen3_7_magnify(kinova_gen3_7_sampler sample, const void *of, d
     kinova_gen3_7_trigonometric f;
     kinova_gen3_7_roots found;
     sample(of, &lens, samples);
-    kinova_gen3_7_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    kinova_gen3_7_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     kinova_gen3_7_find_roots(&f, &window, &found);
@@ -2261,7 +2259,7 @@ static int kinova_gen3_7_real_roots(kinova_gen3_7_sampler sample, const void *of
     if (kinova_gen3_7_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    kinova_gen3_7_fit(samples, 1.0, &f);
+    kinova_gen3_7_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -1631,9 +1631,7 @@ typedef struct {
     double lifted;
 } kinova_gen3_lite_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void kinova_gen3_lite_fit(const double samples[24], double alike,
-    kinova_gen3_lite_trigonometric *f)
+static void kinova_gen3_lite_fit(const double samples[24], kinova_gen3_lite_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1654,8 +1652,8 @@ static void kinova_gen3_lite_fit(const double samples[24], double alike,
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2194,8 +2192,8 @@ static int kinova_gen3_lite_magnify(kinova_gen3_lite_sampler sample, const void 
     kinova_gen3_lite_trigonometric f;
     kinova_gen3_lite_roots found;
     sample(of, &lens, samples);
-    kinova_gen3_lite_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    kinova_gen3_lite_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     kinova_gen3_lite_find_roots(&f, &window, &found);
@@ -2259,7 +2257,7 @@ static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const vo
     if (kinova_gen3_lite_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    kinova_gen3_lite_fit(samples, 1.0, &f);
+    kinova_gen3_lite_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -1629,8 +1629,7 @@ typedef struct {
     double lifted;
 } manseur_doty_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void manseur_doty_fit(const double samples[24], double alike, manseur_doty_trigonometric *f)
+static void manseur_doty_fit(const double samples[24], manseur_doty_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1651,8 +1650,8 @@ static void manseur_doty_fit(const double samples[24], double alike, manseur_dot
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2177,8 +2176,8 @@ static int manseur_doty_magnify(manseur_doty_sampler sample, const void *of, dou
     manseur_doty_trigonometric f;
     manseur_doty_roots found;
     sample(of, &lens, samples);
-    manseur_doty_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    manseur_doty_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     manseur_doty_find_roots(&f, &window, &found);
@@ -2242,7 +2241,7 @@ static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, 
     if (manseur_doty_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    manseur_doty_fit(samples, 1.0, &f);
+    manseur_doty_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

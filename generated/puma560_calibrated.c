@@ -1647,9 +1647,7 @@ typedef struct {
     double lifted;
 } puma560_calibrated_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void puma560_calibrated_fit(const double samples[24], double alike,
-    puma560_calibrated_trigonometric *f)
+static void puma560_calibrated_fit(const double samples[24], puma560_calibrated_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1670,8 +1668,8 @@ static void puma560_calibrated_fit(const double samples[24], double alike,
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2217,8 +2215,8 @@ static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const v
     puma560_calibrated_trigonometric f;
     puma560_calibrated_roots found;
     sample(of, &lens, samples);
-    puma560_calibrated_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    puma560_calibrated_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     puma560_calibrated_find_roots(&f, &window, &found);
@@ -2284,7 +2282,7 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
     if (puma560_calibrated_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    puma560_calibrated_fit(samples, 1.0, &f);
+    puma560_calibrated_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -457,7 +457,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560_calibrated ee1c11b605e3f179"
+_KEY = "puma560_calibrated ab70a28ff1b14fb7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1351,12 +1351,11 @@ def _puma560_calibrated_behind(x, y, roots, counts):
 
 
 @_inner
-def _puma560_calibrated_seen(samples, x, y, middle, reach, near, alike):
+def _puma560_calibrated_seen(samples, x, y, middle, reach, near):
     """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
+    counts)."""""
     f, scale, noise = _puma560_calibrated_fit(samples)
-    noise *= alike
-    rounding = scale * (3e-15 + 8.0 * noise)
+    rounding = scale * (3e-15 + 64.0 * noise)
     roots, counts = _puma560_calibrated_find_roots(f, scale, rounding, middle, reach, near)
     _puma560_calibrated_behind(x, y, roots, counts)
     return noise, roots, counts
@@ -1779,9 +1778,7 @@ def _puma560_calibrated_real_roots(of):
     x, y = _puma560_calibrated_spread(samples)
     if x != 0.0 or y != 0.0:
         _puma560_calibrated_sample(of, x, y, samples)
-    noise, roots, counts = _puma560_calibrated_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _puma560_calibrated_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1795,9 +1792,9 @@ def _puma560_calibrated_real_roots(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _puma560_calibrated_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _puma560_calibrated_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

@@ -1617,8 +1617,7 @@ typedef struct {
     double lifted;
 } welding_5r_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void welding_5r_fit(const double samples[24], double alike, welding_5r_trigonometric *f)
+static void welding_5r_fit(const double samples[24], welding_5r_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1639,8 +1638,8 @@ static void welding_5r_fit(const double samples[24], double alike, welding_5r_tr
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2158,8 +2157,8 @@ static int welding_5r_magnify(welding_5r_sampler sample, const void *of, double 
     welding_5r_trigonometric f;
     welding_5r_roots found;
     sample(of, &lens, samples);
-    welding_5r_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    welding_5r_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     welding_5r_find_roots(&f, &window, &found);
@@ -2222,7 +2221,7 @@ static int welding_5r_real_roots(welding_5r_sampler sample, const void *of, weld
     if (welding_5r_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    welding_5r_fit(samples, 1.0, &f);
+    welding_5r_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

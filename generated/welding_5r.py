@@ -296,7 +296,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 27a5d46e30cf4b91"
+_KEY = "welding_5r b66c1f681ca49d6a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1187,12 +1187,11 @@ def _welding_5r_behind(x, y, roots, counts):
 
 
 @_inner
-def _welding_5r_seen(samples, x, y, middle, reach, near, alike):
+def _welding_5r_seen(samples, x, y, middle, reach, near):
     """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
+    counts)."""""
     f, scale, noise = _welding_5r_fit(samples)
-    noise *= alike
-    rounding = scale * (3e-15 + 8.0 * noise)
+    rounding = scale * (3e-15 + 64.0 * noise)
     roots, counts = _welding_5r_find_roots(f, scale, rounding, middle, reach, near)
     _welding_5r_behind(x, y, roots, counts)
     return noise, roots, counts
@@ -1615,9 +1614,7 @@ def _welding_5r_real_roots(of):
     x, y = _welding_5r_spread(samples)
     if x != 0.0 or y != 0.0:
         _welding_5r_sample(of, x, y, samples)
-    noise, roots, counts = _welding_5r_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _welding_5r_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1631,9 +1628,9 @@ def _welding_5r_real_roots(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _welding_5r_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _welding_5r_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

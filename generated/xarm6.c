@@ -1613,8 +1613,7 @@ typedef struct {
     double lifted;
 } xarm6_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void xarm6_fit(const double samples[24], double alike, xarm6_trigonometric *f)
+static void xarm6_fit(const double samples[24], xarm6_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1635,8 +1634,8 @@ static void xarm6_fit(const double samples[24], double alike, xarm6_trigonometri
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2146,8 +2145,8 @@ static int xarm6_magnify(xarm6_sampler sample, const void *of, double cosine, do
     xarm6_trigonometric f;
     xarm6_roots found;
     sample(of, &lens, samples);
-    xarm6_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    xarm6_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     xarm6_find_roots(&f, &window, &found);
@@ -2209,7 +2208,7 @@ static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *r
     if (xarm6_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    xarm6_fit(samples, 1.0, &f);
+    xarm6_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

@@ -325,7 +325,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 0cc9abbdac3c31a6"
+_KEY = "xarm6 2da9ddfc9078e9b6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1219,12 +1219,11 @@ def _xarm6_behind(x, y, roots, counts):
 
 
 @_inner
-def _xarm6_seen(samples, x, y, middle, reach, near, alike):
+def _xarm6_seen(samples, x, y, middle, reach, near):
     """The roots that samples through a lens show: (the noise of the samples, the roots, their
-    counts). `alike` is how many times what the harmonics beyond the eighth tell the noise is."""
+    counts)."""""
     f, scale, noise = _xarm6_fit(samples)
-    noise *= alike
-    rounding = scale * (3e-15 + 8.0 * noise)
+    rounding = scale * (3e-15 + 64.0 * noise)
     roots, counts = _xarm6_find_roots(f, scale, rounding, middle, reach, near)
     _xarm6_behind(x, y, roots, counts)
     return noise, roots, counts
@@ -1741,9 +1740,7 @@ def _xarm6_real_roots_closed(of):
     x, y = _xarm6_spread(samples)
     if x != 0.0 or y != 0.0:
         _xarm6_sample_closed(of, x, y, samples)
-    noise, roots, counts = _xarm6_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _xarm6_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1757,9 +1754,9 @@ def _xarm6_real_roots_closed(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _xarm6_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _xarm6_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
@@ -1831,9 +1828,7 @@ def _xarm6_real_roots(of):
     x, y = _xarm6_spread(samples)
     if x != 0.0 or y != 0.0:
         _xarm6_sample(of, x, y, samples)
-    noise, roots, counts = _xarm6_seen(
-        samples, x, y, 0, 128, 5e-09, 1.0
-    )
+    noise, roots, counts = _xarm6_seen(samples, x, y, 0, 128, 5e-09)
     good = noise <= 1e-06
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
@@ -1847,9 +1842,9 @@ def _xarm6_real_roots(of):
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
         noise, closer, closer_counts = _xarm6_seen(
-            samples, x, y, cell, 38, 1.28e-06, 8.0
+            samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-09 and closer_counts[2]:
+        if noise <= 1e-10 and closer_counts[2]:
             _xarm6_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False

@@ -1628,8 +1628,7 @@ typedef struct {
     double lifted;
 } xarm7_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void xarm7_fit(const double samples[24], double alike, xarm7_trigonometric *f)
+static void xarm7_fit(const double samples[24], xarm7_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1650,8 +1649,8 @@ static void xarm7_fit(const double samples[24], double alike, xarm7_trigonometri
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2161,8 +2160,8 @@ static int xarm7_magnify(xarm7_sampler sample, const void *of, double cosine, do
     xarm7_trigonometric f;
     xarm7_roots found;
     sample(of, &lens, samples);
-    xarm7_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    xarm7_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     xarm7_find_roots(&f, &window, &found);
@@ -2224,7 +2223,7 @@ static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *r
     if (xarm7_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    xarm7_fit(samples, 1.0, &f);
+    xarm7_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

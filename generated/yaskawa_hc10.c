@@ -1626,8 +1626,7 @@ typedef struct {
     double lifted;
 } yaskawa_hc10_window;
 
-/* `alike` is how many times what the harmonics beyond the eighth tell the noise is at least. */
-static void yaskawa_hc10_fit(const double samples[24], double alike, yaskawa_hc10_trigonometric *f)
+static void yaskawa_hc10_fit(const double samples[24], yaskawa_hc10_trigonometric *f)
 {
     double h[24] = {0.0}, most = 0.0, beyond = 0.0;
     for (int k = 0; k < 24; k++) {
@@ -1648,8 +1647,8 @@ static void yaskawa_hc10_fit(const double samples[24], double alike, yaskawa_hc1
         f->b[m] = h[8 + m];
     }
     f->scale = most;
-    f->noise = most > 0.0 ? alike * beyond / most : 1.0;
-    f->rounding = most * (3e-15 + 8.0 * f->noise);
+    f->noise = most > 0.0 ? beyond / most : 1.0;
+    f->rounding = most * (3e-15 + 64.0 * f->noise);
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -2174,8 +2173,8 @@ static int yaskawa_hc10_magnify(yaskawa_hc10_sampler sample, const void *of, dou
     yaskawa_hc10_trigonometric f;
     yaskawa_hc10_roots found;
     sample(of, &lens, samples);
-    yaskawa_hc10_fit(samples, 8.0, &f);
-    if (!(f.noise <= 1e-09)) {
+    yaskawa_hc10_fit(samples, &f);
+    if (!(f.noise <= 1e-10)) {
         return 0;
     }
     yaskawa_hc10_find_roots(&f, &window, &found);
@@ -2239,7 +2238,7 @@ static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, 
     if (yaskawa_hc10_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }
-    yaskawa_hc10_fit(samples, 1.0, &f);
+    yaskawa_hc10_fit(samples, &f);
     if (!(f.noise <= 1e-06)) {
         return 0;
     }

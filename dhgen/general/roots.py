@@ -7,7 +7,6 @@ digits: what may be a double root is looked at again, through a lens of its own.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -26,10 +25,7 @@ if TYPE_CHECKING:
     from dhgen.general.lens import At
 
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
-# Samples that lie together have errors alike, where four roots meet up to thirty times what the
-# harmonics beyond the eighth tell. A closer look with more noise than CLEAR shows nothing else.
-ALIKE = 8.0
-CLEAR = 1e-9
+CLEAR = 1e-10  # a closer look with more noise than this shows nothing else
 LOOKS = 4  # more closely, at most
 # How far a closer look reaches to both sides [rad], nearly, and its cosine from half the tangent.
 NEAR = 1 / 16
@@ -79,7 +75,6 @@ def _magnified(at: At, middle: float) -> Roots:
     """The roots around an angle, through a lens that magnifies what is there."""
     lens = Lens(STRENGTH * cos(middle), STRENGTH * sin(middle))
     f = trigonometric(lens.samples(at))
-    f = replace(f, noise=ALIKE * f.noise)
     if not f.noise <= CLEAR:
         return Roots((), (), complete=False)
     window = Window(int(middle % (2 * pi) / WIDTH) % CELLS, REACH, LIFTED / NEAR)

@@ -124,11 +124,24 @@ joints:
   - {theta: q, d: -0.1, alpha: pi}
 tool: {xyz: [0.03, 0, 0.35], rpy: [0, 35 deg, 0]}
 """
+# Another arm that points: four roots meet, and the first look has to see that there may be some.
+POINTING = """
+name: arm
+task: pointing
+joints:
+  - {theta: q, d: 0.362, a: 0.136, alpha: -pi/2}
+  - {theta: q, d: -0.059, a: 0.582}
+  - {theta: q, a: 0.507}
+  - {theta: q + 1.866, d: 0.079, a: -0.04, alpha: pi/2}
+  - {theta: q, d: 0.104}
+tool: {xyz: [-0.067, 0, 0.129], rpy: [0, 23.257 deg, 0]}
+"""
 
 
 @pytest.mark.parametrize(
     ("text", "q"),
     [
+        (POINTING, (np.pi, -2.709841362760041, np.pi, 0.12261522952881965, -np.pi / 2)),
         (LASER, (-np.pi / 2, 0.0, 0.0, -np.pi / 2, -np.pi / 2)),
         (HOLLOW, (0.0, 0.0, np.pi / 2, np.pi / 2, 0.0, np.pi)),
     ],

@@ -29,7 +29,6 @@ class Tolerances:
     strongest: str = repr(lens.STRONGEST)
     mean_per_harmonic: str = repr(lens.MEAN_PER_HARMONIC)
     noise: str = repr(roots.NOISE)
-    alike: str = repr(roots.ALIKE)
     clear: str = repr(roots.CLEAR)
     residual: str = repr(TOLERANCES.polished)
     together: str = repr(reference.TOGETHER)
