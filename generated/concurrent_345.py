@@ -561,7 +561,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 0c6c456e4ca8c40f"
+_KEY = "concurrent_345 860c8703a58f33d8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -919,11 +919,15 @@ def _upper_rows(pose):
 
 @_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
 def _tighten_rows(T, exact, miss, q, held):
-    """Tightens the rows; ends all but one of those that have become the same."""
+    """Tightens the rows; ends those that miss the pose then, and all but one that have become the
+    same."""
     moved = np.zeros(8, np.bool_)
     for row in range(8):
         if held[row]:
-            _, moved[row] = _tightened(T, exact, miss[row], q[row])
+            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    enough = 10.0 * exact
+    for row in range(8):
+        held[row] = held[row] and miss[row] <= enough
     for row in range(8):
         if moved[row] and _repeats(q, held, moved, row):
             held[row] = False

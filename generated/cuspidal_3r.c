@@ -329,15 +329,24 @@ static double exactness(const double T[16])
     return 1e-12 * distance;
 }
 
-/* Tightens the rows; ends all but one of those that have become the same. */
+/* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
+ * the
+ * same. */
 static void tighten(const double T[16], double q[4][3], unsigned char status[4])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[4] = { 0 };
-    for (int row = 0; row < 4; row++)
+    double miss[4];
+    for (int row = 0; row < 4; row++) {
+        miss[row] = HUGE_VAL;
         if (status[row] != CUSPIDAL_3R_UNREACHABLE)
-            (void)tightened(&d, exact, q[row], &moved[row]);
+            miss[row] = tightened(&d, exact, q[row], &moved[row]);
+    }
+    const double enough = 10.0 * exact;
+    for (int row = 0; row < 4; row++)
+        if (miss[row] > enough)
+            q[row][0] = NAN;
     for (int row = 0; row < 4; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
             continue;

@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 2e4648bcad28b593"
+_KEY = "cuspidal_3r b30d2f12a910f387"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -645,11 +645,15 @@ def _upper_rows(pose):
 
 @_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
 def _tighten_rows(T, exact, miss, q, held):
-    """Tightens the rows; ends all but one of those that have become the same."""
+    """Tightens the rows; ends those that miss the pose then, and all but one that have become the
+    same."""
     moved = np.zeros(4, np.bool_)
     for row in range(4):
         if held[row]:
-            _, moved[row] = _tightened(T, exact, miss[row], q[row])
+            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    enough = 10.0 * exact
+    for row in range(4):
+        held[row] = held[row] and miss[row] <= enough
     for row in range(4):
         if moved[row] and _repeats(q, held, moved, row):
             held[row] = False

@@ -474,13 +474,15 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[2] = { 0 };
-    double miss[2], least = HUGE_VAL;
+    double miss[2];
     for (int row = 0; row < 2; row++) {
         miss[row] = HUGE_VAL;
         if (status[row] != KUKA_KR40PA_UNREACHABLE)
             miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
     }
+    double least = HUGE_VAL;
+    for (int row = 0; row < 2; row++)
+        least = fmin(least, miss[row]);
     const double enough = least <= exact ? exact : 1e-05;
     for (int row = 0; row < 2; row++)
         if (miss[row] > enough)
@@ -503,7 +505,7 @@ static const double free_limit_squared = 1e-24; /* square of a length that fixes
 static const double longest3 = 2.5600000000000005; /* square of the longest reach [m^2] */
 static const double shortest3 = 0.0; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 2.5600000000007044;
+static const double longest3_reach = 2.5600704004840003;
 static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [m^2] */
 static const double longest3_apart = 2.55999999999993; /* the longest, where branches merge [m^2] */
 /* the shortest, where branches merge [m^2] */

@@ -357,15 +357,24 @@ static double exactness(const double T[16])
     return 1e-12 * distance;
 }
 
-/* Tightens the rows; ends all but one of those that have become the same. */
+/* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
+ * the
+ * same. */
 static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[8] = { 0 };
-    for (int row = 0; row < 8; row++)
+    double miss[8];
+    for (int row = 0; row < 8; row++) {
+        miss[row] = HUGE_VAL;
         if (status[row] != PARALLEL_123_UNREACHABLE)
-            (void)tightened(&d, exact, q[row], &moved[row]);
+            miss[row] = tightened(&d, exact, q[row], &moved[row]);
+    }
+    const double enough = 10.0 * exact;
+    for (int row = 0; row < 8; row++)
+        if (miss[row] > enough)
+            q[row][0] = NAN;
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
             continue;
@@ -394,9 +403,9 @@ static const double free_limit_squared = 1e-24; /* square of a length that fixes
 static const double longest2 = 0.30250000000000005; /* square of the longest reach [m^2] */
 static const double shortest2 = 0.0024999999999999988; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
-static const double longest2_reach = 0.302500000000176;
+static const double longest2_reach = 0.30251760025600005;
 /* the shortest, with what rounding adds [m^2] */
-static const double shortest2_reach = 0.0024999999999839994;
+static const double shortest2_reach = 0.0024984002559999986;
 /* the longest, where branches merge [m^2] */
 static const double longest2_apart = 0.30249999999998245;
 /* the shortest, where branches merge [m^2] */

@@ -110,8 +110,8 @@ double_root = 1e-13  # a polynomial's value at a root, relative to its coefficie
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 longest2 = 0.30250000000000005  # square of the longest reach [m^2]
 shortest2 = 0.0024999999999999988  # square of the shortest reach [m^2]
-longest2_reach = 0.302500000000176  # the longest, with what rounding adds [m^2]
-shortest2_reach = 0.0024999999999839994  # the shortest, with what rounding adds [m^2]
+longest2_reach = 0.30251760025600005  # the longest, with what rounding adds [m^2]
+shortest2_reach = 0.0024984002559999986  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.30249999999998245  # the longest, where branches merge [m^2]
 shortest2_apart = 0.002500000000001599  # the shortest, where branches merge [m^2]
 longest2_clear = 0.30249999998240007  # the longest, where blurred branches do [m^2]
@@ -516,7 +516,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 717b404b6253fd57"
+_KEY = "parallel_123 e5b84c0cf8ce6a86"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -861,11 +861,15 @@ def _upper_rows(pose):
 
 @_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
 def _tighten_rows(T, exact, miss, q, held):
-    """Tightens the rows; ends all but one of those that have become the same."""
+    """Tightens the rows; ends those that miss the pose then, and all but one that have become the
+    same."""
     moved = np.zeros(8, np.bool_)
     for row in range(8):
         if held[row]:
-            _, moved[row] = _tightened(T, exact, miss[row], q[row])
+            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    enough = 10.0 * exact
+    for row in range(8):
+        held[row] = held[row] and miss[row] <= enough
     for row in range(8):
         if moved[row] and _repeats(q, held, moved, row):
             held[row] = False

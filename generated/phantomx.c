@@ -473,13 +473,15 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[2] = { 0 };
-    double miss[2], least = HUGE_VAL;
+    double miss[2];
     for (int row = 0; row < 2; row++) {
         miss[row] = HUGE_VAL;
         if (status[row] != PHANTOMX_UNREACHABLE)
             miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
     }
+    double least = HUGE_VAL;
+    for (int row = 0; row < 2; row++)
+        least = fmin(least, miss[row]);
     const double enough = least <= exact ? exact : 1e-05;
     for (int row = 0; row < 2; row++)
         if (miss[row] > enough)
@@ -502,7 +504,7 @@ static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
 static const double longest3 = 44100.0; /* square of the longest reach [mm^2] */
 static const double shortest3 = 0.0; /* square of the shortest reach [mm^2] */
 /* the longest, with what rounding adds [mm^2] */
-static const double longest3_reach = 44100.00000001491;
+static const double longest3_reach = 44101.4910126025;
 static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [mm^2] */
 /* the longest, where branches merge [mm^2] */
 static const double longest3_apart = 44099.99999999851;

@@ -92,7 +92,7 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 longest3 = 44100.0  # square of the longest reach [mm^2]
 shortest3 = 0.0  # square of the shortest reach [mm^2]
-longest3_reach = 44100.00000001491  # the longest, with what rounding adds [mm^2]
+longest3_reach = 44101.4910126025  # the longest, with what rounding adds [mm^2]
 shortest3_reach = 0.0  # the shortest, with what rounding adds [mm^2]
 longest3_apart = 44099.99999999851  # the longest, where branches merge [mm^2]
 shortest3_apart = 1.26025e-23  # the shortest, where branches merge [mm^2]
@@ -303,7 +303,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 35f5a39f90ffe608"
+_KEY = "phantomx edfc5117079eedaf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -630,10 +630,12 @@ def _tighten_rows(T, exact, miss, q, held):
     Where one is exact the pose has not been rounded: then all have to be exact.
     """
     moved = np.zeros(2, np.bool_)
-    least = math.inf
     for row in range(2):
         if held[row]:
             miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    least = math.inf
+    for row in range(2):
+        if held[row]:
             least = min(least, miss[row])
     enough = exact if least <= exact else 1e-05
     for row in range(2):

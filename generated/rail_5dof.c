@@ -476,13 +476,15 @@ static void tighten(const double T[16], double q[2][5], unsigned char status[2])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[2] = { 0 };
-    double miss[2], least = HUGE_VAL;
+    double miss[2];
     for (int row = 0; row < 2; row++) {
         miss[row] = HUGE_VAL;
         if (status[row] != RAIL_5DOF_UNREACHABLE)
             miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
     }
+    double least = HUGE_VAL;
+    for (int row = 0; row < 2; row++)
+        least = fmin(least, miss[row]);
     const double enough = least <= exact ? exact : 1e-05;
     for (int row = 0; row < 2; row++)
         if (miss[row] > enough)

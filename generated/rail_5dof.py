@@ -273,7 +273,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof faa8d5cf6687f140"
+_KEY = "rail_5dof b3088020394f0b5f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -598,10 +598,12 @@ def _tighten_rows(T, exact, miss, q, held):
     Where one is exact the pose has not been rounded: then all have to be exact.
     """
     moved = np.zeros(2, np.bool_)
-    least = math.inf
     for row in range(2):
         if held[row]:
             miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    least = math.inf
+    for row in range(2):
+        if held[row]:
             least = min(least, miss[row])
     enough = exact if least <= exact else 1e-05
     for row in range(2):

@@ -460,13 +460,15 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[4] = { 0 };
-    double miss[4], least = HUGE_VAL;
+    double miss[4];
     for (int row = 0; row < 4; row++) {
         miss[row] = HUGE_VAL;
         if (status[row] != SCORBOT_POINTING_UNREACHABLE)
             miss[row] = tightened(&d, exact, q[row], &moved[row]);
-        least = fmin(least, miss[row]);
     }
+    double least = HUGE_VAL;
+    for (int row = 0; row < 4; row++)
+        least = fmin(least, miss[row]);
     const double enough = least <= exact ? exact : 1e-05;
     for (int row = 0; row < 4; row++)
         if (miss[row] > enough)
@@ -492,7 +494,7 @@ static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
 static const double longest3 = 0.195364; /* square of the longest reach [m^2] */
 static const double shortest3 = 0.0; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.19536400000008416;
+static const double longest3_reach = 0.1953724157706304;
 static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [m^2] */
 /* the longest, where branches merge [m^2] */
 static const double longest3_apart = 0.1953639999999916;

@@ -101,7 +101,7 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 offset4 = 1.5707963267948966  # offset of joint 4 [rad]
 longest3 = 0.195364  # square of the longest reach [m^2]
 shortest3 = 0.0  # square of the shortest reach [m^2]
-longest3_reach = 0.19536400000008416  # the longest, with what rounding adds [m^2]
+longest3_reach = 0.1953724157706304  # the longest, with what rounding adds [m^2]
 shortest3_reach = 0.0  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.1953639999999916  # the longest, where branches merge [m^2]
 shortest3_apart = 9.06304e-29  # the shortest, where branches merge [m^2]
@@ -340,7 +340,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 2484be2ccc1c0ea1"
+_KEY = "scorbot_pointing 01d8d7e60319a1ad"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -668,10 +668,12 @@ def _tighten_rows(T, exact, miss, q, held):
     Where one is exact the pose has not been rounded: then all have to be exact.
     """
     moved = np.zeros(4, np.bool_)
-    least = math.inf
     for row in range(4):
         if held[row]:
             miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    least = math.inf
+    for row in range(4):
+        if held[row]:
             least = min(least, miss[row])
     enough = exact if least <= exact else 1e-05
     for row in range(4):

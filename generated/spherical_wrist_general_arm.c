@@ -355,15 +355,24 @@ static double exactness(const double T[16])
     return 1e-12 * distance;
 }
 
-/* Tightens the rows; ends all but one of those that have become the same. */
+/* Tightens the rows; ends those that miss the pose then, and all but one of those that have become
+ * the
+ * same. */
 static void tighten(const double T[16], double q[8][6], unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[8] = { 0 };
-    for (int row = 0; row < 8; row++)
+    double miss[8];
+    for (int row = 0; row < 8; row++) {
+        miss[row] = HUGE_VAL;
         if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
-            (void)tightened(&d, exact, q[row], &moved[row]);
+            miss[row] = tightened(&d, exact, q[row], &moved[row]);
+    }
+    const double enough = 10.0 * exact;
+    for (int row = 0; row < 8; row++)
+        if (miss[row] > enough)
+            q[row][0] = NAN;
     for (int row = 0; row < 8; row++) {
         if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
             continue;

@@ -535,7 +535,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm 87555fccbaec6722"
+_KEY = "spherical_wrist_general_arm ead1dd3115b073ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -891,11 +891,15 @@ def _upper_rows(pose):
 
 @_apart("void(float64[:, ::1], float64, float64[::1], float64[:, ::1], boolean[::1])")
 def _tighten_rows(T, exact, miss, q, held):
-    """Tightens the rows; ends all but one of those that have become the same."""
+    """Tightens the rows; ends those that miss the pose then, and all but one that have become the
+    same."""
     moved = np.zeros(8, np.bool_)
     for row in range(8):
         if held[row]:
-            _, moved[row] = _tightened(T, exact, miss[row], q[row])
+            miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
+    enough = 10.0 * exact
+    for row in range(8):
+        held[row] = held[row] and miss[row] <= enough
     for row in range(8):
         if moved[row] and _repeats(q, held, moved, row):
             held[row] = False

@@ -166,6 +166,7 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "tightenings": constants.TIGHTENINGS,
         "spare": repr(constants.SPARE),
         "sure": repr(constants.SURE),
+        "loose": repr(constants.LOOSE),
         "kept": 2 * kernel.rows,
         "beside": _listed(constants.BESIDE),
         "across": _listed(constants.ACROSS),

@@ -33,6 +33,7 @@ REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
 TIGHTENINGS = 72
 FINE = 1e-26  # what is added then: beside singular places the last digits count
 SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
+LOOSE = TOLERANCES.promised / TOLERANCES.exact  # times what counts as exact is still a solution
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet
 # How far the root of a row is moved where steps from it lead nowhere [rad], powers of two.
 BESIDE = tuple(side * 2.0**-power for power in range(15, 40, 3) for side in (1.0, -1.0))

@@ -27,9 +27,10 @@ if TYPE_CHECKING:
 def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray:
     """The rows of a pose where damped least squares lead; exact ones stay as they are.
 
-    Where the pose may be one that the arm cannot take, rows that can't be made exact stay, too: the
-    pose may have been rounded. Those that do not fit are NaN; if one is exact the pose has not been
-    rounded, and all have to be exact. So are those that were moved to where others are.
+    Those that miss the pose then are NaN: they were a little out of reach, and are by themselves.
+    Where the pose may be one that the arm cannot take, rows that can't be made exact stay as they
+    were if they fit, for the pose may have been rounded; if one is exact it has not been, and all
+    have to be exact. So are those NaN that were moved to where others are.
 
     Args:
         kernel: The arm.
@@ -42,13 +43,18 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray
     for place in np.flatnonzero(~np.isnan(q).any(axis=1)):
         rows[place], misses[place] = _tightened(kernel, T, q[place], exact)
         moved[place] = bool((rows[place] != q[place]).any())
-    if kernel.checked:
-        rounded = misses.min(initial=np.inf) > exact
-        rows[misses > (kernel.residual if rounded else exact)] = np.nan
+    rows[misses > _enough(kernel, misses, exact)] = np.nan
     for place in np.flatnonzero(moved):
         if _repeats(kernel, rows, moved, int(place)):
             rows[place] = np.nan
     return rows
+
+
+def _enough(kernel: NumericalKernel, misses: FloatArray, exact: float) -> float:
+    """What rows that miss a pose by so much may miss [arm sizes, rad]."""
+    if not kernel.checked:
+        return constants.LOOSE * exact
+    return exact if misses.min(initial=np.inf) <= exact else kernel.residual
 
 
 def _repeats(kernel: NumericalKernel, q: FloatArray, moved: NDArray[np.bool_], place: int) -> bool:

@@ -82,6 +82,8 @@ class Lowering:
         self.builder = Builder(reserved={*self._constants, "T", "q", "status"})
         self.polynomials = PolynomialLowering(self._algebra, self.builder, self.value)
         self.angles = Angles(self._algebra, self.builder, self.polynomials, self._values)
+        if checks.tightened:
+            tolerances = replace(tolerances, reach=tolerances.led)
         self.scales = Scales(derivation.pool, self.builder, tolerances)
         self._target = Target(self._problem, self.builder, self.lower)
         self.step_number = 0

@@ -21,6 +21,8 @@ class Tolerances:
             with rounding errors of 1e-13 rad or more, which an arm that is stretched may not bear.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
             folded, lands there by rounding.
+        led: The same where rows are tightened: an angle before the boundary may be good to few
+            digits, and steps tell what is a solution. It lets the arm be as far out of reach.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         blur: The same where an angle before them is good to few digits only.
@@ -52,6 +54,7 @@ class Tolerances:
     free: float = 1e-12
     near: float = 1e-3
     reach: float = 1e-13
+    led: float = 1e-5
     merge: float = 1e-14
     blur: float = 1e-11
     orthonormal: float = 1e-24

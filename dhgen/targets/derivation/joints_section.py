@@ -135,7 +135,8 @@ def _tightening(program: Program) -> Block:
     text = (
         "Angles of short vectors, and roots that nearly meet, are good to few digits. A row that "
         "misses the pose by little is tightened: it takes steps of damped least squares, with the "
-        "Jacobian of the whole task, until it is exact or comes no nearer."
+        "Jacobian of the whole task, until it is exact or comes no nearer. Such a row may be a "
+        "little out of reach before, and is none if it still is."
     )
     if finds_roots(program):
         text += (
