@@ -103,6 +103,7 @@ d5 = 0.2  # joint offset 5 [m]
 a5 = 0.15  # link length 5 [m]
 d6 = 0.1  # joint offset 6 [m]
 a6 = 0.2  # link length 6 [m]
+free_limit6 = 4.0089475140624984e-11  # a length that fixes no angle [m^6]
 free_limit_squared2 = 3.422499999999999e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 free_limit_squared = 1e-24  # square of a length that fixes no angle
@@ -561,7 +562,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 860c8703a58f33d8"
+_KEY = "concurrent_345 b2448324ac8a6c88"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -985,162 +986,168 @@ def _solve(pose, seed, moved, q, status):
     v19 = v14 * v14
     v20 = v15 * v15
     v21 = 2.0 * v13
-    x6_roots, x6_close = _circle_roots(v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 +
-        v20)) - k18, v11 * v18 + v14 * v21, v12 * v18 + v15 * v21, k12 * (v16 - v17) + k12 * (v19 -
-        v20), v11 * v12 + v14 * v15, moved)
+    v22 = v11 * v18 + v14 * v21
+    v23 = v12 * v18 + v15 * v21
+    v24 = k12 * (v16 - v17) + k12 * (v19 - v20)
+    v25 = v11 * v12 + v14 * v15
+    v26 = v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)) - k18
+    free6 = abs(v26) + abs(v22) + abs(v23) + abs(v24) + abs(v25) <= free_limit6
+    x6_roots, x6_close = _circle_roots(1.0 if free6 else v26, -1.0 if free6 else v22, 0.0 if free6
+        else v23, 0.0 if free6 else v24, 0.0 if free6 else v25, moved)
 
     # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
-    v22 = 4.0 * v2
-    v23 = 4.0 * v3
-    v25 = 4.0 * v8
-    v26 = 4.0 * v9
+    v27 = 4.0 * v2
+    v28 = 4.0 * v3
+    v30 = 4.0 * v8
+    v31 = 4.0 * v9
 
     # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
-    v27 = sqrt3 * T22
-    v28 = k11 * T21 + d5 * v27
-    v29 = k13 * T21 - 2.0 * (a5 * T22)
-    v30 = k9 * T21 + (k9 * T23 - 2.0 * T24)
-    v32 = sqrt3 * T12
-    v33 = k11 * T11 + d5 * v32
-    v34 = k13 * T11 - 2.0 * (a5 * T12)
-    v35 = k9 * T11 + (k9 * T13 - 2.0 * T14)
+    v32 = sqrt3 * T22
+    v33 = k11 * T21 + d5 * v32
+    v34 = k13 * T21 - 2.0 * (a5 * T22)
+    v35 = k9 * T21 + (k9 * T23 - 2.0 * T24)
+    v37 = sqrt3 * T12
+    v38 = k11 * T11 + d5 * v37
+    v39 = k13 * T11 - 2.0 * (a5 * T12)
+    v40 = k9 * T11 + (k9 * T13 - 2.0 * T14)
 
     # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
-    v38 = sqrt3 * T11
-    v39 = T22 * k25
-    v40 = T21 * k25
-    v41 = T23 * k21
-    v42 = sqrt3 * T21
-    v43 = T12 * k25
-    v44 = T11 * k25
-    v45 = T13 * k21
-    v46 = T32 * k26
-    v47 = T31 * k26
-    v48 = k1 * T33
-    v50 = 3.0 * (T22 * k21)
-    v51 = 3.0 * (T21 * k21)
-    v52 = T23 * k25
-    v53 = 3.0 * T12
-    v54 = 3.0 * T11
-    v55 = sqrt3 * T13
-    v56 = T22 * k26
-    v57 = T21 * k26
-    v58 = k1 * T23
-    v59 = 3.0 * (T12 * k21)
-    v60 = 3.0 * (T11 * k21)
-    v61 = T13 * k25
-    v62 = 3.0 * T22
-    v63 = 3.0 * T21
-    v64 = sqrt3 * T23
-    v65 = T12 * k26
-    v66 = T11 * k26
-    v67 = k1 * T13
-    v68 = 3.0 * (k1 * T32)
-    v69 = 3.0 * (k1 * T31)
-    v70 = T33 * k26
-    v71 = T32 * k25
-    v72 = T31 * k25
-    v73 = T33 * k21
+    v43 = sqrt3 * T11
+    v44 = T22 * k25
+    v45 = T21 * k25
+    v46 = T23 * k21
+    v47 = sqrt3 * T21
+    v48 = T12 * k25
+    v49 = T11 * k25
+    v50 = T13 * k21
+    v51 = T32 * k26
+    v52 = T31 * k26
+    v53 = k1 * T33
+    v55 = 3.0 * (T22 * k21)
+    v56 = 3.0 * (T21 * k21)
+    v57 = T23 * k25
+    v58 = 3.0 * T12
+    v59 = 3.0 * T11
+    v60 = sqrt3 * T13
+    v61 = T22 * k26
+    v62 = T21 * k26
+    v63 = k1 * T23
+    v64 = 3.0 * (T12 * k21)
+    v65 = 3.0 * (T11 * k21)
+    v66 = T13 * k25
+    v67 = 3.0 * T22
+    v68 = 3.0 * T21
+    v69 = sqrt3 * T23
+    v70 = T12 * k26
+    v71 = T11 * k26
+    v72 = k1 * T13
+    v73 = 3.0 * (k1 * T32)
+    v74 = 3.0 * (k1 * T31)
+    v75 = T33 * k26
+    v76 = T32 * k25
+    v77 = T31 * k25
+    v78 = T33 * k21
 
     # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
-    v74 = sqrt2 * v52
-    v75 = 4.0 * v55
-    v76 = sqrt2 * v58
-    v77 = sqrt2 * v61
-    v78 = 4.0 * v64
-    v79 = sqrt2 * v67
-    v81 = 4.0 * T13
-    v82 = sqrt2 * v41
-    v83 = 4.0 * T23
-    v84 = sqrt2 * v45
+    v79 = sqrt2 * v57
+    v80 = 4.0 * v60
+    v81 = sqrt2 * v63
+    v82 = sqrt2 * v66
+    v83 = 4.0 * v69
+    v84 = sqrt2 * v72
+    v86 = 4.0 * T13
+    v87 = sqrt2 * v46
+    v88 = 4.0 * T23
+    v89 = sqrt2 * v50
     wx = T14 - a6 * T11 - d6 * T13
     wy = T24 - a6 * T21 - d6 * T23
     wz = T34 - T31 * a6 - T33 * d6
-    v86 = sqrt2 * (k25 * wy)
-    v87 = 4.0 * (sqrt3 * wx)
-    v88 = sqrt2 * (k1 * wy)
-    v89 = sqrt2 * (k25 * wx)
-    v90 = 4.0 * (sqrt3 * wy)
-    v91 = sqrt2 * (k1 * wx)
-    v92 = sqrt2 * (k26 * wz - k28)
-    v93 = wz * k30 - k31
-    v95 = 4.0 * wx
-    v96 = sqrt2 * (k21 * wy)
-    v97 = 4.0 * wy
-    v98 = sqrt2 * (k21 * wx)
-    v99 = sqrt2 * (k1 * wz - k33)
+    v91 = sqrt2 * (k25 * wy)
+    v92 = 4.0 * (sqrt3 * wx)
+    v93 = sqrt2 * (k1 * wy)
+    v94 = sqrt2 * (k25 * wx)
+    v95 = 4.0 * (sqrt3 * wy)
+    v96 = sqrt2 * (k1 * wx)
+    v97 = sqrt2 * (k26 * wz - k28)
+    v98 = wz * k30 - k31
+    v100 = 4.0 * wx
+    v101 = sqrt2 * (k21 * wy)
+    v102 = 4.0 * wy
+    v103 = sqrt2 * (k21 * wx)
+    v104 = sqrt2 * (k1 * wz - k33)
 
     # theta4, type 3: U3[2, 3] and U3[1, 3]
-    v103 = sqrt2 * (T23 * k26)
-    v104 = sqrt2 * (T13 * k26)
+    v108 = sqrt2 * (T23 * k26)
+    v109 = sqrt2 * (T13 * k26)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
         # theta6
         if not (x6 <= 4.0):
             continue  # out of reach
-        c6 = math.cos(x6)
-        s6 = math.sin(x6)
+        q6 = seed[5] if free6 else x6
+        c6 = math.cos(q6)
+        s6 = math.sin(q6)
 
         # theta2
-        v24 = k2 * (v1 + (c6 * v22 + s6 * v23))
-        Z2_2 = k4 * (v7 + (c6 * v25 + s6 * v26))
-        s2 = (k5 * v24 + k3 * Z2_2) * k19
-        c2 = (k6 * Z2_2 + k7 * v24) * k19
+        v29 = k2 * (v1 + (c6 * v27 + s6 * v28))
+        Z2_2 = k4 * (v7 + (c6 * v30 + s6 * v31))
+        s2 = (k5 * v29 + k3 * Z2_2) * k19
+        c2 = (k6 * Z2_2 + k7 * v29) * k19
         q2 = _atan2(s2, c2)
 
         # theta1
         X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2))
         X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24))
-        v31 = k12 * (c6 * v28 + s6 * v29 + v30)
         v36 = k12 * (c6 * v33 + s6 * v34 + v35)
-        v37 = X1_1 * v31 + X2_1 * v36
-        C1 = X2_1 * v31 - X1_1 * v36
-        w1 = math.sqrt(v37 * v37 + C1 * C1)
+        v41 = k12 * (c6 * v38 + s6 * v39 + v40)
+        v42 = X1_1 * v36 + X2_1 * v41
+        C1 = X2_1 * v36 - X1_1 * v41
+        w1 = math.sqrt(v42 * v42 + C1 * C1)
         free1 = w1 <= free_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
         c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else -(v37 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(v42 * factor1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v49 = (
-            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v32 + s6 * v38))) - s2 * (sqrt2 * (c6 * v39 + s6 *
-            v40 - v41))) + s1 * (c2 * (4.0 * (T23 + (c6 * v27 + s6 * v42))) + s2 * (sqrt2 * (c6 *
-            v43 + s6 * v44 - v45))) + sqrt2 * (s2 * (c6 * v46 + s6 * v47 + v48)))
+        v54 = (
+            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v37 + s6 * v43))) - s2 * (sqrt2 * (c6 * v44 + s6 *
+            v45 - v46))) + s1 * (c2 * (4.0 * (T23 + (c6 * v32 + s6 * v47))) + s2 * (sqrt2 * (c6 *
+            v48 + s6 * v49 - v50))) + sqrt2 * (s2 * (c6 * v51 + s6 * v52 + v53)))
         )
         Y3 = (
-            k14 * (sqrt2 * (c2 * (c6 * v68 + s6 * v69 + v70) + (v73 - (c6 * v71 + s6 * v72))) - (c1
-            * (s2 * (4.0 * (c6 * v53 + s6 * v54 + v55)) - c2 * (sqrt2 * (c6 * v50 + s6 * v51 - v52))
-            + sqrt2 * (c6 * v56 + s6 * v57 + v58)) + s1 * (c2 * (sqrt2 * (c6 * v59 + s6 * v60 -
-            v61)) + s2 * (4.0 * (c6 * v62 + s6 * v63 + v64)) - sqrt2 * (c6 * v65 + s6 * v66 +
-            v67))))
+            k14 * (sqrt2 * (c2 * (c6 * v73 + s6 * v74 + v75) + (v78 - (c6 * v76 + s6 * v77))) - (c1
+            * (s2 * (4.0 * (c6 * v58 + s6 * v59 + v60)) - c2 * (sqrt2 * (c6 * v55 + s6 * v56 - v57))
+            + sqrt2 * (c6 * v61 + s6 * v62 + v63)) + s1 * (c2 * (sqrt2 * (c6 * v64 + s6 * v65 -
+            v66)) + s2 * (4.0 * (c6 * v67 + s6 * v68 + v69)) - sqrt2 * (c6 * v70 + s6 * v71 +
+            v72))))
         )
-        w3 = math.sqrt(v49 * v49 + Y3 * Y3)
+        w3 = math.sqrt(v54 * v54 + Y3 * Y3)
         free3 = w3 <= free_limit
         divisor3 = 1.0 if free3 else w3
 
         # theta5
-        v80 = (
-            c1 * (c2 * v74 + s2 * v75 + v76) - s1 * (c2 * v77 - s2 * v78 + v79) - sqrt2 * (T33 *
+        v85 = (
+            c1 * (c2 * v79 + s2 * v80 + v81) - s1 * (c2 * v82 - s2 * v83 + v84) - sqrt2 * (T33 *
             (k21 + c2 * k26))
         )
-        v85 = 2.0 * (c1 * (c2 * v81 + s2 * v82) + s1 * (c2 * v83 - s2 * v84) + sqrt2 * (s2 * v48))
-        v94 = (
-            c1 * (c2 * v86 + s2 * v87 + v88) - s1 * (c2 * v89 - s2 * v90 + v91) - (c2 * v92 + s2 *
-            k29 + v93)
+        v90 = 2.0 * (c1 * (c2 * v86 + s2 * v87) + s1 * (c2 * v88 - s2 * v89) + sqrt2 * (s2 * v53))
+        v99 = (
+            c1 * (c2 * v91 + s2 * v92 + v93) - s1 * (c2 * v94 - s2 * v95 + v96) - (c2 * v97 + s2 *
+            k29 + v98)
         )
-        v100 = (
-            2.0 * (c1 * (c2 * v95 + s2 * v96) + s1 * (c2 * v97 - s2 * v98) + (s2 * v99 - c2 * k32 -
-            k34))
+        v105 = (
+            2.0 * (c1 * (c2 * v100 + s2 * v101) + s1 * (c2 * v102 - s2 * v103) + (s2 * v104 - c2 *
+            k32 - k34))
         )
 
         # theta4
         Z1_4 = (
-            k2 * (c1 * (s2 * v81 - c2 * v82 - v103) + s1 * (c2 * v84 + s2 * v83 + v104) - sqrt2 *
+            k2 * (c1 * (s2 * v86 - c2 * v87 - v108) + s1 * (c2 * v89 + s2 * v88 + v109) - sqrt2 *
             (T33 * (k25 + k1 * c2)))
         )
-        v106 = k12 * Z1_4
+        v111 = k12 * Z1_4
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1148,25 +1155,25 @@ def _solve(pose, seed, moved, q, status):
             if e2 < 0.0 and free3:
                 continue  # both signs give the same
             factor3 = e2 / divisor3
-            c3 = math.cos(seed[2]) if free3 else v49 * factor3
+            c3 = math.cos(seed[2]) if free3 else v54 * factor3
             s3 = math.sin(seed[2]) if free3 else Y3 * factor3
             q3 = _atan2(s3, c3)
 
             # theta5
-            v101 = k27 * (k2 * (c3 * v94 + s3 * v100)) * k35
-            c5 = a5 * (k2 * (c3 * v80 + s3 * v85)) * k35
-            q5 = _atan2(-v101, c5)
+            v106 = k27 * (k2 * (c3 * v99 + s3 * v105)) * k35
+            c5 = a5 * (k2 * (c3 * v85 + s3 * v90)) * k35
+            q5 = _atan2(-v106, c5)
 
             # theta4
-            v102 = k12 * (sqrt3 * v101)
-            Z2_4 = k2 * (c3 * v85 + s3 * -v80)
-            v105 = v102 * Z1_4 + k12 * Z2_4
-            C4 = v106 - v102 * Z2_4
-            w4 = math.sqrt(v105 * v105 + C4 * C4)
+            v107 = k12 * (sqrt3 * v106)
+            Z2_4 = k2 * (c3 * v90 + s3 * -v85)
+            v110 = v107 * Z1_4 + k12 * Z2_4
+            C4 = v111 - v107 * Z2_4
+            w4 = math.sqrt(v110 * v110 + C4 * C4)
             free4 = w4 <= free_limit_squared
             factor4 = 1.0 / (1.0 if free4 else w4)
             c4 = math.cos(seed[3]) if free4 else C4 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v105 * factor4)
+            s4 = math.sin(seed[3]) if free4 else -(v110 * factor4)
             q4 = _atan2(s4, c4)
             row = 2 * i1 + i2
             q[row, 0] = q1
@@ -1174,8 +1181,10 @@ def _solve(pose, seed, moved, q, status):
             q[row, 2] = q3
             q[row, 3] = q4
             q[row, 4] = q5
-            q[row, 5] = x6
-            status[row] = FREE_JOINT if free1 or free3 or free4 else _CLOSE if x6_close[i1] else OK
+            q[row, 5] = q6
+            status[row] = (
+                FREE_JOINT if free1 or free3 or free4 or free6 else _CLOSE if x6_close[i1] else OK
+            )
 
 
 @njit(**{**_OPTIONS, "forceinline": True})

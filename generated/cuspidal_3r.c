@@ -360,6 +360,7 @@ static const double a1 = 1.0; /* link length 1 [m] */
 static const double d2 = 1.0; /* joint offset 2 [m] */
 static const double a2 = 2.0; /* link length 2 [m] */
 static const double a3 = 1.5; /* link length 3 [m] */
+static const double free_limit6 = 2.7680640624999998e-08; /* a length that fixes no angle [m^6] */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 3.025e-23;
 static const double k1 = 3.0; /* a3 * a2 [m^2] */
@@ -445,37 +446,41 @@ static void solve(
     const double R2s1 = 2.0 * (T24 * a1);
     const double v2 = k1 + a3 * v1, v3 = a3 * R2c1 + k1 * T24, v4 = a3 * R2s1 - k1 * T14,
         v5 = k2 * T24, v6 = k2 * T14, v7 = v3 * v3, v8 = v4 * v4, v9 = 2.0 * v2, v10 = v5 * v5,
-        v11 = v6 * v6;
+        v11 = v6 * v6, v12 = v3 * v9 + v5 * k5, v13 = v6 * k5 - v4 * v9,
+        v14 = k4 * (v7 - v8) + k4 * (v10 - v11), v15 = v3 * v4 - v5 * v6,
+        v16 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7;
+    const int free1 = fabs(v16) + fabs(v12) + fabs(v13) + fabs(v14) + fabs(v15) <= free_limit6;
     double x1_roots[4];
     int x1_close[4];
-    circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3 * v9 + v5 * k5), v6 *
-        k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6, moved, x1_roots,
-        x1_close);
+    circle_roots(free1 ? 1.0 : v16, free1 ? -1.0 : -v12, free1 ? 0.0 : v13, free1 ? 0.0 : v14, free1
+        ? 0.0 : v15, moved, x1_roots, x1_close);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
         /* theta1 */
         if (!(x1 <= 4.0)) continue; /* out of reach */
-        const double c1 = cos(x1), s1 = sin(x1);
+        const double q1 = free1 ? seed[0] : x1;
+        const double c1 = cos(q1), s1 = sin(q1);
 
         /* theta3, type 3: U1[3, 4] and the squared length of column 4 of U1 */
-        const double v12 = d2 + (T14 * s1 - T24 * c1);
-        const double c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v12) * k8;
-        const double q3 = atan2(-(k2 * v12 * k8), c3);
+        const double v17 = d2 + (T14 * s1 - T24 * c1);
+        const double c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v17) * k8;
+        const double q3 = atan2(-(k2 * v17 * k8), c3);
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v13 = T34 * Y1_2;
+        const double v18 = T34 * Y1_2;
         const double C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1);
-        const double w2 = sqrt(v13 * v13 + C2 * C2);
+        const double w2 = sqrt(v18 * v18 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
         const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-            s2 = free2 ? sin(seed[1]) : -(v13 * factor2);
+            s2 = free2 ? sin(seed[1]) : -(v18 * factor2);
         const double q2 = atan2(s2, c2);
         const int row = i1;
-        q[row][0] = x1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free2) ? CUSPIDAL_3R_FREE_JOINT : (x1_close[i1]) ? CLOSE : CUSPIDAL_3R_OK;
+        q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
+        status[row] = (free1 || free2) ? CUSPIDAL_3R_FREE_JOINT : (x1_close[i1]) ? CLOSE :
+            CUSPIDAL_3R_OK;
     }
 }
 

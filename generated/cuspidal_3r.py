@@ -89,6 +89,7 @@ a1 = 1.0  # link length 1 [m]
 d2 = 1.0  # joint offset 2 [m]
 a2 = 2.0  # link length 2 [m]
 a3 = 1.5  # link length 3 [m]
+free_limit6 = 2.7680640624999998e-08  # a length that fixes no angle [m^6]
 free_limit_squared2 = 3.025e-23  # square of a length that fixes no angle [m^2]
 k1 = 3.0  # a3 * a2 [m^2]
 k2 = 6.0  # 2 * a3 * a2 [m^2]
@@ -371,7 +372,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r b30d2f12a910f387"
+_KEY = "cuspidal_3r c3eae876427e8a5d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -699,38 +700,44 @@ def _solve(pose, seed, moved, q, status):
     v9 = 2.0 * v2
     v10 = v5 * v5
     v11 = v6 * v6
-    x1_roots, x1_close = _circle_roots(v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7, -(v3
-        * v9 + v5 * k5), v6 * k5 - v4 * v9, k4 * (v7 - v8) + k4 * (v10 - v11), v3 * v4 - v5 * v6,
-        moved)
+    v12 = v3 * v9 + v5 * k5
+    v13 = v6 * k5 - v4 * v9
+    v14 = k4 * (v7 - v8) + k4 * (v10 - v11)
+    v15 = v3 * v4 - v5 * v6
+    v16 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7
+    free1 = abs(v16) + abs(v12) + abs(v13) + abs(v14) + abs(v15) <= free_limit6
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v16, -1.0 if free1 else -v12, 0.0 if free1
+        else v13, 0.0 if free1 else v14, 0.0 if free1 else v15, moved)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
         # theta1
         if not (x1 <= 4.0):
             continue  # out of reach
-        c1 = math.cos(x1)
-        s1 = math.sin(x1)
+        q1 = seed[0] if free1 else x1
+        c1 = math.cos(q1)
+        s1 = math.sin(q1)
 
         # theta3, type 3: U1[3, 4] and the squared length of column 4 of U1
-        v12 = d2 + (T14 * s1 - T24 * c1)
-        c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v12) * k8
-        q3 = _atan2(-(k2 * v12 * k8), c3)
+        v17 = d2 + (T14 * s1 - T24 * c1)
+        c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v17) * k8
+        q3 = _atan2(-(k2 * v17 * k8), c3)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v13 = T34 * Y1_2
+        v18 = T34 * Y1_2
         C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1)
-        w2 = math.sqrt(v13 * v13 + C2 * C2)
+        w2 = math.sqrt(v18 * v18 + C2 * C2)
         free2 = w2 <= free_limit_squared2
         factor2 = 1.0 / (1.0 if free2 else w2)
         c2 = math.cos(seed[1]) if free2 else C2 * factor2
-        s2 = math.sin(seed[1]) if free2 else -(v13 * factor2)
+        s2 = math.sin(seed[1]) if free2 else -(v18 * factor2)
         q2 = _atan2(s2, c2)
         row = i1
-        q[row, 0] = x1
+        q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = q3
-        status[row] = FREE_JOINT if free2 else _CLOSE if x1_close[i1] else OK
+        status[row] = FREE_JOINT if free1 or free2 else _CLOSE if x1_close[i1] else OK
 
 
 @njit(**{**_OPTIONS, "forceinline": True})

@@ -105,6 +105,7 @@ ca5 = 0.17364817766693041  # cosine of twist 5
 sa5 = 0.984807753012208  # sine of twist 5
 d6 = 0.1  # joint offset 6 [m]
 a6 = 0.05  # link length 6 [m]
+free_limit2 = 2.5599999999999996e-12  # a length that fixes no angle [m^2]
 near_limit = 0.001  # a length whose direction is good to few digits
 double_root = 1e-13  # a polynomial's value at a root, relative to its coefficients
 free_limit_squared = 1e-24  # square of a length that fixes no angle
@@ -516,7 +517,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 e5b84c0cf8ce6a86"
+_KEY = "parallel_123 88706f04b197217d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -928,57 +929,60 @@ def _solve(pose, seed, moved, q, status):
     v18 = k1 * (v10 - v11) + k1 * (v13 - v14)
     v19 = v5 * v6 + v8 * v9
     v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7
-    x6_roots, x6_close = _circle_roots(v20, v16, v17, v18, v19, moved)
-    v23 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
-    v24 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
-    v25 = abs(v20) + abs(v16) + abs(v17) + abs(v18) + abs(v19)
+    v21 = abs(v20) + abs(v16) + abs(v17) + abs(v18) + abs(v19)
+    free6 = v21 <= free_limit2
+    x6_roots, x6_close = _circle_roots(1.0 if free6 else v20, -1.0 if free6 else v16, 0.0 if free6
+        else v17, 0.0 if free6 else v18, 0.0 if free6 else v19, moved)
+    v24 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
+    v25 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
     v26 = 2.0 * v19
     v27 = 2.0 * v18
-    v29 = v25 * near_limit
-    v30 = v23 * v26 + (v17 * math.cos(seed[5]) - v16 * math.sin(seed[5])) - v24 * v27
+    v29 = v21 * near_limit
+    v30 = v24 * v26 + (v17 * math.cos(seed[5]) - v16 * math.sin(seed[5])) - v25 * v27
     v31 = (
-        abs(v20 + (v19 * v24 + (v18 * v23 + (v16 * math.cos(seed[5]) + v17 * math.sin(seed[5])))))
-        <= v25 * double_root
+        abs(v20 + (v19 * v25 + (v18 * v24 + (v16 * math.cos(seed[5]) + v17 * math.sin(seed[5])))))
+        <= v21 * double_root
     )
 
     # theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3]
-    v32 = sa5 * T22
-    v33 = sa5 * T21
-    v34 = ca5 * T23
-    v35 = sa5 * T12
-    v36 = sa5 * T11
-    v37 = ca5 * T13
-    v38 = seed[0] + seed[1] + seed[2]
+    v33 = sa5 * T22
+    v34 = sa5 * T21
+    v35 = ca5 * T23
+    v36 = sa5 * T12
+    v37 = sa5 * T11
+    v38 = ca5 * T13
+    v39 = seed[0] + seed[1] + seed[2]
 
     # theta5, type 3: U3[3, 3] and U4[1, 3]
-    v39 = 2.0 * T23
-    v40 = 2.0 * T13
+    v40 = 2.0 * T23
+    v41 = 2.0 * T13
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
-    v52 = 2.0 * T14
-    v53 = 2.0 * T24
+    v53 = 2.0 * T14
+    v54 = 2.0 * T24
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
     wy = T24 - a6 * T21 - d6 * T23
-    v55 = 2.0 * wy
+    v56 = 2.0 * wy
     wx = T14 - a6 * T11 - d6 * T13
-    v56 = 2.0 * wx
+    v57 = 2.0 * wx
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
         # theta6
         if not (x6 <= 4.0):
             continue  # out of reach
-        v21 = math.cos(x6)
-        v22 = math.sin(x6)
-        v28 = (v21 * v21 - v22 * v22) * v26 + (v17 * v21 - v16 * v22) - 2.0 * (v21 * v22) * v27
+        v22 = math.cos(x6)
+        v23 = math.sin(x6)
+        v28 = (v22 * v22 - v23 * v23) * v26 + (v17 * v22 - v16 * v23) - 2.0 * (v22 * v23) * v27
         near6 = abs(v28) <= v29
         same6 = (
-            -(double_root * (v25 * v25)) <= v28 * v30 and 0.0 < v21 * math.cos(seed[5]) + v22 *
-            math.sin(seed[5]) and abs(v21 * math.sin(seed[5]) - v22 * math.cos(seed[5])) <=
+            -(double_root * (v21 * v21)) <= v28 * v30 and 0.0 < v22 * math.cos(seed[5]) + v23 *
+            math.sin(seed[5]) and abs(v22 * math.sin(seed[5]) - v23 * math.cos(seed[5])) <=
             near_limit and near6 and v31
         )
-        q6 = seed[5] if same6 else x6
+        v32 = seed[5] if same6 else x6
+        q6 = seed[5] if free6 else v32
         c6 = math.cos(q6)
         s6 = math.sin(q6)
 
@@ -989,40 +993,40 @@ def _solve(pose, seed, moved, q, status):
 
         # theta123
         X1_123 = k1 * (sqrt3 * s4)
-        Z1_123 = c6 * v32 + s6 * v33 + v34
-        Z2_123 = c6 * v35 + s6 * v36 + v37
+        Z1_123 = c6 * v33 + s6 * v34 + v35
+        Z2_123 = c6 * v36 + s6 * v37 + v38
         S123 = X1_123 * Z1_123 + k1 * Z2_123
         C123 = X1_123 * Z2_123 - k1 * Z1_123
         w123 = math.sqrt(S123 * S123 + C123 * C123)
         free123 = w123 <= free_limit_squared
         factor123 = 1.0 / (1.0 if free123 else w123)
-        c123 = math.cos(v38) if free123 else C123 * factor123
-        s123 = math.sin(v38) if free123 else S123 * factor123
+        c123 = math.cos(v39) if free123 else C123 * factor123
+        s123 = math.sin(v39) if free123 else S123 * factor123
         theta123 = _atan2(s123, c123)
 
         # theta5
         s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9
-        v41 = sa5 * (k1 * (s123 * v40 - c123 * v39 - ca5)) * k9
-        q5 = _atan2(s5, -v41)
+        v42 = sa5 * (k1 * (s123 * v41 - c123 * v40 - ca5)) * k9
+        q5 = _atan2(s5, -v42)
 
         # theta2
-        v42 = a5 + a6 * c6
-        v43 = s6 * k10 - k11
-        v44 = c4 * (2.0 * v42) + s4 * -v43
-        v45 = sqrt3 * v43
-        v46 = c4 * (2.0 * v43) + s4 * v42
-        v47 = sqrt3 * v42
-        v48 = c4 * k12
-        v49 = s6 * k13
-        v50 = k12 + (v48 + s4 * (sqrt3 * (v49 + k14)))
-        v51 = v49 + k15
+        v43 = a5 + a6 * c6
+        v44 = s6 * k10 - k11
+        v45 = c4 * (2.0 * v43) + s4 * -v44
+        v46 = sqrt3 * v44
+        v47 = c4 * (2.0 * v44) + s4 * v43
+        v48 = sqrt3 * v43
+        v49 = c4 * k12
+        v50 = s6 * k13
+        v51 = k12 + (v49 + s4 * (sqrt3 * (v50 + k14)))
+        v52 = v50 + k15
         Z1_2 = (
-            k1 * (v41 * (c123 * v44 + s123 * v45) + s5 * (c123 * v46 - s123 * v47) + (v52 - (c123 *
-            v50 + s123 * v51)))
+            k1 * (v42 * (c123 * v45 + s123 * v46) + s5 * (c123 * v47 - s123 * v48) + (v53 - (c123 *
+            v51 + s123 * v52)))
         )
         Z2_2 = (
-            k1 * (s5 * (c123 * v47 + s123 * v46) - v41 * (c123 * v45 - s123 * v44) + (c123 * v51 -
-            s123 * v50 + v53))
+            k1 * (s5 * (c123 * v48 + s123 * v47) - v42 * (c123 * v46 - s123 * v45) + (c123 * v52 -
+            s123 * v51 + v54))
         )
         N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
         K2 = N2 - k16
@@ -1032,7 +1036,10 @@ def _solve(pose, seed, moved, q, status):
             if near6:
                 status[2 * i1] = _NEARLY + 6
                 q[2 * i1, 0] = D2
-                q[2 * i1, 1] = q6
+                q[2 * i1, 1] = v32
+            if free6:
+                status[2 * i1] = _LOST + 6
+                q[2 * i1, 0] = D2
             if free123:
                 status[2 * i1] = _LOST + 1
                 q[2 * i1, 0] = D2
@@ -1048,17 +1055,17 @@ def _solve(pose, seed, moved, q, status):
 
         # theta1
         X1_1 = a1 + a2 * c2
-        v54 = k12 + (v48 + s4 * k19)
+        v55 = k12 + (v49 + s4 * k19)
         Z1_1 = (
-            k1 * (v41 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
-            * k18 - s123 * v54 + v55))
+            k1 * (v42 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
+            * k18 - s123 * v55 + v56))
         )
         Z2_1 = (
-            k1 * (v41 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v56 -
-            (c123 * v54 + s123 * k18)))
+            k1 * (v42 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v57 -
+            (c123 * v55 + s123 * k18)))
         )
-        v57 = X1_1 * Z1_1
-        v58 = X1_1 * Z2_1
+        v58 = X1_1 * Z1_1
+        v59 = X1_1 * Z2_1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -1073,8 +1080,8 @@ def _solve(pose, seed, moved, q, status):
 
             # theta1
             Y1_1 = a2 * s2
-            S1 = v57 - Y1_1 * Z2_1
-            C1 = v58 + Y1_1 * Z1_1
+            S1 = v58 - Y1_1 * Z2_1
+            C1 = v59 + Y1_1 * Z1_1
             w1 = math.sqrt(S1 * S1 + C1 * C1)
             free1 = w1 <= free_limit_squared2
             factor1 = 1.0 / (1.0 if free1 else w1)
@@ -1093,7 +1100,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 4] = q5
             q[row, 5] = q6
             status[row] = (
-                FREE_JOINT if free1_ or free123 or free123 else _CLOSE if x6_close[i1] else OK
+                FREE_JOINT if free1_ or free123 or free123 or free6 else _CLOSE if x6_close[i1] else
+                OK
             )
 
 

@@ -396,6 +396,7 @@ static const double ca3 = 0.6427876096865394; /* cosine of twist 3 */
 static const double sa3 = 0.766044443118978; /* sine of twist 3 */
 static const double d4 = 0.37; /* joint offset 4 [m] */
 static const double d6 = 0.09; /* joint offset 6 [m] */
+static const double free_limit6 = 1.9456426971135993e-11; /* a length that fixes no angle [m^6] */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 2.6895999999999994e-24;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
@@ -614,29 +615,33 @@ static void solve(
     const double R2s1 = 2.0 * (wy * a1);
     const double v4 = k4 * v3 + k5 * -v1, v5 = k4 * R2c1 - k5 * R1c1, v6 = k4 * R2s1 + k5 * v2,
         v7 = k3 * -v1 + k2 * v3, v8 = k3 * R1c1 - k2 * R2c1, v9 = k3 * v2 + k2 * R2s1,
-        v10 = v5 * v5, v11 = v6 * v6, v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7;
+        v10 = v5 * v5, v11 = v6 * v6, v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7,
+        v16 = v8 * v15 - v5 * v12, v17 = v6 * v12 + v9 * v15,
+        v18 = k9 * (v10 - v11) + k9 * (v13 - v14), v19 = v5 * v6 - v8 * v9,
+        v20 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10;
+    const int free1 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19) <= free_limit6;
     double x1_roots[4];
     int x1_close[4];
-    circle_roots(v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10, v8 * v15 - v5 *
-        v12, -(v6 * v12 + v9 * v15), k9 * (v10 - v11) + k9 * (v13 - v14), v5 * v6 - v8 * v9, moved,
-        x1_roots, x1_close);
+    circle_roots(free1 ? 1.0 : v20, free1 ? -1.0 : v16, free1 ? 0.0 : -v17, free1 ? 0.0 : v18, free1
+        ? 0.0 : v19, moved, x1_roots, x1_close);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v16 = ca1 * wy, v17 = ca1 * wx, v18 = sa1 * (wz - d1);
+    const double v21 = ca1 * wy, v22 = ca1 * wx, v23 = sa1 * (wz - d1);
 
     /* theta4, type 2: U4[3, 3] */
-    const double v20 = ca1 * T23, v21 = ca1 * T13, v22 = T33 * sa1, v26 = T23 * sa1,
-        v27 = sa1 * T13, v28 = T33 * ca1;
+    const double v25 = ca1 * T23, v26 = ca1 * T13, v27 = T33 * sa1, v31 = T23 * sa1,
+        v32 = sa1 * T13, v33 = T33 * ca1;
 
     /* theta6, type 3: U1[3, 1] and U1[3, 2] */
-    const double v39 = T21 * sa1, v40 = sa1 * T11, v41 = T31 * ca1, v42 = T22 * sa1,
-        v43 = sa1 * T12, v44 = T32 * ca1;
+    const double v44 = T21 * sa1, v45 = sa1 * T11, v46 = T31 * ca1, v47 = T22 * sa1,
+        v48 = sa1 * T12, v49 = T32 * ca1;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
         /* theta1 */
         if (!(x1 <= 4.0)) continue; /* out of reach */
-        const double c1 = cos(x1), s1 = sin(x1);
+        const double q1 = free1 ? seed[0] : x1;
+        const double c1 = cos(q1), s1 = sin(q1);
 
         /* theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1 */
         const double Z1_3 = v1 + (v2 * s1 - R1c1 * c1);
@@ -647,7 +652,7 @@ static void solve(
         /* theta2 */
         const double X1_2 = a2 + (a3 * c3 - s3 * k12);
         const double Y1_2 = c3 * k14 + s3 * k15 - k16;
-        const double Z1_2 = v18 - (s1 * v17 - c1 * v16);
+        const double Z1_2 = v23 - (s1 * v22 - c1 * v21);
         const double Z2_2 = wx * c1 + wy * s1 - a1;
         const double S2 = X1_2 * Z1_2 - Y1_2 * Z2_2;
         const double C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2;
@@ -659,32 +664,32 @@ static void solve(
         const double q2 = atan2(s2, c2);
 
         /* theta4 */
-        const double v19 = T13 * c1 + T23 * s1, v23 = s1 * v21 - c1 * v20 - v22, v24 = ca2 * v23,
-            v25 = ca2 * v19, v29 = s1 * v27 - c1 * v26 + v28,
-            v30 = c2 * (c3 * v19 - s3 * v24) - s2 * (c3 * v23 + s3 * v25) + sa2 * (s3 * v29),
-            v31 = sa2 * v23, v32 = sa2 * v19, v33 = sa2 * v29, v34 = ca2 * v29,
-            v35 = c2 * (c3 * (ca3 * v24) + s3 * (ca3 * v19) + sa3 * v31) + s2 * (c3 * (ca3 * v25) -
-                s3 * (ca3 * v23) + sa3 * v32) + (sa3 * v34 - c3 * (ca3 * v33));
-        const double w4 = sqrt(v30 * v30 + v35 * v35);
+        const double v24 = T13 * c1 + T23 * s1, v28 = s1 * v26 - c1 * v25 - v27, v29 = ca2 * v28,
+            v30 = ca2 * v24, v34 = s1 * v32 - c1 * v31 + v33,
+            v35 = c2 * (c3 * v24 - s3 * v29) - s2 * (c3 * v28 + s3 * v30) + sa2 * (s3 * v34),
+            v36 = sa2 * v28, v37 = sa2 * v24, v38 = sa2 * v34, v39 = ca2 * v34,
+            v40 = c2 * (c3 * (ca3 * v29) + s3 * (ca3 * v24) + sa3 * v36) + s2 * (c3 * (ca3 * v30) -
+                s3 * (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38));
+        const double w4 = sqrt(v35 * v35 + v40 * v40);
         const int free4 = w4 <= free_limit;
         const double divisor4 = free4 ? 1.0 : w4;
 
         /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-        const double c5 = c3 * (sa3 * v33) + ca3 * v34 - (c2 * (c3 * (sa3 * v24) + s3 * (sa3 * v19)
-            - ca3 * v31) + s2 * (c3 * (sa3 * v25) - s3 * (sa3 * v23) - ca3 * v32));
+        const double c5 = c3 * (sa3 * v38) + ca3 * v39 - (c2 * (c3 * (sa3 * v29) + s3 * (sa3 * v24)
+            - ca3 * v36) + s2 * (c3 * (sa3 * v30) - s3 * (sa3 * v28) - ca3 * v37));
 
         /* theta6 */
-        const double v36 = c3 * k17 - k13, v37 = sa2 * s3, v38 = k1 * c3 + k18;
-        const double Z1_6 = s1 * v40 - c1 * v39 + v41;
-        const double Z2_6 = s1 * v43 - c1 * v42 + v44;
+        const double v41 = c3 * k17 - k13, v42 = sa2 * s3, v43 = k1 * c3 + k18;
+        const double Z1_6 = s1 * v45 - c1 * v44 + v46;
+        const double Z2_6 = s1 * v48 - c1 * v47 + v49;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
             if (e2 < 0.0 && free4) continue; /* both signs give the same */
             const double factor4 = e2 / divisor4;
-            const double c4 = free4 ? cos(seed[3]) : v30 * factor4,
-                s4 = free4 ? sin(seed[3]) : -(v35 * factor4);
+            const double c4 = free4 ? cos(seed[3]) : v35 * factor4,
+                s4 = free4 ? sin(seed[3]) : -(v40 * factor4);
             const double q4 = atan2(s4, c4);
             const double root4 = w4 * e2;
 
@@ -692,8 +697,8 @@ static void solve(
             const double q5 = atan2(-root4, c5);
 
             /* theta6 */
-            const double X1_6 = c4 * v36 - s4 * v37;
-            const double Y1_6 = c5 * (c4 * v37 + s4 * v36) - root4 * v38;
+            const double X1_6 = c4 * v41 - s4 * v42;
+            const double Y1_6 = c5 * (c4 * v42 + s4 * v41) - root4 * v43;
             const double S6 = X1_6 * Z1_6 - Y1_6 * Z2_6;
             const double C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6;
             const double w6 = sqrt(S6 * S6 + C6 * C6);
@@ -703,10 +708,11 @@ static void solve(
                 s6 = free6 ? sin(seed[5]) : S6 * factor6;
             const double q6 = atan2(s6, c6);
             const int row = 2 * i1 + i2;
-            q[row][0] = x1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
+            q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free2 || free4 || free6) ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT :
-                (x1_close[i1]) ? CLOSE : SPHERICAL_WRIST_GENERAL_ARM_OK;
+            status[row] = (free1 || free2 || free4 || free6) ?
+                SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : (x1_close[i1]) ? CLOSE :
+                SPHERICAL_WRIST_GENERAL_ARM_OK;
         }
     }
 }

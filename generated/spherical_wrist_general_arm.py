@@ -107,6 +107,7 @@ ca3 = 0.6427876096865394  # cosine of twist 3
 sa3 = 0.766044443118978  # sine of twist 3
 d4 = 0.37  # joint offset 4 [m]
 d6 = 0.09  # joint offset 6 [m]
+free_limit6 = 1.9456426971135993e-11  # a length that fixes no angle [m^6]
 free_limit_squared2 = 2.6895999999999994e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 free_limit_squared = 1e-24  # square of a length that fixes no angle
@@ -535,7 +536,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm ead1dd3115b073ab"
+_KEY = "spherical_wrist_general_arm bddf7f86dfe21998"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -953,38 +954,44 @@ def _solve(pose, seed, moved, q, status):
     v13 = v8 * v8
     v14 = v9 * v9
     v15 = 2.0 * v7
-    x1_roots, x1_close = _circle_roots(v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) -
-        k10, v8 * v15 - v5 * v12, -(v6 * v12 + v9 * v15), k9 * (v10 - v11) + k9 * (v13 - v14), v5 *
-        v6 - v8 * v9, moved)
+    v16 = v8 * v15 - v5 * v12
+    v17 = v6 * v12 + v9 * v15
+    v18 = k9 * (v10 - v11) + k9 * (v13 - v14)
+    v19 = v5 * v6 - v8 * v9
+    v20 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10
+    free1 = abs(v20) + abs(v16) + abs(v17) + abs(v18) + abs(v19) <= free_limit6
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v20, -1.0 if free1 else v16, 0.0 if free1
+        else -v17, 0.0 if free1 else v18, 0.0 if free1 else v19, moved)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v16 = ca1 * wy
-    v17 = ca1 * wx
-    v18 = sa1 * (wz - d1)
+    v21 = ca1 * wy
+    v22 = ca1 * wx
+    v23 = sa1 * (wz - d1)
 
     # theta4, type 2: U4[3, 3]
-    v20 = ca1 * T23
-    v21 = ca1 * T13
-    v22 = T33 * sa1
-    v26 = T23 * sa1
-    v27 = sa1 * T13
-    v28 = T33 * ca1
+    v25 = ca1 * T23
+    v26 = ca1 * T13
+    v27 = T33 * sa1
+    v31 = T23 * sa1
+    v32 = sa1 * T13
+    v33 = T33 * ca1
 
     # theta6, type 3: U1[3, 1] and U1[3, 2]
-    v39 = T21 * sa1
-    v40 = sa1 * T11
-    v41 = T31 * ca1
-    v42 = T22 * sa1
-    v43 = sa1 * T12
-    v44 = T32 * ca1
+    v44 = T21 * sa1
+    v45 = sa1 * T11
+    v46 = T31 * ca1
+    v47 = T22 * sa1
+    v48 = sa1 * T12
+    v49 = T32 * ca1
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
         # theta1
         if not (x1 <= 4.0):
             continue  # out of reach
-        c1 = math.cos(x1)
-        s1 = math.sin(x1)
+        q1 = seed[0] if free1 else x1
+        c1 = math.cos(q1)
+        s1 = math.sin(q1)
 
         # theta3, type 3: U1 A6^-1 [3, 4] and the squared length of column 4 of U1 A6^-1
         Z1_3 = v1 + (v2 * s1 - R1c1 * c1)
@@ -996,7 +1003,7 @@ def _solve(pose, seed, moved, q, status):
         # theta2
         X1_2 = a2 + (a3 * c3 - s3 * k12)
         Y1_2 = c3 * k14 + s3 * k15 - k16
-        Z1_2 = v18 - (s1 * v17 - c1 * v16)
+        Z1_2 = v23 - (s1 * v22 - c1 * v21)
         Z2_2 = wx * c1 + wy * s1 - a1
         S2 = X1_2 * Z1_2 - Y1_2 * Z2_2
         C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2
@@ -1008,36 +1015,36 @@ def _solve(pose, seed, moved, q, status):
         q2 = _atan2(s2, c2)
 
         # theta4
-        v19 = T13 * c1 + T23 * s1
-        v23 = s1 * v21 - c1 * v20 - v22
-        v24 = ca2 * v23
-        v25 = ca2 * v19
-        v29 = s1 * v27 - c1 * v26 + v28
-        v30 = c2 * (c3 * v19 - s3 * v24) - s2 * (c3 * v23 + s3 * v25) + sa2 * (s3 * v29)
-        v31 = sa2 * v23
-        v32 = sa2 * v19
-        v33 = sa2 * v29
-        v34 = ca2 * v29
-        v35 = (
-            c2 * (c3 * (ca3 * v24) + s3 * (ca3 * v19) + sa3 * v31) + s2 * (c3 * (ca3 * v25) - s3 *
-            (ca3 * v23) + sa3 * v32) + (sa3 * v34 - c3 * (ca3 * v33))
+        v24 = T13 * c1 + T23 * s1
+        v28 = s1 * v26 - c1 * v25 - v27
+        v29 = ca2 * v28
+        v30 = ca2 * v24
+        v34 = s1 * v32 - c1 * v31 + v33
+        v35 = c2 * (c3 * v24 - s3 * v29) - s2 * (c3 * v28 + s3 * v30) + sa2 * (s3 * v34)
+        v36 = sa2 * v28
+        v37 = sa2 * v24
+        v38 = sa2 * v34
+        v39 = ca2 * v34
+        v40 = (
+            c2 * (c3 * (ca3 * v29) + s3 * (ca3 * v24) + sa3 * v36) + s2 * (c3 * (ca3 * v30) - s3 *
+            (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38))
         )
-        w4 = math.sqrt(v30 * v30 + v35 * v35)
+        w4 = math.sqrt(v35 * v35 + v40 * v40)
         free4 = w4 <= free_limit
         divisor4 = 1.0 if free4 else w4
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
         c5 = (
-            c3 * (sa3 * v33) + ca3 * v34 - (c2 * (c3 * (sa3 * v24) + s3 * (sa3 * v19) - ca3 * v31) +
-            s2 * (c3 * (sa3 * v25) - s3 * (sa3 * v23) - ca3 * v32))
+            c3 * (sa3 * v38) + ca3 * v39 - (c2 * (c3 * (sa3 * v29) + s3 * (sa3 * v24) - ca3 * v36) +
+            s2 * (c3 * (sa3 * v30) - s3 * (sa3 * v28) - ca3 * v37))
         )
 
         # theta6
-        v36 = c3 * k17 - k13
-        v37 = sa2 * s3
-        v38 = k1 * c3 + k18
-        Z1_6 = s1 * v40 - c1 * v39 + v41
-        Z2_6 = s1 * v43 - c1 * v42 + v44
+        v41 = c3 * k17 - k13
+        v42 = sa2 * s3
+        v43 = k1 * c3 + k18
+        Z1_6 = s1 * v45 - c1 * v44 + v46
+        Z2_6 = s1 * v48 - c1 * v47 + v49
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1045,8 +1052,8 @@ def _solve(pose, seed, moved, q, status):
             if e2 < 0.0 and free4:
                 continue  # both signs give the same
             factor4 = e2 / divisor4
-            c4 = math.cos(seed[3]) if free4 else v30 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v35 * factor4)
+            c4 = math.cos(seed[3]) if free4 else v35 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v40 * factor4)
             q4 = _atan2(s4, c4)
             root4 = w4 * e2
 
@@ -1054,8 +1061,8 @@ def _solve(pose, seed, moved, q, status):
             q5 = _atan2(-root4, c5)
 
             # theta6
-            X1_6 = c4 * v36 - s4 * v37
-            Y1_6 = c5 * (c4 * v37 + s4 * v36) - root4 * v38
+            X1_6 = c4 * v41 - s4 * v42
+            Y1_6 = c5 * (c4 * v42 + s4 * v41) - root4 * v43
             S6 = X1_6 * Z1_6 - Y1_6 * Z2_6
             C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6
             w6 = math.sqrt(S6 * S6 + C6 * C6)
@@ -1065,13 +1072,15 @@ def _solve(pose, seed, moved, q, status):
             s6 = math.sin(seed[5]) if free6 else S6 * factor6
             q6 = _atan2(s6, c6)
             row = 2 * i1 + i2
-            q[row, 0] = x1
+            q[row, 0] = q1
             q[row, 1] = q2
             q[row, 2] = q3
             q[row, 3] = q4
             q[row, 4] = q5
             q[row, 5] = q6
-            status[row] = FREE_JOINT if free2 or free4 or free6 else _CLOSE if x1_close[i1] else OK
+            status[row] = (
+                FREE_JOINT if free1 or free2 or free4 or free6 else _CLOSE if x1_close[i1] else OK
+            )
 
 
 @njit(**{**_OPTIONS, "forceinline": True})

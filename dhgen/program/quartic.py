@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
-from dhgen.program.roots import letters
+from dhgen.program.roots import is_short, letters
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
@@ -42,20 +42,47 @@ def lower_circle(context: Lowering, step: Step) -> None:
         determinant = builder.sub(builder.mul(p1[0], q2[0]), builder.mul(q1[0], p2[0]))
         total = _sum(builder, _square(builder, cosine), _square(builder, sine))
         polynomial = (builder.sub(total[0], builder.square(determinant)), *total[1:])
-    root = context.new_root(angle, polynomial)
+    size = _size(builder, polynomial)
+    free = is_short(context, size, _degree(context, step), f"free{angle.suffix}")
+    root = context.new_root(angle, _with_one_root(builder, free, polynomial))
     builder.guard(builder.apply("at_most", root, builder.integer(4)), Failure.REACH)
     if context.doubts_rows:
         context.meeting.append(_is_close(context, angle, polynomial, root))
+    seed = context.angles.seed(angle)
+    context.angles.chosen(angle, free)
     if len(angle.terms) == 1 and context.may_be_lost:
         root = _with_serving_digits(context, angle, polynomial, root)
-    context.angles.solved_by_angle(angle, root)
+    context.angles.solved_by_angle(angle, builder.select(free, seed, root))
+
+
+def _degree(context: Lowering, step: Step) -> int:
+    """How many lengths are multiplied in the polynomial's coefficients."""
+
+    def of(*letters: str) -> int:
+        return context.scales.degree(*(step.coefficient(letter) for letter in letters))
+
+    if step.has("V1x"):
+        return 2 * (of("V1x", "V1y") + of("V2x", "V2y") + of("R1", "R1c", "R1s"))
+    vectors = (of(*(f"{x}{n}{part}" for x in "PQR" for part in ("", "c", "s"))) for n in (1, 2))
+    return 2 * sum(vectors)
+
+
+def _size(builder: Builder, polynomial: Circle) -> Node:
+    """What the polynomial's values are compared with."""
+    return reduce(builder.add, map(builder.absolute, polynomial))
+
+
+def _with_one_root(builder: Builder, free: Node, polynomial: Circle) -> Circle:
+    """The polynomial; where it vanishes and every angle serves, 1 - cos x: one branch will do."""
+    instead = map(builder.integer, (1, -1, 0, 0, 0))
+    return tuple(builder.select(free, a, b) for a, b in zip(instead, polynomial, strict=True))
 
 
 def _is_close(context: Lowering, angle: AngleSum, polynomial: Circle, root: Node) -> Node:
     """Whether the root may stand for two: there the slope is small."""
     builder, scales = context.builder, context.scales
     simple = scales.tolerance(scales.tolerances.simple, 0, "simple")
-    size = reduce(builder.add, map(builder.absolute, polynomial))
+    size = _size(builder, polynomial)
     slope = builder.absolute(_Place(builder, root).slope(polynomial))
     close = builder.apply("at_most", slope, builder.mul(simple, size))
     return builder.name(close, f"meeting{angle.suffix}")
@@ -72,7 +99,7 @@ def _with_serving_digits(
     builder, tolerances = context.builder, context.scales.tolerances
     seed = context.angles.seed(angle)
     at_root, at_seed = _Place(builder, root), _Place(builder, seed)
-    size = reduce(builder.add, map(builder.absolute, polynomial))
+    size = _size(builder, polynomial)
     rate = at_root.slope(polynomial)
     flat = builder.mul(context.scales.tolerance(tolerances.near, 0, "near"), size)
     near = builder.name(

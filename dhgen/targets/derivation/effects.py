@@ -37,6 +37,8 @@ def free_effect(context: StepContext) -> Prose:
     parts = [say(f"{{}} {takes} {value}", symbols)]
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
+    elif context.step.kind is Kind.CIRCLE:
+        parts.append(say("the rows of the other roots stay empty"))
     remembered = context.remembered if context.step.kind is Kind.ANGLE else None
     if remembered is not None:
         parts.append(say("{}", equal(remembered.letter, ZERO)))

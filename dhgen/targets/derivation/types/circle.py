@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.targets.derivation.blocks import display, paragraph
+from dhgen.targets.derivation.blocks import display, paragraph, say
+from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.formula import (
     ZERO,
     Call,
@@ -20,7 +21,7 @@ from dhgen.targets.derivation.formula import (
     times,
 )
 from dhgen.targets.derivation.names import cosine, letter, sine, theta
-from dhgen.targets.derivation.step_context import StepText, type_letter
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
@@ -53,7 +54,16 @@ def print_circle(context: StepContext) -> StepText:
         ),
         paragraph("No solution when it has no real root; where two roots meet they count once."),
     ]
-    return StepText(tuple(blocks))
+    free = Singularity(
+        context.number,
+        equal(ZERO, ZERO),
+        None,
+        say("all coefficients vanish, and every {} serves", theta(kept)),
+        free_effect(context),
+    )
+    text = "Degenerate when the equation is {}: {}. Then {}."
+    blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
+    return StepText(tuple(blocks), (free,))
 
 
 def _eliminated(context: StepContext) -> AngleSum:
