@@ -2236,6 +2236,8 @@ static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_
     abb_gofa_5_behind(&lens, roots->simple, roots->c, roots->s);
     abb_gofa_5_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     abb_gofa_5_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -330,7 +330,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 f363b574744a0b3b"
+_KEY = "abb_gofa_5 f65aa4ed9a654132"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1758,16 +1758,18 @@ def _abb_gofa_5_real_roots_closed(of):
         _abb_gofa_5_sample_closed(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _abb_gofa_5_seen(
+        blur, closer, closer_counts = _abb_gofa_5_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _abb_gofa_5_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _abb_gofa_5_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 
@@ -1846,16 +1848,18 @@ def _abb_gofa_5_real_roots(of):
         _abb_gofa_5_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _abb_gofa_5_seen(
+        blur, closer, closer_counts = _abb_gofa_5_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _abb_gofa_5_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _abb_gofa_5_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

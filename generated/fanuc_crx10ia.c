@@ -2251,6 +2251,8 @@ static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of
     fanuc_crx10ia_behind(&lens, roots->simple, roots->c, roots->s);
     fanuc_crx10ia_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     fanuc_crx10ia_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

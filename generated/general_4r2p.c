@@ -2041,6 +2041,8 @@ static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, 
     general_4r2p_behind(&lens, roots->simple, roots->c, roots->s);
     general_4r2p_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     general_4r2p_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

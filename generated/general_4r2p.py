@@ -401,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p e7c743c82c04a3c8"
+_KEY = "general_4r2p 70e9abfbd8042a93"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1637,16 +1637,18 @@ def _general_4r2p_real_roots_closed(of):
         _general_4r2p_sample_closed(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _general_4r2p_seen(
+        blur, closer, closer_counts = _general_4r2p_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _general_4r2p_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _general_4r2p_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

@@ -2259,6 +2259,8 @@ static int general_5r_real_roots(general_5r_sampler sample, const void *of, gene
     general_5r_behind(&lens, roots->simple, roots->c, roots->s);
     general_5r_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     general_5r_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

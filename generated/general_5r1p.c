@@ -2293,6 +2293,8 @@ static int general_5r1p_real_roots(general_5r1p_sampler sample, const void *of, 
     general_5r1p_behind(&lens, roots->simple, roots->c, roots->s);
     general_5r1p_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     general_5r1p_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -2307,6 +2307,8 @@ static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const 
     general_5r1p_pair_behind(&lens, roots->simple, roots->c, roots->s);
     general_5r1p_pair_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     general_5r1p_pair_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

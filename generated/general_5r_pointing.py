@@ -409,7 +409,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 35e1e7062c674800"
+_KEY = "general_5r_pointing be53138d8aab9b69"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1743,16 +1743,18 @@ def _general_5r_pointing_real_roots(of):
         _general_5r_pointing_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _general_5r_pointing_seen(
+        blur, closer, closer_counts = _general_5r_pointing_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _general_5r_pointing_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _general_5r_pointing_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

@@ -2051,6 +2051,8 @@ static int general_prrprr_real_roots(general_prrprr_sampler sample, const void *
     general_prrprr_behind(&lens, roots->simple, roots->c, roots->s);
     general_prrprr_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     general_prrprr_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

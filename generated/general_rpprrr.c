@@ -2049,6 +2049,8 @@ static int general_rpprrr_real_roots(general_rpprrr_sampler sample, const void *
     general_rpprrr_behind(&lens, roots->simple, roots->c, roots->s);
     general_rpprrr_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     general_rpprrr_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -394,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 572a65bb6fc5e936"
+_KEY = "general_rpprrr 8bfa77a67340677f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1630,16 +1630,18 @@ def _general_rpprrr_real_roots_closed(of):
         _general_rpprrr_sample_closed(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _general_rpprrr_seen(
+        blur, closer, closer_counts = _general_rpprrr_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _general_rpprrr_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _general_rpprrr_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

@@ -2267,6 +2267,8 @@ static int kinova_gen3_7_real_roots(kinova_gen3_7_sampler sample, const void *of
     kinova_gen3_7_behind(&lens, roots->simple, roots->c, roots->s);
     kinova_gen3_7_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     kinova_gen3_7_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

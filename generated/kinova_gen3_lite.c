@@ -2265,6 +2265,8 @@ static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const vo
     kinova_gen3_lite_behind(&lens, roots->simple, roots->c, roots->s);
     kinova_gen3_lite_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     kinova_gen3_lite_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -2249,6 +2249,8 @@ static int kinova_jaco2_real_roots(kinova_jaco2_sampler sample, const void *of, 
     kinova_jaco2_behind(&lens, roots->simple, roots->c, roots->s);
     kinova_jaco2_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     kinova_jaco2_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -2249,6 +2249,8 @@ static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, 
     manseur_doty_behind(&lens, roots->simple, roots->c, roots->s);
     manseur_doty_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     manseur_doty_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -335,7 +335,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "manseur_doty afdfcff4ae2bba60"
+_KEY = "manseur_doty f45a2bfd9b917cf1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1669,16 +1669,18 @@ def _manseur_doty_real_roots(of):
         _manseur_doty_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _manseur_doty_seen(
+        blur, closer, closer_counts = _manseur_doty_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _manseur_doty_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _manseur_doty_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

@@ -2290,6 +2290,8 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
     puma560_calibrated_behind(&lens, roots->simple, roots->c, roots->s);
     puma560_calibrated_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     puma560_calibrated_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -457,7 +457,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560_calibrated ab70a28ff1b14fb7"
+_KEY = "puma560_calibrated a6661a2495d99b27"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1791,16 +1791,18 @@ def _puma560_calibrated_real_roots(of):
         _puma560_calibrated_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _puma560_calibrated_seen(
+        blur, closer, closer_counts = _puma560_calibrated_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _puma560_calibrated_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _puma560_calibrated_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

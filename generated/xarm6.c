@@ -2216,6 +2216,8 @@ static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *r
     xarm6_behind(&lens, roots->simple, roots->c, roots->s);
     xarm6_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     xarm6_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

@@ -2231,6 +2231,8 @@ static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *r
     xarm7_behind(&lens, roots->simple, roots->c, roots->s);
     xarm7_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     xarm7_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

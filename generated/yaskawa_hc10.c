@@ -2246,6 +2246,8 @@ static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, 
     yaskawa_hc10_behind(&lens, roots->simple, roots->c, roots->s);
     yaskawa_hc10_behind(&lens, roots->doubles, roots->double_c, roots->double_s);
     yaskawa_hc10_look_closer(sample, of, roots);
+    /* where f nearly vanishes identically it does not tell what there is not */
+    roots->complete &= f.noise <= 1e-10;
     return 1;
 }
 

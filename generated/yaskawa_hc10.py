@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 5962fa064003df98"
+_KEY = "yaskawa_hc10 513d52850a6b90ef"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1762,16 +1762,18 @@ def _yaskawa_hc10_real_roots_closed(of):
         _yaskawa_hc10_sample_closed(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _yaskawa_hc10_seen(
+        blur, closer, closer_counts = _yaskawa_hc10_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _yaskawa_hc10_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _yaskawa_hc10_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 
@@ -1850,16 +1852,18 @@ def _yaskawa_hc10_real_roots(of):
         _yaskawa_hc10_sample(of, x, y, samples)
         turns = middle / 6.283185307179586
         cell = int(256 * (turns - math.floor(turns))) % 256
-        noise, closer, closer_counts = _yaskawa_hc10_seen(
+        blur, closer, closer_counts = _yaskawa_hc10_seen(
             samples, x, y, cell, 38, 1.28e-06
         )
-        if noise <= 1e-10 and closer_counts[2]:
+        if blur <= 1e-10 and closer_counts[2]:
             _yaskawa_hc10_replace(roots, counts, closer, closer_counts, middle)
         else:
             clear = False
         i = _yaskawa_hc10_unseen(roots, counts, seen, looks)
     if clear and i == counts[1]:
         counts[2] = 1
+    if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
+        counts[2] = 0
     return good, roots, counts
 
 

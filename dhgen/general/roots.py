@@ -7,6 +7,7 @@ digits: what may be a double root is looked at again, through a lens of its own.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, pi, sin
 from typing import TYPE_CHECKING
 
@@ -25,7 +26,8 @@ if TYPE_CHECKING:
     from dhgen.general.lens import At
 
 NOISE = 1e-6  # harmonics beyond the eighth above this: f vanishes identically at this pose
-CLEAR = 1e-10  # a closer look with more noise than this shows nothing else
+# f may nearly vanish identically: a look with more noise than this does not tell what there is not.
+CLEAR = 1e-10
 LOOKS = 4  # more closely, at most
 # How far a closer look reaches to both sides [rad], nearly, and its cosine from half the tangent.
 NEAR = 1 / 16
@@ -46,7 +48,8 @@ def real_roots(at: At) -> Roots | None:
     f = trigonometric(samples)
     if not f.noise <= NOISE or not samples.any():
         return None
-    return _closer(at, _through(lens, roots(f)))
+    found = _closer(at, _through(lens, roots(f)))
+    return replace(found, complete=found.complete and f.noise <= CLEAR)
 
 
 def _closer(at: At, found: Roots) -> Roots:

@@ -136,20 +136,34 @@ joints:
   - {theta: q, d: 0.104}
 tool: {xyz: [-0.067, 0, 0.129], rpy: [0, 23.257 deg, 0]}
 """
+# Beside right angles its first polynomial is next to nothing all around, and tells of no root.
+NEXT_TO_NOTHING = """
+name: arm
+convention: modified
+joints:
+  - {theta: q, a: 0.267, alpha: -pi/2}
+  - {theta: q, d: 0.221, alpha: pi/2}
+  - {theta: q, a: 0.131, alpha: -pi/2}
+  - {theta: q, d: 0.246, alpha: pi/2}
+  - {theta: q, d: 0.055, a: 0.153, alpha: pi/2}
+  - {theta: q, d: 0.563, a: 0.426, alpha: -pi/2}
+"""
+BESIDE = (-1.3702218649780145, np.pi / 2 - 1e-8, np.pi / 2 + 1e-8, np.pi, -np.pi, -0.41788624)
 
 
 @pytest.mark.parametrize(
     ("text", "q"),
     [
+        (NEXT_TO_NOTHING, BESIDE),
         (POINTING, (np.pi, -2.709841362760041, np.pi, 0.12261522952881965, -np.pi / 2)),
         (LASER, (-np.pi / 2, 0.0, 0.0, -np.pi / 2, -np.pi / 2)),
         (HOLLOW, (0.0, 0.0, np.pi / 2, np.pi / 2, 0.0, np.pi)),
     ],
 )
-def test_where_four_roots_meet_there_are_rows(
+def test_where_roots_meet_or_polynomials_vanish_there_are_rows(
     tmp_path: Path, text: str, q: tuple[float, ...]
 ) -> None:
-    """Rounding moves them by thousandths; in C, and in what C is held to."""
+    """Rounding moves roots that meet by thousandths; in C, and in what C is held to."""
     (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
     for name, written in c_files(module).items():
