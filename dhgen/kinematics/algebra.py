@@ -137,7 +137,7 @@ def build_algebra(chain: Chain) -> Algebra:
         if isinstance(element, Slide)
     }
     trig = [name for angle in angles for name in (angle.cosine, angle.sine)]
-    constants = [str(symbol) for symbol in chain.ring.symbols]
+    constants = [symbol.name for symbol in chain.ring.symbols]
     shoulder = [name for row in SHOULDER_NAMES for name in row] if chain.arm_angle else []
     names = [*POSE_NAMES, *POINT_NAMES, *shoulder, *trig, *slides.values(), *constants]
     ring = PolyRing(names, QQ)

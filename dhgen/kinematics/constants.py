@@ -75,7 +75,7 @@ def constant_ring(names: Iterable[str]) -> PolyRing:
 
 def generator(ring: PolyRing, name: str) -> Polynomial:
     """The generator of that name."""
-    return ring.gens[[str(symbol) for symbol in ring.symbols].index(name)]
+    return ring.gens[[symbol.name for symbol in ring.symbols].index(name)]
 
 
 def multiple_of_pi(expression: Expression) -> Fraction | None:

@@ -103,7 +103,7 @@ def normal_form(
         constants: Those of its generators that are numbers: square roots and sines of twists.
         angles: The name of the cosine for the name of every sine.
     """
-    index = {str(symbol): position for position, symbol in enumerate(ring.symbols)}
+    index = {symbol.name: position for position, symbol in enumerate(ring.symbols)}
     cosines = {c.name: c.cosine for c in constants if c.cosine is not None} | dict(angles)
     squares = [(index[sine], 1 - ring.gens[index[cosine]] ** 2) for sine, cosine in cosines.items()]
     squares += [

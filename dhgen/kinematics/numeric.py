@@ -102,7 +102,7 @@ def _matrix(transform: Transform, values: dict[str, float]) -> Array:
     for row in range(3):
         for column in range(4):
             entry = transform.entry(row, column)
-            names = [str(symbol) for symbol in entry.ring.symbols]
+            names = [symbol.name for symbol in entry.ring.symbols]
             matrix[row, column] = sum(
                 float(int(c.numerator) / int(c.denominator))
                 * float(np.prod([values[n] ** e for n, e in zip(names, m, strict=True) if e]))

@@ -42,7 +42,7 @@ def inverted_column(pool: Pool, m: int, k: int) -> tuple[Vector, Vector]:
 def with_inverse_forms(pool: Pool) -> Pool:
     """The pool and the inverted forms; the same pool where the task does not give a whole pose."""
     problem = pool.problem
-    names = {str(s) for s in problem.algebra.ring.symbols[: len(POSE_NAMES)]}
+    names = {s.name for s in problem.algebra.ring.symbols[: len(POSE_NAMES)]}
     used = {name for name in names if _holds(problem, name)}
     if not used <= problem.known:
         return pool

@@ -164,7 +164,7 @@ class Walk:
 
     def _number(self, polynomial: Polynomial) -> Node:
         builder = self.builder
-        names = [str(symbol) for symbol in polynomial.ring.symbols]
+        names = [symbol.name for symbol in polynomial.ring.symbols]
         total = builder.integer(0)
         for monomial, coefficient in polynomial.terms():
             part = builder.div(

@@ -39,7 +39,7 @@ class PolynomialLowering:
         for angle in algebra.angles:
             pair = (algebra.index[angle.cosine], algebra.index[angle.sine])
             self._pairs[pair[0]] = self._pairs[pair[1]] = pair
-        self._names = [str(symbol) for symbol in algebra.ring.symbols]
+        self._names = [symbol.name for symbol in algebra.ring.symbols]
         constants = len(algebra.chain.ring.gens)
         for place in range(len(self._names) - constants, len(self._names)):
             self._rank[place] = -1

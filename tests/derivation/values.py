@@ -26,6 +26,8 @@ from dhgen.targets.derivation.formula import (
     Symbol,
 )
 from dhgen.targets.derivation.tables import sign_and_offset
+from tests.kinematics.values import matrix
+from tests.kinematics.values import number as value_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,7 +35,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.chain import Chain
-    from dhgen.kinematics.transform import Transform
     from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.story import Story
 
@@ -122,7 +123,7 @@ def _matrices(story: Story, inner: dict[int, float], values: dict[str, float]) -
     """A_i, T_i^0, U_m, Z, E and POS as numbers, and the entries of U_0 and of named points."""
     chain = story.algebra.chain
     problem = story.derivation.problem
-    base, tool = numeric(chain.base, values), numeric(chain.tool, values)
+    base, tool = matrix(chain.base, values), matrix(chain.tool, values)
     links = [_link(chain, i, inner, values) for i in range(chain.dof)]
     found: Letters = {"Z": base, "E": tool}
     total = np.eye(4)
@@ -182,7 +183,7 @@ def _points(story: Story, target: NDArray[np.float64], values: dict[str, float])
     seen += [(point.names, point.in_base, inverse) for point in pool.base_points]
     found: Letters = {}
     for names, coordinates, transform in seen:
-        place = transform @ [*(_number(entry, values, story) for entry in coordinates), 1.0]
+        place = transform @ [*(value_of(entry, values) for entry in coordinates), 1.0]
         for name, value in zip(names, place, strict=False):
             found[story.letters[name].text] = value
     return found
@@ -199,7 +200,7 @@ def _link(
     for element in chain.links[place]:
         match element:
             case Fixed(transform):
-                total = total @ numeric(transform, values)
+                total = total @ matrix(transform, values)
             case Turn(joint, sign):
                 c, s = math.cos(inner[joint]), sign * math.sin(inner[joint])
                 turn = np.eye(4)
@@ -209,29 +210,6 @@ def _link(
                 slide = np.eye(4)
                 slide[2, 3] = sign * inner[joint]
                 total = total @ slide
-    return total
-
-
-def numeric(transform: Transform, values: dict[str, float]) -> NDArray[np.float64]:
-    """A constant transform of the chain as numbers."""
-    matrix = np.eye(4)
-    for row in range(3):
-        for column in range(4):
-            entry = transform.entry(row, column)
-            symbols = {str(s): values.get(str(s), 0.0) for s in entry.ring.symbols}
-            matrix[row, column] = entry.evaluate(
-                list(zip(entry.ring.gens, symbols.values(), strict=True))
-            )
-    return matrix
-
-
-def _number(entry: Any, values: dict[str, float], story: Story) -> float:
-    total = 0.0
-    for monomial, coefficient in entry.terms():
-        part = float(coefficient)
-        for exponent, symbol in zip(monomial, story.algebra.ring.symbols, strict=True):
-            part *= values.get(str(symbol), 1.0) ** exponent
-        total += part
     return total
 
 

@@ -56,7 +56,7 @@ def test_cosine_of_75_degrees_is_that_of_the_school_book() -> None:
     table = closed(times_pi(5, 12))
     cosine, _ = table.cosine_sine(times_pi(5, 12), "1", "twist 1")
     root2, root3 = cosine.ring.gens
-    assert [str(symbol) for symbol in cosine.ring.symbols] == ["sqrt2", "sqrt3"]
+    assert [symbol.name for symbol in cosine.ring.symbols] == ["sqrt2", "sqrt3"]
     assert 4 * cosine == root2 * root3 - root2  # (sqrt 6 - sqrt 2) / 4
 
 

@@ -59,7 +59,7 @@ def joint_values(algebra: Algebra, q: Sequence[float] | FloatArray) -> dict[str,
 
 def number(polynomial: Polynomial, values: Mapping[str, float]) -> float:
     """The value of a polynomial; only names that occur in it are looked up."""
-    names = [str(symbol) for symbol in polynomial.ring.symbols]
+    names = [symbol.name for symbol in polynomial.ring.symbols]
     total = 0.0
     for powers, coefficient in polynomial.items():
         factors = (

@@ -106,7 +106,7 @@ def _is_about_first_axis(context: StepContext) -> bool:
     if context.angle != single(1):
         return False
     names = {
-        str(context.story.algebra.ring.symbols[place])
+        context.story.algebra.ring.symbols[place].name
         for name in "XY"
         for place in used_places(context.polynomial(name))
     }
@@ -118,7 +118,7 @@ def point_name(context: StepContext) -> Prose:
     """What the point of an equation in column 4 is called."""
     story = context.story
     used = [
-        str(story.algebra.ring.symbols[place])
+        story.algebra.ring.symbols[place].name
         for _, polynomial in context.step.coefficients
         for place in sorted(used_places(polynomial))
     ]
