@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from dhgen.survey.oracle.arm import FloatArray
 
-COUNT = 10_000
+COUNT = 4_000
 GENERAL = {"C": 300, "Python": 60}  # for arms with 16 rows
 # numba takes seconds for each; the modules of all arms run without it in clean processes
 ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,7 @@ import pytest
 
 from dhgen.survey.oracle.poses import ranges
 from dhgen.survey.singular import is_redundant, task_jacobian
+from dhgen.survey.trial import HELD
 from tests.generated.asking import POLYNOMIAL, trial
 from tests.generated.solvers import NAMES, robot
 
@@ -51,8 +53,8 @@ def least(asked: Trial, q: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.svd(J, compute_uv=False)[..., -1])
 
 
-def row_of(asked: Trial, T: FloatArray, q: FloatArray) -> int:
-    rows, _ = asked.solver.ik(T, q, asked.given(q))
+def row_of(asked: Trial, T: FloatArray, q: FloatArray, given: FloatArray | None) -> int:
+    rows, _ = asked.solver.ik(T, q, given)
     gaps = asked.apart(rows, q)
     assert np.nanmin(gaps) < SAME, q
     return int(np.nanargmin(gaps))
@@ -72,14 +74,19 @@ def test_a_branch_keeps_its_row(name: str) -> None:
         return
     compared = 0
     for q in motions(name, within_limits=False):
-        T, regular = asked.poses(q), crossed_nothing(asked, q)
-        row = row_of(asked, T[0], q[0])
-        for step in range(1, STEPS):
-            before, row = row, row_of(asked, T[step], q[step])
+        regular = crossed_nothing(asked, q)
+        rows = list(map(partial(row_of, asked), asked.poses(q), q, given_along(asked, q)))
+        for step, (before, row) in enumerate(pairwise(rows), start=1):
             if regular[step - 1]:
                 assert row == before, (step, q[step].tolist())
                 compared += 1
     assert compared > 20
+
+
+def given_along(asked: Trial, q: FloatArray) -> list[FloatArray | None]:
+    """What the caller gives besides each pose of a motion (N, n)."""
+    values = asked.given(q)
+    return [None] * len(q) if values is None else list(values)
 
 
 def is_square(asked: Trial) -> bool:
@@ -103,13 +110,13 @@ def test_the_nearest_solution_follows_a_motion(name: str) -> None:
     followed = 0
     for q in motions(name, within_limits=True):
         far = least(asked, q) > 30 * REGULAR
-        T = asked.poses(q)
+        T, given = asked.poses(q), given_along(asked, q)
+        rows, status = asked.solver.batch(T, asked.given(q))
         for step in range(1, STEPS):
             if far[step] and far[step - 1]:
-                found = asked.solver.nearest(T[step], q[step - 1], asked.given(q[step]))
+                found = asked.solver.nearest(T[step], q[step - 1], given[step])
                 moved = asked.apart(q[step], q[step - 1])
-                others, _ = asked.solve(T[step], q[step])
-                rivals = asked.apart(others, q[step])
+                rivals = asked.apart(rows[step][np.isin(status[step], HELD)], q[step])
                 if rivals[rivals > SAME].min(initial=np.inf) < 10 * moved:
                     continue  # another solution passes by: which is nearer is a matter of norms
                 assert asked.apart(found, q[step]) < SAME, (step, q[step].tolist())
