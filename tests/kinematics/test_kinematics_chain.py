@@ -17,7 +17,7 @@ from dhgen.robot.robot import ReferenceAxes
 from dhgen.survey.oracle.arm import arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import random_joints
-from tests.kinematics.values import algebra_of, axes, pose, table
+from tests.kinematics.values import algebra_of, axes, poses, table
 from tests.robots.cases import NAMES, robot
 
 angles = st.one_of(
@@ -65,10 +65,10 @@ def test_tables_of_either_convention(
 ) -> None:
     arm = table(*rows, parameters="{L: 0.4}", convention=convention, base=base, tool=tool)
     algebra = algebra_of(arm)
-    for q in random_joints(arm, 2, seed=seed):
-        expected = forward(arm, q)
-        np.testing.assert_allclose(pose(algebra, q), expected, atol=1e-12)
-        np.testing.assert_allclose(numeric_arm(algebra.chain).pose(q), expected, atol=1e-12)
+    q = random_joints(arm, 2, seed=seed)
+    expected = forward(arm, q)
+    np.testing.assert_allclose(poses(algebra, q), expected, atol=1e-12)
+    np.testing.assert_allclose(numeric_arm(algebra.chain).pose(q), expected, atol=1e-12)
 
 
 # with a zero component and of length one: kept as they are
@@ -95,9 +95,8 @@ def test_axes_with_exact_directions_stay_as_they_are(
     arm = axes(*given_axes, parameters="{L: 0.4}", home=home)
     assert isinstance(arm.geometry, ReferenceAxes)
     assert exact_axes(arm, arm.geometry) is not None
-    algebra = algebra_of(arm)
-    for q in random_joints(arm, 2, seed=seed):
-        np.testing.assert_allclose(pose(algebra, q), forward(arm, q), atol=1e-12)
+    q = random_joints(arm, 2, seed=seed)
+    np.testing.assert_allclose(poses(algebra_of(arm), q), forward(arm, q), atol=1e-12)
 
 
 @settings(max_examples=40, deadline=None)
@@ -108,17 +107,16 @@ def test_axes_in_any_direction(given_axes: list[str], home: str, tool: str, seed
     assert isinstance(arm.geometry, ReferenceAxes)
     assert exact_axes(arm, arm.geometry) is None
     chain = build_chain(arm)
-    for q in random_joints(arm, 2, seed=seed):
-        tolerance = 1e-9 * max(1.0, chain.size)
-        np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(arm, q), atol=tolerance)
+    q, tolerance = random_joints(arm, 2, seed=seed), 1e-9 * max(1.0, chain.size)
+    np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(arm, q), atol=tolerance)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_robots(name: str) -> None:
-    algebra = algebra_of(robot(name))
+    found = poses(algebra_of(robot(name)), random_joints(robot(name), 5))
+    expected = forward(robot(name), random_joints(robot(name), 5))
     tolerance = 1e-13 * max(1.0, arm_size(robot(name)))
-    for q in random_joints(robot(name), 5):
-        np.testing.assert_allclose(pose(algebra, q), forward(robot(name), q), atol=tolerance)
+    np.testing.assert_allclose(found, expected, atol=tolerance)
 
 
 def test_skew_axes_that_are_parallel_make_one_run() -> None:
@@ -149,8 +147,8 @@ def test_a_slide_across_does_not_break_a_run_of_parallel_axes() -> None:
     )
     algebra = algebra_of(arm)
     assert [run[0][0] for run in parallel_groups(algebra.chain)] == [1]
-    for q in random_joints(arm, 3):
-        np.testing.assert_allclose(pose(algebra, q), forward(arm, q), atol=1e-14)
+    q = random_joints(arm, 3)
+    np.testing.assert_allclose(poses(algebra, q), forward(arm, q), atol=1e-14)
 
 
 def test_signs_and_offsets_are_the_joints_business() -> None:

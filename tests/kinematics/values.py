@@ -78,10 +78,10 @@ def matrix(transform: Transform, values: Mapping[str, float]) -> FloatArray:
     return result
 
 
-def pose(algebra: Algebra, q: Sequence[float] | FloatArray) -> FloatArray:
-    """Z A_1 ... A_n E of the exact chain, its symbols replaced by numbers."""
+def poses(algebra: Algebra, q: FloatArray) -> FloatArray:
+    """Z A_1 ... A_n E of the exact chain for q (N, n), its symbols replaced by numbers."""
     chain = algebra.chain
     elements = algebra.lifted(tuple(element for link in chain.links for element in link))
-    forward = matrix(product(elements, algebra), joint_values(algebra, q))
-    constants = constant_values(chain)
-    return matrix(chain.base, constants) @ forward @ matrix(chain.tool, constants)
+    model, constants = product(elements, algebra), constant_values(chain)
+    forward = np.array([matrix(model, joint_values(algebra, each)) for each in q])
+    return np.asarray(matrix(chain.base, constants) @ forward @ matrix(chain.tool, constants))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from dhgen.program.count import OperationCount, count_operations
 from dhgen.program.ir import (
     Apply,
@@ -57,11 +59,11 @@ def test_conditions_count_and_margins_do_not() -> None:
     assert found == OperationCount(2, 0, 0, 0, 0, 0)
 
 
-def test_an_angle_takes_one_arctangent_a_row() -> None:
-    for name in NAMES:
-        of = story(name)
-        turning = of.dof - len(of.algebra.slides)
-        assert count_operations(of.program).arctangents <= turning * of.program.rows
+@pytest.mark.parametrize("name", NAMES)
+def test_an_angle_takes_one_arctangent_a_row(name: str) -> None:
+    of = story(name)
+    turning = of.dof - len(of.algebra.slides)
+    assert count_operations(of.program).arctangents <= turning * of.program.rows
 
 
 def test_planar_rr() -> None:

@@ -82,7 +82,7 @@ def same(one: float, other: float) -> bool:
 
 
 @given(REALS)
-@settings(max_examples=400)
+@settings(max_examples=200)
 def test_python_means_the_same(expression: Expression) -> None:
     text = expression_text(expression, Python())
     tree = ast.fix_missing_locations(FloatDivision().visit(ast.parse(text, mode="eval")))
@@ -130,7 +130,7 @@ def test_c_means_the_same(tmp_path: Path) -> None:
     found: list[Any] = []
 
     @given(REALS)
-    @settings(max_examples=300, database=None)
+    @settings(max_examples=100, database=None)
     def collect(expression: Expression) -> None:
         found.append(expression)
 
@@ -163,8 +163,9 @@ def test_pieces_are_packed_whole(pieces: list[str]) -> None:
     assert all(len(line) <= WIDTH for line in lines)
 
 
-@given(st.lists(st.from_regex(r"double [a-z]{1,20}", fullmatch=True), min_size=1, max_size=12))
-def test_calls_are_broken_between_arguments(arguments: list[str]) -> None:
+@given(st.lists(st.text("abcxyz", min_size=1, max_size=20), min_size=1, max_size=12))
+def test_calls_are_broken_between_arguments(names: list[str]) -> None:
+    arguments = [f"double {name}" for name in names]
     text = call("void f", arguments, ";")
     inner = text.removeprefix("void f(").removesuffix(");")
     assert [" ".join(each.split()) for each in inner.split(",")] == arguments
