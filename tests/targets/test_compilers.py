@@ -104,7 +104,7 @@ def test_sanitizers_find_nothing(name: str, form: str) -> None:
     # a singular pose may divide by zero before it is found to be one: IEEE arithmetic defines that
     sanitizers = "-fsanitize=address,undefined,float-cast-overflow"
     machine = ("-march=native",) if form == "lanes" else ()
-    flags = ("-std=c99", "-O1", "-g", sanitizers, "-fno-sanitize-recover=all", *machine, *defines)
+    flags = ("-std=c99", "-O0", "-g1", sanitizers, "-fno-sanitize-recover=all", *machine, *defines)
     program = f"{name}_sanitized_{form}"
     files = (f"{name}_driver.c", f"{name}.c", "-o", program, "-lm")
     assert compiled(COMPILERS[0], *flags, *files) == ""
