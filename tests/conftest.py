@@ -1,4 +1,4 @@
-"""What belongs to one robot, or one name, runs in one process, which makes its files only once."""
+"""What belongs to one robot, name or module's fixture runs in one process, which makes it once."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         call = getattr(item, "callspec", None)
         params = call.params if call else {}
         arms = [value for value in params.values() if isinstance(value, str) and value in ROBOTS]
-        group = arms[0] if arms else params.get("name")
+        fixtures = item._fixtureinfo.name2fixturedefs if isinstance(item, pytest.Function) else {}
+        shared = any(each[-1].scope == "module" for each in fixtures.values())
+        group = arms[0] if arms else params.get("name", item.path.stem if shared else None)
         if group is not None:
             item.add_marker(pytest.mark.xdist_group(str(group)))

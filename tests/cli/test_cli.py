@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[2]
 PLANAR = ROOT / "robots" / "planar_rr.yaml"
-pytestmark = pytest.mark.xdist_group("the command line")  # what is written is written once
 FILES = ["dhgen_native.py", "dhgen_pose.c", "dhgen_pose.h", "dhgen_pose.py"] + [
     f"planar_rr.{end}" for end in ("c", "h", "md", "py")
 ]

@@ -6,6 +6,7 @@ import re
 import subprocess
 from typing import TYPE_CHECKING
 
+import numba
 import numpy as np
 import pytest
 
@@ -106,7 +107,9 @@ def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path
         verify_single(module_of(SCARA), tmp_path)
 
 
-def test_verification_reports_it() -> None:
+def test_verification_reports_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
     report = verified(made(SCARA))
     assert report.single is None or 1e-9 < report.single < 1e-5
 
