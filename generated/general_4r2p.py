@@ -401,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 70e9abfbd8042a93"
+_KEY = "general_4r2p 24edd1c1965ac5e9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1555,7 +1555,7 @@ def _general_4r2p_way_joints(setting, way, c1, s1, c, s):
 
     Way 0 is the better branch. Returns 1 if it is to be tried: way 1, the other one, where its
     determinant is small, too, as a double root may be one of each. 2 says that the slides are parallel,
-    and as the translation is not along them, they would have to reach to infinity.
+    and as the translation is not along them, they would have to reach too far.
     """
     joints, links, between = setting
     delta, _, turns, vectors, U, V = _general_4r2p_around_once(joints, links, between, c1, s1)
@@ -1566,27 +1566,23 @@ def _general_4r2p_way_joints(setting, way, c1, s1, c, s):
         if not abs(U + better * V * root) < 0.01:
             return 0
     root *= better
-    uu = uv = vv = up = vp = 0.0
-    parallel = along = True
+    square, first, second = 1e-30, 0.0, 0.0
+    sine = across = 0.0
     for i in range(3):
-        u = vectors[0, i, 0] + root * vectors[0, i, 1]
-        v = vectors[1, i, 0] + root * vectors[1, i, 1]
-        x = vectors[2, i, 0] + root * vectors[2, i, 1]
-        uu += u * u
-        uv += u * v
-        vv += v * v
-        up -= u * x
-        vp -= v * x
         i1, i2 = (i + 1) % 3, (i + 2) % 3
         u1, u2 = vectors[0, i1, 0] + root * vectors[0, i1, 1], vectors[0, i2, 0] + root * vectors[0, i2, 1]
         v1, v2 = vectors[1, i1, 0] + root * vectors[1, i1, 1], vectors[1, i2, 0] + root * vectors[1, i2, 1]
         x1, x2 = vectors[2, i1, 0] + root * vectors[2, i1, 1], vectors[2, i2, 0] + root * vectors[2, i2, 1]
-        parallel = parallel and abs(u1 * v2 - u2 * v1) < 1e-06
-        along = along and abs(u1 * x2 - u2 * x1) <= 1e-06
-    if parallel and not along:
+        normal, other = u1 * v2 - u2 * v1, x1 * u2 - x2 * u1
+        sine, across = max(sine, abs(normal)), max(across, abs(other))
+        # x + d u + e v = 0 times v and u; their scalar products would lose digits of the sine
+        square += normal * normal
+        first += normal * (v1 * x2 - v2 * x1)
+        second += normal * other
+    moved = math.sqrt(1e-14 / (abs(U) + abs(V * root) + 1e-300))
+    if across > max(1e-06, moved, 10000.0 * sine):
         return 2
-    det = uu * vv - uv * uv + 1e-300
-    lengths = ((vv * up - uv * vp) / det, (uu * vp - uv * up) / det)
+    lengths = (first / square, second / square)
     c[joints[0]], s[joints[0]] = c1, s1
     turn = slide = 0
     for i in range(1, 6):

@@ -2577,7 +2577,7 @@ static inline double general_rpprrr_across(general_rpprrr_pair a[3], general_rpp
  * root
  * may be one of each. Where the slides are parallel and the translation is not along them, they
  * would
- * have to reach to infinity. */
+ * have to reach too far. */
 static void general_rpprrr_find_ways(const general_rpprrr_setting *set, const double *c, const
     double *s, int count, int group,
                               general_rpprrr_ways *out)
@@ -2598,11 +2598,14 @@ static void general_rpprrr_find_ways(const general_rpprrr_setting *set, const do
         GENERAL_RPPRRR_STORE(root, general_rpprrr_root(at.delta));
         for (int k = 0; k < GENERAL_RPPRRR_LANES && from + k < count; k++) {
             const double better = (U[k] < 0.0) == (V[k] < 0.0) ? -1.0 : 1.0;
+            const double moved = sqrt(1e-14 / (fabs(U[k]) + fabs(V[k]) + 1e-300));
             const int ways = fabs(U[k] - better * V[k]) < 0.01 ? 2 : 1;
             for (int way = 0; way < ways && out->count < GENERAL_RPPRRR_CANDIDATES; way++) {
                 const double x = (way ? -better : better) * root[k];
-                if (general_rpprrr_across(at.direction[0], at.direction[1], x, k) < 1e-06 &&
-                    general_rpprrr_across(at.direction[0], at.translation, x, k) > 1e-06) {
+                const double across = general_rpprrr_across(at.direction[0], at.translation, x, k);
+                if (across > 1e-06 && across > moved &&
+                    across > 10000.0 * general_rpprrr_across(at.direction[0], at.direction[1], x,
+                        k)) {
                     out->far[group + from + k]++;
                     continue;
                 }
@@ -2625,31 +2628,33 @@ static inline void general_rpprrr_way_joints(const general_rpprrr_setting *set, 
                                           general_rpprrr_lane s[6])
 {
     general_rpprrr_both at;
-    general_rpprrr_lane root, square[3], along[2], det;
+    general_rpprrr_lane root, u[3], v[3], p[3], square = general_rpprrr_all(1e-30), length[2];
     int angle = 0, slide = 0;
     (void)unused;
     general_rpprrr_around_once(set, c1, s1, &at);
     root = sign * general_rpprrr_root(at.delta);
-    square[0] = square[1] = square[2] = along[0] = along[1] = general_rpprrr_all(0.0);
     for (int i = 0; i < 3; i++) {
-        const general_rpprrr_lane u = at.direction[0][i][0] + root * at.direction[0][i][1];
-        const general_rpprrr_lane v = at.direction[1][i][0] + root * at.direction[1][i][1];
-        const general_rpprrr_lane p = at.translation[i][0] + root * at.translation[i][1];
-        square[0] += u * u;
-        square[1] += u * v;
-        square[2] += v * v;
-        along[0] -= u * p;
-        along[1] -= v * p;
+        u[i] = at.direction[0][i][0] + root * at.direction[0][i][1];
+        v[i] = at.direction[1][i][0] + root * at.direction[1][i][1];
+        p[i] = at.translation[i][0] + root * at.translation[i][1];
     }
-    det = 1.0 / (square[0] * square[2] - square[1] * square[1] + 1e-300);
+    /* p + d u + e v = 0 times v and u; their scalar products would lose digits of the sine */
+    length[0] = length[1] = general_rpprrr_all(0.0);
+    for (int i = 0; i < 3; i++) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        const general_rpprrr_lane normal = u[i1] * v[i2] - u[i2] * v[i1];
+        square += normal * normal;
+        length[0] += normal * (v[i1] * p[i2] - v[i2] * p[i1]);
+        length[1] += normal * (p[i1] * u[i2] - p[i2] * u[i1]);
+    }
+    square = 1.0 / square;
     c[set->form->joint[0]] = c1;
     s[set->form->joint[0]] = s1;
     for (int i = 1; i < 6; i++) {
         const int joint = set->form->joint[i];
         if (general_rpprrr_slides(joint)) {
             c[joint] = general_rpprrr_all(1.0);
-            s[joint] = det * (square[slide ? 0 : 2] * along[slide] - square[1] * along[1 - slide]);
-            slide++;
+            s[joint] = square * length[slide++];
         } else {
             c[joint] = at.c[angle][0] + root * at.c[angle][1];
             s[joint] = at.s[angle][0] + root * at.s[angle][1];

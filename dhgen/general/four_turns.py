@@ -27,6 +27,7 @@ import numpy as np
 
 from dhgen.general.determinant import TINY
 from dhgen.general.formulation import Formulation
+from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -39,9 +40,15 @@ DEGREE = 4
 # At a root the better branch is taken, and the other one too where its determinant is this small:
 # a double root may be one of each.
 NEARLY_FLAT = 1e-2
-# Where the slides are this nearly parallel, and the translation is not along them, they would have
-# to reach to infinity: such roots belong to no solution, and arms at right angles have them always.
-PARALLEL = 1e-6
+# Where the slides are parallel, and the translation is farther than this from being along them,
+# they would have to reach to infinity: such roots belong to no solution, and arms at right angles
+# have them always. Beside parallel slides a solution needs no longer ones than elsewhere.
+ALONG = 1e-6
+FARTHEST = TOLERANCES.longest  # times the sine between the slides: as far as they reach [arm sizes]
+# Rounding over the size of the determinants, which are small where the slides are nearly parallel
+# all around the circle: its root is how far a double root may be off.
+MOVED = 1e-14
+PARALLEL = 1e-30  # the square of what rounding leaves of the normal of slides that are parallel
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,7 +133,10 @@ class FourTurns:
     def _joints(self, at: Branches, root: float, angle: float) -> FloatArray | None:
         """All six, on the branch with this value of √Δ; None when they are at infinity."""
         u, v, p = (x[0, :, 0] + x[1, :, 0] * root for x in (*at.u, at.p))
-        if max(abs(np.cross(u, v))) < PARALLEL < max(abs(np.cross(u, p))):
+        normal, across = np.cross(u, v), np.cross(p, u)
+        U, V = at.determinant[:, 0]
+        moved = np.sqrt(MOVED / (abs(U) + abs(V * root) + TINY))
+        if max(abs(across)) > max(ALONG, moved, FARTHEST * max(abs(normal))):
             return None
         slides = self.formulation.slides(self.slides)
         turns = [i for i, is_slide in enumerate(slides) if not is_slide]
@@ -134,7 +144,10 @@ class FourTurns:
         phi[0] = angle
         for place, c, s in zip(turns[1:], at.cosines, at.sines, strict=True):
             phi[place] = np.arctan2(s[0, 0] + s[1, 0] * root, c[0, 0] + c[1, 0] * root)
-        lengths, *_ = np.linalg.lstsq(np.array([u, v]).T, -p, rcond=None)
+        # p + d u + e v = 0 times v and u; their scalar products would lose digits of the sine
+        lengths = np.array([np.cross(v, p) @ normal, across @ normal]) / (
+            normal @ normal + PARALLEL
+        )
         phi[[i for i, is_slide in enumerate(slides) if is_slide]] = lengths
         return self.formulation.angles(phi.tolist())
 

@@ -17,6 +17,7 @@ from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
+from dhgen.robot.load import load
 from tests.general.arms import in_c, in_python
 from tests.general.files import assert_all_solutions, poses, written
 
@@ -94,6 +95,60 @@ def compare(robot: Robot) -> None:
     kernel = known(build_chain(robot))
     assert kernel.rows == 8
     assert_all_solutions(robot, kernel, poses(build_chain(robot), POSES, seed=1))
+
+
+# Slides 2 and 4 are parallel where joint 3 is straight.
+FOLDING = (
+    "{theta: q, d: 0.1, a: 0.05}",
+    "{theta: pi/2, d: q, a: 0.261, alpha: -pi/2}",
+    "{theta: q, alpha: pi/2}",
+    "{theta: 0.3, d: q, a: 0.12, alpha: -pi/2}",
+    "{theta: q, d: 0.08, a: 0.15, alpha: pi/2}",
+    "{theta: q, d: 0.2, a: 0.07}",
+)
+
+POINTING = """
+name: arm
+task: pointing
+joints:
+  - {theta: q}
+  - {theta: pi/2, d: q, a: 0.261, alpha: -pi/2}
+  - {theta: q, alpha: pi/2}
+  - {theta: q, d: 0.195}
+  - {theta: 0, d: q, alpha: -pi/2}
+tool: {xyz: [0.435, 0, 0.511], rpy: [0, 30 deg, 0]}
+"""
+
+
+def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
+    """Others would need slides that reach far, but not these.
+
+    A miss of 1e-10, which is accepted, is one of 2e-9 / distance in the slides.
+    """
+    chain = build_chain(written(tmp_path, list(FOLDING)))
+    kernel, arm = known(chain), numeric_arm(chain)
+    compiled, in_words = in_c(kernel, "arm", *STRICT), in_python(kernel, "arm")
+    random = np.random.default_rng(6)
+    for distance in (1e-6, 1e-5):
+        for number, q in enumerate(random.uniform(-2.5, 2.5, (20, 6))):
+            q[2] = distance
+            T = arm.pose(q)
+            found = [compiled(T)[0]]
+            if number == 0:
+                found += [in_words(T)[0], joint_values(solve(T, kernel).q, chain)]
+            for rows in found:
+                off = np.abs(np.remainder(rows - q + np.pi, 2 * np.pi) - np.pi)
+                assert off.max(axis=1).min() < 2e-9 / distance, (distance, q.tolist())
+
+
+def test_roots_that_rounding_moves_are_not_given_up(tmp_path: Path) -> None:
+    """Slides that are nearly parallel for the whole pose: far roots and near ones look alike."""
+    (tmp_path / "arm.yaml").write_text(POINTING, encoding="utf-8")
+    chain = build_chain(load(tmp_path / "arm.yaml"))
+    q = np.array([np.pi, -1.8566339384141528, -1e-10, -np.pi / 2, 0.8249212318098036])
+    kernel, T = known(chain), numeric_arm(chain).pose(q)
+    for found in (in_c(kernel, "arm")(T)[0], solve(T, kernel).q):
+        assert len(found) > 0
 
 
 @pytest.mark.parametrize("slides", [(0, 3), (1, 2)])

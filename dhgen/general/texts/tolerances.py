@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from dhgen.general import circle, lens, polish, recover, reference, roots
 from dhgen.general.determinant import TINY
-from dhgen.general.four_turns import NEARLY_FLAT, PARALLEL
+from dhgen.general.four_turns import ALONG, FARTHEST, MOVED, NEARLY_FLAT, PARALLEL
 from dhgen.program.tolerances import TOLERANCES
 
 
@@ -39,6 +39,9 @@ class Tolerances:
     singular: str = repr(polish.SINGULAR)
     good_enough: str = repr(1e-29)  # a square: the polish ends
     nearly_flat: str = repr(NEARLY_FLAT)
+    along: str = repr(ALONG)
+    moved: str = repr(MOVED)
+    farthest: str = repr(FARTHEST)
     parallel: str = repr(PARALLEL)
     smallest: str = repr(1e-15)
     smallest_square: str = repr(1e-30)
