@@ -5,6 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
+
+settings.register_profile("untimed", deadline=None)  # how long a case takes, the machine decides
+settings.load_profile("untimed")
 
 ROBOTS = {path.stem for path in (Path(__file__).parents[1] / "robots").glob("*.yaml")}
 

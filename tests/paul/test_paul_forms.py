@@ -76,7 +76,7 @@ ANTIPARALLEL = table(
 )
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(st.lists(st.integers(0, 14), max_size=3), st.lists(st.floats(-3, 3), min_size=5, max_size=5))
 def test_rewriting_changes_no_value(known: list[int], q: list[float]) -> None:
     algebra = algebra_of(ANTIPARALLEL)

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from tests.pose.pose_libraries import LIBRARIES, library, read, write
 
 each_library = pytest.mark.parametrize("name", LIBRARIES)
-# No deadline: the first call compiles. No database: the tests leave no folder behind.
-thorough = settings(deadline=None, database=None, max_examples=200)
+# No database: the tests leave no folder behind.
+thorough = settings(database=None, max_examples=200)
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 positions = st.tuples(finite, finite, finite).map(np.array)
