@@ -324,7 +324,11 @@ def lower_two_angles(context: Lowering, step: Step) -> None:
 
 
 def lower_squared_length(context: Lowering, step: Step) -> None:
-    """Type 10: a quadratic in r."""
+    """Type 10: a quadratic in r.
+
+    Rounding of Z moves a root by itself over the distance of both. A length that may be nothing
+    else is zero: what it gives a direction to is free then, and not anywhere.
+    """
     (unknown,) = step.unknowns
     assert isinstance(unknown, Length)
     builder, suffix = context.builder, str(unknown.joint)
@@ -334,7 +338,13 @@ def lower_squared_length(context: Lowering, step: Step) -> None:
     discriminant = builder.name(square, f"D{suffix}")
     within = _within(context, discriminant, context.scales.distances(2))
     root = signed_root(context, suffix, within)
-    context.angles.solved_slide(unknown.name, builder.sub(root, half))
+    length = builder.sub(root, half)
+    size = builder.absolute(length)
+    apart = builder.apply("maximum", builder.absolute(root), size)
+    noise = context.scales.tolerance(context.scales.tolerances.nothing, 2, "nothing")
+    none = builder.apply("at_most", builder.mul(size, apart), noise)
+    length = builder.select(none, builder.integer(0), length)
+    context.angles.solved_slide(unknown.name, length)
 
 
 KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {

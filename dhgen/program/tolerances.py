@@ -33,6 +33,7 @@ class Tolerances:
         last_row: The last row of a pose may differ from 0 0 0 1 by this.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
+        nothing: A squared length is rounded by this.
         exact: A row that misses its pose by no more is exact, but for rounding of the arithmetic;
             lengths count in arm sizes, or in the pose's distance where that is larger. Where one
             row is exact the pose was not rounded, and the others have to be exact, too.
@@ -61,6 +62,7 @@ class Tolerances:
     rotation: float = 1e-9
     last_row: float = 1e-9
     consistent: float = 1e-5
+    nothing: float = 1e-15
     exact: float = 1e-12
     promised: float = 1e-11
     doubtful: float = 1e-2
@@ -109,6 +111,7 @@ SINGLE = Precision(
         blur=1e-5,
         orthonormal=1e-12,
         last_row=1e-6,
+        nothing=5e-7,
         exact=5e-5,
         limit=2e-6,
     ),

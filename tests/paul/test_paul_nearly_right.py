@@ -48,6 +48,29 @@ def test_digits_and_rows(tmp_path: Path, name: str) -> None:
     assert np.where(rows.solved, away, np.inf).min(axis=1).max() < 1e-8
 
 
+# Twists of 1.57079 part the roots of its slide's squared length by some micrometres.
+STANFORD = """
+name: arm
+joints:
+  - {theta: q, d: 0.072, alpha: -1.57079}
+  - {theta: q, d: 0.581, alpha: 1.57079}
+  - {theta: 0, d: q}
+  - {theta: q, alpha: -1.57079}
+  - {theta: q, alpha: 1.57079}
+  - {theta: q, d: 0.317}
+"""
+
+
+def test_a_slide_that_is_drawn_in_leaves_a_joint_free(tmp_path: Path) -> None:
+    """Its length is rounding of its square divided by those micrometres, and tells no direction."""
+    (tmp_path / "arm.yaml").write_text(STANFORD, encoding="utf-8")
+    chain = build_chain(load(tmp_path / "arm.yaml"))
+    q = np.array([[np.pi / 2, second, 0.0, -np.pi / 2, 0.3, -np.pi / 2] for second in (0.0, 0.7)])
+    rows = interpret(lower(derive(chain)), numeric_arm(chain).pose(q), q)
+    away = np.abs(rows.q - q[:, None]).max(axis=2)
+    assert np.where(rows.free, away, np.inf).min(axis=1).max() < 1e-9
+
+
 def test_rows_that_would_miss_are_tightened(tmp_path: Path) -> None:
     """Seven twists: what is left of the digits is too little at right angles."""
     assert lower(derive(nearly_right(tmp_path, "kuka_iiwa14"))).tightened is not None
