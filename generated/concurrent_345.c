@@ -395,7 +395,11 @@ static const double a6 = 0.2; /* link length 6 [m] */
 static const double free_limit6 = 4.0089475140624984e-11; /* a length that fixes no angle [m^6] */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 3.422499999999999e-24;
+/* square of a length whose direction is good to few digits [m^2] */
+static const double near_limit_squared2 = 3.4224999999999994e-06;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
+/* square of a length whose direction is good to few digits */
+static const double near_limit_squared = 1e-06;
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double k1 = 2.732050807568877; /* sqrt3 + 1 */
 static const double k2 = 0.125; /* 1 / 8 */
@@ -684,20 +688,20 @@ static void solve(
         v75 = T33 * k26, v76 = T32 * k25, v77 = T31 * k25, v78 = T33 * k21;
 
     /* theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4] */
-    const double v79 = sqrt2 * v57, v80 = 4.0 * v60, v81 = sqrt2 * v63, v82 = sqrt2 * v66,
-        v83 = 4.0 * v69, v84 = sqrt2 * v72, v86 = 4.0 * T13, v87 = sqrt2 * v46, v88 = 4.0 * T23,
-        v89 = sqrt2 * v50;
+    const double v80 = sqrt2 * v57, v81 = 4.0 * v60, v82 = sqrt2 * v63, v83 = sqrt2 * v66,
+        v84 = 4.0 * v69, v85 = sqrt2 * v72, v87 = 4.0 * T13, v88 = sqrt2 * v46, v89 = 4.0 * T23,
+        v90 = sqrt2 * v50;
     const double wx = T14 - a6 * T11 - d6 * T13;
     const double wy = T24 - a6 * T21 - d6 * T23;
     const double wz = T34 - T31 * a6 - T33 * d6;
-    const double v91 = sqrt2 * (k25 * wy), v92 = 4.0 * (sqrt3 * wx), v93 = sqrt2 * (k1 * wy),
-        v94 = sqrt2 * (k25 * wx), v95 = 4.0 * (sqrt3 * wy), v96 = sqrt2 * (k1 * wx),
-        v97 = sqrt2 * (k26 * wz - k28), v98 = wz * k30 - k31, v100 = 4.0 * wx,
-        v101 = sqrt2 * (k21 * wy), v102 = 4.0 * wy, v103 = sqrt2 * (k21 * wx),
-        v104 = sqrt2 * (k1 * wz - k33);
+    const double v92 = sqrt2 * (k25 * wy), v93 = 4.0 * (sqrt3 * wx), v94 = sqrt2 * (k1 * wy),
+        v95 = sqrt2 * (k25 * wx), v96 = 4.0 * (sqrt3 * wy), v97 = sqrt2 * (k1 * wx),
+        v98 = sqrt2 * (k26 * wz - k28), v99 = wz * k30 - k31, v101 = 4.0 * wx,
+        v102 = sqrt2 * (k21 * wy), v103 = 4.0 * wy, v104 = sqrt2 * (k21 * wx),
+        v105 = sqrt2 * (k1 * wz - k33);
 
     /* theta4, type 3: U3[2, 3] and U3[1, 3] */
-    const double v108 = sqrt2 * (T23 * k26), v109 = sqrt2 * (T13 * k26);
+    const double v109 = sqrt2 * (T23 * k26), v110 = sqrt2 * (T13 * k26);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x6 = x6_roots[i1];
@@ -720,6 +724,7 @@ static void solve(
         const double C1 = X2_1 * v36 - X1_1 * v41;
         const double w1 = sqrt(v42 * v42 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
+        const int near1 = w1 <= near_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
         const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
             s1 = free1 ? sin(seed[0]) : -(v42 * factor1);
@@ -734,24 +739,26 @@ static void solve(
             * v56 - v57)) + sqrt2 * (c6 * v61 + s6 * v62 + v63)) + s1 * (c2 * (sqrt2 * (c6 * v64 +
             s6 * v65 - v66)) + s2 * (4.0 * (c6 * v67 + s6 * v68 + v69)) - sqrt2 * (c6 * v70 + s6 *
             v71 + v72))));
-        const double w3 = sqrt(v54 * v54 + Y3 * Y3);
+        const double v79 = v54 * v54 + Y3 * Y3;
+        const double w3 = sqrt(v79);
         const int free3 = w3 <= free_limit;
+        const int near3 = v79 <= near_limit_squared;
         const double divisor3 = free3 ? 1.0 : w3;
 
         /* theta5 */
-        const double v85 = c1 * (c2 * v79 + s2 * v80 + v81) - s1 * (c2 * v82 - s2 * v83 + v84) -
+        const double v86 = c1 * (c2 * v80 + s2 * v81 + v82) - s1 * (c2 * v83 - s2 * v84 + v85) -
             sqrt2 * (T33 * (k21 + c2 * k26)),
-            v90 = 2.0 * (c1 * (c2 * v86 + s2 * v87) + s1 * (c2 * v88 - s2 * v89) + sqrt2 * (s2 *
+            v91 = 2.0 * (c1 * (c2 * v87 + s2 * v88) + s1 * (c2 * v89 - s2 * v90) + sqrt2 * (s2 *
                 v53)),
-            v99 = c1 * (c2 * v91 + s2 * v92 + v93) - s1 * (c2 * v94 - s2 * v95 + v96) - (c2 * v97 +
-                s2 * k29 + v98),
-            v105 = 2.0 * (c1 * (c2 * v100 + s2 * v101) + s1 * (c2 * v102 - s2 * v103) + (s2 * v104 -
+            v100 = c1 * (c2 * v92 + s2 * v93 + v94) - s1 * (c2 * v95 - s2 * v96 + v97) - (c2 * v98 +
+                s2 * k29 + v99),
+            v106 = 2.0 * (c1 * (c2 * v101 + s2 * v102) + s1 * (c2 * v103 - s2 * v104) + (s2 * v105 -
                 c2 * k32 - k34));
 
         /* theta4 */
-        const double Z1_4 = k2 * (c1 * (s2 * v86 - c2 * v87 - v108) + s1 * (c2 * v89 + s2 * v88 +
-            v109) - sqrt2 * (T33 * (k25 + k1 * c2)));
-        const double v111 = k12 * Z1_4;
+        const double Z1_4 = k2 * (c1 * (s2 * v87 - c2 * v88 - v109) + s1 * (c2 * v90 + s2 * v89 +
+            v110) - sqrt2 * (T33 * (k25 + k1 * c2)));
+        const double v112 = k12 * Z1_4;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -763,26 +770,27 @@ static void solve(
             const double q3 = atan2(s3, c3);
 
             /* theta5 */
-            const double v106 = k27 * (k2 * (c3 * v99 + s3 * v105)) * k35;
-            const double c5 = a5 * (k2 * (c3 * v85 + s3 * v90)) * k35;
-            const double q5 = atan2(-v106, c5);
+            const double v107 = k27 * (k2 * (c3 * v100 + s3 * v106)) * k35;
+            const double c5 = a5 * (k2 * (c3 * v86 + s3 * v91)) * k35;
+            const double q5 = atan2(-v107, c5);
 
             /* theta4 */
-            const double v107 = k12 * (sqrt3 * v106);
-            const double Z2_4 = k2 * (c3 * v90 + s3 * -v85);
-            const double v110 = v107 * Z1_4 + k12 * Z2_4;
-            const double C4 = v111 - v107 * Z2_4;
-            const double w4 = sqrt(v110 * v110 + C4 * C4);
+            const double v108 = k12 * (sqrt3 * v107);
+            const double Z2_4 = k2 * (c3 * v91 + s3 * -v86);
+            const double v111 = v108 * Z1_4 + k12 * Z2_4;
+            const double C4 = v112 - v108 * Z2_4;
+            const double w4 = sqrt(v111 * v111 + C4 * C4);
             const int free4 = w4 <= free_limit_squared;
+            const int near4 = w4 <= near_limit_squared;
             const double factor4 = 1.0 / (free4 ? 1.0 : w4);
             const double c4 = free4 ? cos(seed[3]) : C4 * factor4,
-                s4 = free4 ? sin(seed[3]) : -(v110 * factor4);
+                s4 = free4 ? sin(seed[3]) : -(v111 * factor4);
             const double q4 = atan2(s4, c4);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free1 || free3 || free4 || free6) ? CONCURRENT_345_FREE_JOINT :
-                (x6_close[i1]) ? CLOSE : CONCURRENT_345_OK;
+                (x6_close[i1] || near1 || near3 || near4) ? CLOSE : CONCURRENT_345_OK;
         }
     }
 }

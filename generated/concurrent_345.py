@@ -105,7 +105,10 @@ d6 = 0.1  # joint offset 6 [m]
 a6 = 0.2  # link length 6 [m]
 free_limit6 = 4.0089475140624984e-11  # a length that fixes no angle [m^6]
 free_limit_squared2 = 3.422499999999999e-24  # square of a length that fixes no angle [m^2]
+# square of a length whose direction is good to few digits [m^2]
+near_limit_squared2 = 3.4224999999999994e-06
 free_limit = 1e-12  # a length that fixes no angle
+near_limit_squared = 1e-06  # square of a length whose direction is good to few digits
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 k1 = 2.732050807568877  # sqrt3 + 1
 k2 = 0.125  # 1 / 8
@@ -562,7 +565,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 b2448324ac8a6c88"
+_KEY = "concurrent_345 43e8f1b8b126e48c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1049,36 +1052,36 @@ def _solve(pose, seed, moved, q, status):
     v78 = T33 * k21
 
     # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
-    v79 = sqrt2 * v57
-    v80 = 4.0 * v60
-    v81 = sqrt2 * v63
-    v82 = sqrt2 * v66
-    v83 = 4.0 * v69
-    v84 = sqrt2 * v72
-    v86 = 4.0 * T13
-    v87 = sqrt2 * v46
-    v88 = 4.0 * T23
-    v89 = sqrt2 * v50
+    v80 = sqrt2 * v57
+    v81 = 4.0 * v60
+    v82 = sqrt2 * v63
+    v83 = sqrt2 * v66
+    v84 = 4.0 * v69
+    v85 = sqrt2 * v72
+    v87 = 4.0 * T13
+    v88 = sqrt2 * v46
+    v89 = 4.0 * T23
+    v90 = sqrt2 * v50
     wx = T14 - a6 * T11 - d6 * T13
     wy = T24 - a6 * T21 - d6 * T23
     wz = T34 - T31 * a6 - T33 * d6
-    v91 = sqrt2 * (k25 * wy)
-    v92 = 4.0 * (sqrt3 * wx)
-    v93 = sqrt2 * (k1 * wy)
-    v94 = sqrt2 * (k25 * wx)
-    v95 = 4.0 * (sqrt3 * wy)
-    v96 = sqrt2 * (k1 * wx)
-    v97 = sqrt2 * (k26 * wz - k28)
-    v98 = wz * k30 - k31
-    v100 = 4.0 * wx
-    v101 = sqrt2 * (k21 * wy)
-    v102 = 4.0 * wy
-    v103 = sqrt2 * (k21 * wx)
-    v104 = sqrt2 * (k1 * wz - k33)
+    v92 = sqrt2 * (k25 * wy)
+    v93 = 4.0 * (sqrt3 * wx)
+    v94 = sqrt2 * (k1 * wy)
+    v95 = sqrt2 * (k25 * wx)
+    v96 = 4.0 * (sqrt3 * wy)
+    v97 = sqrt2 * (k1 * wx)
+    v98 = sqrt2 * (k26 * wz - k28)
+    v99 = wz * k30 - k31
+    v101 = 4.0 * wx
+    v102 = sqrt2 * (k21 * wy)
+    v103 = 4.0 * wy
+    v104 = sqrt2 * (k21 * wx)
+    v105 = sqrt2 * (k1 * wz - k33)
 
     # theta4, type 3: U3[2, 3] and U3[1, 3]
-    v108 = sqrt2 * (T23 * k26)
-    v109 = sqrt2 * (T13 * k26)
+    v109 = sqrt2 * (T23 * k26)
+    v110 = sqrt2 * (T13 * k26)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
@@ -1105,6 +1108,7 @@ def _solve(pose, seed, moved, q, status):
         C1 = X2_1 * v36 - X1_1 * v41
         w1 = math.sqrt(v42 * v42 + C1 * C1)
         free1 = w1 <= free_limit_squared2
+        near1 = w1 <= near_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
         c1 = math.cos(seed[0]) if free1 else C1 * factor1
         s1 = math.sin(seed[0]) if free1 else -(v42 * factor1)
@@ -1123,31 +1127,33 @@ def _solve(pose, seed, moved, q, status):
             v66)) + s2 * (4.0 * (c6 * v67 + s6 * v68 + v69)) - sqrt2 * (c6 * v70 + s6 * v71 +
             v72))))
         )
-        w3 = math.sqrt(v54 * v54 + Y3 * Y3)
+        v79 = v54 * v54 + Y3 * Y3
+        w3 = math.sqrt(v79)
         free3 = w3 <= free_limit
+        near3 = v79 <= near_limit_squared
         divisor3 = 1.0 if free3 else w3
 
         # theta5
-        v85 = (
-            c1 * (c2 * v79 + s2 * v80 + v81) - s1 * (c2 * v82 - s2 * v83 + v84) - sqrt2 * (T33 *
+        v86 = (
+            c1 * (c2 * v80 + s2 * v81 + v82) - s1 * (c2 * v83 - s2 * v84 + v85) - sqrt2 * (T33 *
             (k21 + c2 * k26))
         )
-        v90 = 2.0 * (c1 * (c2 * v86 + s2 * v87) + s1 * (c2 * v88 - s2 * v89) + sqrt2 * (s2 * v53))
-        v99 = (
-            c1 * (c2 * v91 + s2 * v92 + v93) - s1 * (c2 * v94 - s2 * v95 + v96) - (c2 * v97 + s2 *
-            k29 + v98)
+        v91 = 2.0 * (c1 * (c2 * v87 + s2 * v88) + s1 * (c2 * v89 - s2 * v90) + sqrt2 * (s2 * v53))
+        v100 = (
+            c1 * (c2 * v92 + s2 * v93 + v94) - s1 * (c2 * v95 - s2 * v96 + v97) - (c2 * v98 + s2 *
+            k29 + v99)
         )
-        v105 = (
-            2.0 * (c1 * (c2 * v100 + s2 * v101) + s1 * (c2 * v102 - s2 * v103) + (s2 * v104 - c2 *
+        v106 = (
+            2.0 * (c1 * (c2 * v101 + s2 * v102) + s1 * (c2 * v103 - s2 * v104) + (s2 * v105 - c2 *
             k32 - k34))
         )
 
         # theta4
         Z1_4 = (
-            k2 * (c1 * (s2 * v86 - c2 * v87 - v108) + s1 * (c2 * v89 + s2 * v88 + v109) - sqrt2 *
+            k2 * (c1 * (s2 * v87 - c2 * v88 - v109) + s1 * (c2 * v90 + s2 * v89 + v110) - sqrt2 *
             (T33 * (k25 + k1 * c2)))
         )
-        v111 = k12 * Z1_4
+        v112 = k12 * Z1_4
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1160,20 +1166,21 @@ def _solve(pose, seed, moved, q, status):
             q3 = _atan2(s3, c3)
 
             # theta5
-            v106 = k27 * (k2 * (c3 * v99 + s3 * v105)) * k35
-            c5 = a5 * (k2 * (c3 * v85 + s3 * v90)) * k35
-            q5 = _atan2(-v106, c5)
+            v107 = k27 * (k2 * (c3 * v100 + s3 * v106)) * k35
+            c5 = a5 * (k2 * (c3 * v86 + s3 * v91)) * k35
+            q5 = _atan2(-v107, c5)
 
             # theta4
-            v107 = k12 * (sqrt3 * v106)
-            Z2_4 = k2 * (c3 * v90 + s3 * -v85)
-            v110 = v107 * Z1_4 + k12 * Z2_4
-            C4 = v111 - v107 * Z2_4
-            w4 = math.sqrt(v110 * v110 + C4 * C4)
+            v108 = k12 * (sqrt3 * v107)
+            Z2_4 = k2 * (c3 * v91 + s3 * -v86)
+            v111 = v108 * Z1_4 + k12 * Z2_4
+            C4 = v112 - v108 * Z2_4
+            w4 = math.sqrt(v111 * v111 + C4 * C4)
             free4 = w4 <= free_limit_squared
+            near4 = w4 <= near_limit_squared
             factor4 = 1.0 / (1.0 if free4 else w4)
             c4 = math.cos(seed[3]) if free4 else C4 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v110 * factor4)
+            s4 = math.sin(seed[3]) if free4 else -(v111 * factor4)
             q4 = _atan2(s4, c4)
             row = 2 * i1 + i2
             q[row, 0] = q1
@@ -1183,7 +1190,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 4] = q5
             q[row, 5] = q6
             status[row] = (
-                FREE_JOINT if free1 or free3 or free4 or free6 else _CLOSE if x6_close[i1] else OK
+                FREE_JOINT if free1 or free3 or free4 or free6 else _CLOSE if x6_close[i1] or near1
+                or near3 or near4 else OK
             )
 
 

@@ -363,6 +363,8 @@ static const double a3 = 1.5; /* link length 3 [m] */
 static const double free_limit6 = 2.7680640624999998e-08; /* a length that fixes no angle [m^6] */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 3.025e-23;
+/* square of a length whose direction is good to few digits [m^2] */
+static const double near_limit_squared2 = 3.025e-05;
 static const double k1 = 3.0; /* a3 * a2 [m^2] */
 static const double k2 = 6.0; /* 2 * a3 * a2 [m^2] */
 static const double k3 = -6.25; /* a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2] */
@@ -473,13 +475,14 @@ static void solve(
         const double C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1);
         const double w2 = sqrt(v18 * v18 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
+        const int near2 = w2 <= near_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
         const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
             s2 = free2 ? sin(seed[1]) : -(v18 * factor2);
         const double q2 = atan2(s2, c2);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = (free1 || free2) ? CUSPIDAL_3R_FREE_JOINT : (x1_close[i1]) ? CLOSE :
+        status[row] = (free1 || free2) ? CUSPIDAL_3R_FREE_JOINT : (x1_close[i1] || near2) ? CLOSE :
             CUSPIDAL_3R_OK;
     }
 }

@@ -91,6 +91,7 @@ a2 = 2.0  # link length 2 [m]
 a3 = 1.5  # link length 3 [m]
 free_limit6 = 2.7680640624999998e-08  # a length that fixes no angle [m^6]
 free_limit_squared2 = 3.025e-23  # square of a length that fixes no angle [m^2]
+near_limit_squared2 = 3.025e-05  # square of a length whose direction is good to few digits [m^2]
 k1 = 3.0  # a3 * a2 [m^2]
 k2 = 6.0  # 2 * a3 * a2 [m^2]
 k3 = -6.25  # a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2]
@@ -372,7 +373,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r c3eae876427e8a5d"
+_KEY = "cuspidal_3r 0acd2471f45cd86d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -729,6 +730,7 @@ def _solve(pose, seed, moved, q, status):
         C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1)
         w2 = math.sqrt(v18 * v18 + C2 * C2)
         free2 = w2 <= free_limit_squared2
+        near2 = w2 <= near_limit_squared2
         factor2 = 1.0 / (1.0 if free2 else w2)
         c2 = math.cos(seed[1]) if free2 else C2 * factor2
         s2 = math.sin(seed[1]) if free2 else -(v18 * factor2)
@@ -737,7 +739,7 @@ def _solve(pose, seed, moved, q, status):
         q[row, 0] = q1
         q[row, 1] = q2
         q[row, 2] = q3
-        status[row] = FREE_JOINT if free1 or free2 else _CLOSE if x1_close[i1] else OK
+        status[row] = FREE_JOINT if free1 or free2 else _CLOSE if x1_close[i1] or near2 else OK
 
 
 @njit(**{**_OPTIONS, "forceinline": True})

@@ -401,6 +401,8 @@ static const double near_limit = 0.001; /* a length whose direction is good to f
 /* a polynomial's value at a root, relative to its coefficients */
 static const double double_root = 1e-13;
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
+/* square of a length whose direction is good to few digits */
+static const double near_limit_squared = 1e-06;
 static const double longest2 = 0.30250000000000005; /* square of the longest reach [m^2] */
 static const double shortest2 = 0.0024999999999999988; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
@@ -417,6 +419,8 @@ static const double longest2_clear = 0.30249999998240007;
 static const double shortest2_clear = 0.002500000001599999;
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 2.5599999999999994e-24;
+/* square of a length whose direction is good to few digits [m^2] */
+static const double near_limit_squared2 = 2.5599999999999996e-06;
 static const double k1 = 0.5; /* 1 / 2 */
 static const double k2 = 0.8660254037844386; /* sqrt3 * 1 / 2 */
 static const double k3 = 0.12604722665003956; /* d5 * ca5 + d6 [m] */
@@ -675,6 +679,7 @@ static void solve(
         const double C123 = X1_123 * Z2_123 - k1 * Z1_123;
         const double w123 = sqrt(S123 * S123 + C123 * C123);
         const int free123 = w123 <= free_limit_squared;
+        const int near123 = w123 <= near_limit_squared;
         const double factor123 = 1.0 / (free123 ? 1.0 : w123);
         const double c123 = free123 ? cos(v39) : C123 * factor123,
             s123 = free123 ? sin(v39) : S123 * factor123;
@@ -732,6 +737,7 @@ static void solve(
             const double C1 = v59 + Y1_1 * Z1_1;
             const double w1 = sqrt(S1 * S1 + C1 * C1);
             const int free1 = w1 <= free_limit_squared2;
+            const int near1 = w1 <= near_limit_squared2;
             const double factor1 = 1.0 / (free1 ? 1.0 : w1);
             const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
                 s1 = free1 ? sin(seed[0]) : S1 * factor1;
@@ -744,7 +750,7 @@ static void solve(
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free1_ || free123 || free123 || free6) ? PARALLEL_123_FREE_JOINT :
-                (x6_close[i1]) ? CLOSE : PARALLEL_123_OK;
+                (x6_close[i1] || near6 || near123 || near1) ? CLOSE : PARALLEL_123_OK;
         }
     }
 }

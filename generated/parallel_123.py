@@ -109,6 +109,7 @@ free_limit2 = 2.5599999999999996e-12  # a length that fixes no angle [m^2]
 near_limit = 0.001  # a length whose direction is good to few digits
 double_root = 1e-13  # a polynomial's value at a root, relative to its coefficients
 free_limit_squared = 1e-24  # square of a length that fixes no angle
+near_limit_squared = 1e-06  # square of a length whose direction is good to few digits
 longest2 = 0.30250000000000005  # square of the longest reach [m^2]
 shortest2 = 0.0024999999999999988  # square of the shortest reach [m^2]
 longest2_reach = 0.30251760025600005  # the longest, with what rounding adds [m^2]
@@ -118,6 +119,8 @@ shortest2_apart = 0.002500000000001599  # the shortest, where branches merge [m^
 longest2_clear = 0.30249999998240007  # the longest, where blurred branches do [m^2]
 shortest2_clear = 0.002500000001599999  # the shortest, where blurred branches do [m^2]
 free_limit_squared2 = 2.5599999999999994e-24  # square of a length that fixes no angle [m^2]
+# square of a length whose direction is good to few digits [m^2]
+near_limit_squared2 = 2.5599999999999996e-06
 k1 = 0.5  # 1 / 2
 k2 = 0.8660254037844386  # sqrt3 * 1 / 2
 k3 = 0.12604722665003956  # d5 * ca5 + d6 [m]
@@ -517,7 +520,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 88706f04b197217d"
+_KEY = "parallel_123 7b758329e0d58ad6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -999,6 +1002,7 @@ def _solve(pose, seed, moved, q, status):
         C123 = X1_123 * Z2_123 - k1 * Z1_123
         w123 = math.sqrt(S123 * S123 + C123 * C123)
         free123 = w123 <= free_limit_squared
+        near123 = w123 <= near_limit_squared
         factor123 = 1.0 / (1.0 if free123 else w123)
         c123 = math.cos(v39) if free123 else C123 * factor123
         s123 = math.sin(v39) if free123 else S123 * factor123
@@ -1084,6 +1088,7 @@ def _solve(pose, seed, moved, q, status):
             C1 = v59 + Y1_1 * Z1_1
             w1 = math.sqrt(S1 * S1 + C1 * C1)
             free1 = w1 <= free_limit_squared2
+            near1 = w1 <= near_limit_squared2
             factor1 = 1.0 / (1.0 if free1 else w1)
             c1 = math.cos(seed[0]) if free1 else C1 * factor1
             s1 = math.sin(seed[0]) if free1 else S1 * factor1
@@ -1100,8 +1105,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 4] = q5
             q[row, 5] = q6
             status[row] = (
-                FREE_JOINT if free1_ or free123 or free123 or free6 else _CLOSE if x6_close[i1] else
-                OK
+                FREE_JOINT if free1_ or free123 or free123 or free6 else _CLOSE if x6_close[i1] or
+                near6 or near123 or near1 else OK
             )
 
 

@@ -399,7 +399,11 @@ static const double d6 = 0.09; /* joint offset 6 [m] */
 static const double free_limit6 = 1.9456426971135993e-11; /* a length that fixes no angle [m^6] */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 2.6895999999999994e-24;
+/* square of a length whose direction is good to few digits [m^2] */
+static const double near_limit_squared2 = 2.6895999999999996e-06;
 static const double free_limit = 1e-12; /* a length that fixes no angle */
+/* square of a length whose direction is good to few digits */
+static const double near_limit_squared = 1e-06;
 static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
 static const double k1 = 0.43938504177070503; /* sa3 * sa2 */
 static const double k2 = 0.16257246545516085; /* d4 * sa3 * sa2 [m] */
@@ -633,8 +637,8 @@ static void solve(
         v32 = sa1 * T13, v33 = T33 * ca1;
 
     /* theta6, type 3: U1[3, 1] and U1[3, 2] */
-    const double v44 = T21 * sa1, v45 = sa1 * T11, v46 = T31 * ca1, v47 = T22 * sa1,
-        v48 = sa1 * T12, v49 = T32 * ca1;
+    const double v45 = T21 * sa1, v46 = sa1 * T11, v47 = T31 * ca1, v48 = T22 * sa1,
+        v49 = sa1 * T12, v50 = T32 * ca1;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
@@ -658,6 +662,7 @@ static void solve(
         const double C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2;
         const double w2 = sqrt(S2 * S2 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
+        const int near2 = w2 <= near_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
         const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
             s2 = free2 ? sin(seed[1]) : S2 * factor2;
@@ -669,9 +674,11 @@ static void solve(
             v35 = c2 * (c3 * v24 - s3 * v29) - s2 * (c3 * v28 + s3 * v30) + sa2 * (s3 * v34),
             v36 = sa2 * v28, v37 = sa2 * v24, v38 = sa2 * v34, v39 = ca2 * v34,
             v40 = c2 * (c3 * (ca3 * v29) + s3 * (ca3 * v24) + sa3 * v36) + s2 * (c3 * (ca3 * v30) -
-                s3 * (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38));
-        const double w4 = sqrt(v35 * v35 + v40 * v40);
+                s3 * (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38)),
+            v41 = v35 * v35 + v40 * v40;
+        const double w4 = sqrt(v41);
         const int free4 = w4 <= free_limit;
+        const int near4 = v41 <= near_limit_squared;
         const double divisor4 = free4 ? 1.0 : w4;
 
         /* theta5, type 3: U4[2, 3] and U4[1, 3] */
@@ -679,9 +686,9 @@ static void solve(
             - ca3 * v36) + s2 * (c3 * (sa3 * v30) - s3 * (sa3 * v28) - ca3 * v37));
 
         /* theta6 */
-        const double v41 = c3 * k17 - k13, v42 = sa2 * s3, v43 = k1 * c3 + k18;
-        const double Z1_6 = s1 * v45 - c1 * v44 + v46;
-        const double Z2_6 = s1 * v48 - c1 * v47 + v49;
+        const double v42 = c3 * k17 - k13, v43 = sa2 * s3, v44 = k1 * c3 + k18;
+        const double Z1_6 = s1 * v46 - c1 * v45 + v47;
+        const double Z2_6 = s1 * v49 - c1 * v48 + v50;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -697,12 +704,13 @@ static void solve(
             const double q5 = atan2(-root4, c5);
 
             /* theta6 */
-            const double X1_6 = c4 * v41 - s4 * v42;
-            const double Y1_6 = c5 * (c4 * v42 + s4 * v41) - root4 * v43;
+            const double X1_6 = c4 * v42 - s4 * v43;
+            const double Y1_6 = c5 * (c4 * v43 + s4 * v42) - root4 * v44;
             const double S6 = X1_6 * Z1_6 - Y1_6 * Z2_6;
             const double C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6;
             const double w6 = sqrt(S6 * S6 + C6 * C6);
             const int free6 = w6 <= free_limit_squared;
+            const int near6 = w6 <= near_limit_squared;
             const double factor6 = 1.0 / (free6 ? 1.0 : w6);
             const double c6 = free6 ? cos(seed[5]) : C6 * factor6,
                 s6 = free6 ? sin(seed[5]) : S6 * factor6;
@@ -711,8 +719,8 @@ static void solve(
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
             status[row] = (free1 || free2 || free4 || free6) ?
-                SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : (x1_close[i1]) ? CLOSE :
-                SPHERICAL_WRIST_GENERAL_ARM_OK;
+                SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : (x1_close[i1] || near2 || near4 || near6) ?
+                CLOSE : SPHERICAL_WRIST_GENERAL_ARM_OK;
         }
     }
 }

@@ -109,7 +109,10 @@ d4 = 0.37  # joint offset 4 [m]
 d6 = 0.09  # joint offset 6 [m]
 free_limit6 = 1.9456426971135993e-11  # a length that fixes no angle [m^6]
 free_limit_squared2 = 2.6895999999999994e-24  # square of a length that fixes no angle [m^2]
+# square of a length whose direction is good to few digits [m^2]
+near_limit_squared2 = 2.6895999999999996e-06
 free_limit = 1e-12  # a length that fixes no angle
+near_limit_squared = 1e-06  # square of a length whose direction is good to few digits
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 k1 = 0.43938504177070503  # sa3 * sa2
 k2 = 0.16257246545516085  # d4 * sa3 * sa2 [m]
@@ -536,7 +539,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm bddf7f86dfe21998"
+_KEY = "spherical_wrist_general_arm b02b899b9429e66b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -977,12 +980,12 @@ def _solve(pose, seed, moved, q, status):
     v33 = T33 * ca1
 
     # theta6, type 3: U1[3, 1] and U1[3, 2]
-    v44 = T21 * sa1
-    v45 = sa1 * T11
-    v46 = T31 * ca1
-    v47 = T22 * sa1
-    v48 = sa1 * T12
-    v49 = T32 * ca1
+    v45 = T21 * sa1
+    v46 = sa1 * T11
+    v47 = T31 * ca1
+    v48 = T22 * sa1
+    v49 = sa1 * T12
+    v50 = T32 * ca1
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
@@ -1009,6 +1012,7 @@ def _solve(pose, seed, moved, q, status):
         C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2
         w2 = math.sqrt(S2 * S2 + C2 * C2)
         free2 = w2 <= free_limit_squared2
+        near2 = w2 <= near_limit_squared2
         factor2 = 1.0 / (1.0 if free2 else w2)
         c2 = math.cos(seed[1]) if free2 else C2 * factor2
         s2 = math.sin(seed[1]) if free2 else S2 * factor2
@@ -1029,8 +1033,10 @@ def _solve(pose, seed, moved, q, status):
             c2 * (c3 * (ca3 * v29) + s3 * (ca3 * v24) + sa3 * v36) + s2 * (c3 * (ca3 * v30) - s3 *
             (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38))
         )
-        w4 = math.sqrt(v35 * v35 + v40 * v40)
+        v41 = v35 * v35 + v40 * v40
+        w4 = math.sqrt(v41)
         free4 = w4 <= free_limit
+        near4 = v41 <= near_limit_squared
         divisor4 = 1.0 if free4 else w4
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
@@ -1040,11 +1046,11 @@ def _solve(pose, seed, moved, q, status):
         )
 
         # theta6
-        v41 = c3 * k17 - k13
-        v42 = sa2 * s3
-        v43 = k1 * c3 + k18
-        Z1_6 = s1 * v45 - c1 * v44 + v46
-        Z2_6 = s1 * v48 - c1 * v47 + v49
+        v42 = c3 * k17 - k13
+        v43 = sa2 * s3
+        v44 = k1 * c3 + k18
+        Z1_6 = s1 * v46 - c1 * v45 + v47
+        Z2_6 = s1 * v49 - c1 * v48 + v50
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1061,12 +1067,13 @@ def _solve(pose, seed, moved, q, status):
             q5 = _atan2(-root4, c5)
 
             # theta6
-            X1_6 = c4 * v41 - s4 * v42
-            Y1_6 = c5 * (c4 * v42 + s4 * v41) - root4 * v43
+            X1_6 = c4 * v42 - s4 * v43
+            Y1_6 = c5 * (c4 * v43 + s4 * v42) - root4 * v44
             S6 = X1_6 * Z1_6 - Y1_6 * Z2_6
             C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6
             w6 = math.sqrt(S6 * S6 + C6 * C6)
             free6 = w6 <= free_limit_squared
+            near6 = w6 <= near_limit_squared
             factor6 = 1.0 / (1.0 if free6 else w6)
             c6 = math.cos(seed[5]) if free6 else C6 * factor6
             s6 = math.sin(seed[5]) if free6 else S6 * factor6
@@ -1079,7 +1086,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 4] = q5
             q[row, 5] = q6
             status[row] = (
-                FREE_JOINT if free1 or free2 or free4 or free6 else _CLOSE if x1_close[i1] else OK
+                FREE_JOINT if free1 or free2 or free4 or free6 else _CLOSE if x1_close[i1] or near2
+                or near4 or near6 else OK
             )
 
 

@@ -48,7 +48,8 @@ class Rows:
         q: Joint values, shape (N, B, n), NaN where there is no solution.
         solved: Shape (N, B).
         free: Whether some joint took the seed's value, shape (N, B).
-        close: Whether none did, and roots that nearly meet are in it, shape (N, B).
+        close: Whether none did, and roots that nearly meet or a joint that is nearly free are in
+            it, shape (N, B).
     """
 
     q: NDArray[np.float64]
@@ -148,6 +149,9 @@ class _Run:
         chosen = np.zeros(self._shape, dtype=bool)
         for _, name in self._program.free:
             chosen |= self._values[name]
+        if self._program.turning:
+            for name in self._program.near:
+                close = close | self._values[name]
         solved = self._flat(alive)
         q = np.stack(joints, axis=-1)
         q[~solved] = np.nan

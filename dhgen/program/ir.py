@@ -271,7 +271,8 @@ class Program:
         body: Statements; a name is used only after its `Let`.
         outputs: The results: each joint's value, or the entries of a matrix row by row.
         free: The truth value that says a joint was chosen, by joint number; 0 for any of them.
-        near: The truth values that say a joint was nearly free, where that matters to a guard.
+        near: The truth values that say a joint was nearly free, where that matters to a guard or,
+            after roots of a polynomial, to the digits of a row.
         tightened: Damped least squares for this arm, where rows that are not exact take some steps
             of it in the end; where a pose may be none of the arm's, only those stay that then fit.
             Where roots nearly meet, rows of both of their sides are looked for with it.

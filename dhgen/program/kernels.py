@@ -23,6 +23,7 @@ from dhgen.program.roots import (
     finish,
     finish_direction,
     finish_nearly_free,
+    is_nearly_short,
     is_short,
     is_short_square,
     is_within_reach,
@@ -84,6 +85,11 @@ def lower_angle(context: Lowering, step: Step) -> None:
         z, reach = _by_value(context, step, square, degree)
     else:
         z, reach = _by_distance(context, step, distance)
+    if free is not None and context.mends_roots:
+        short = is_nearly_short(context, square, degree, angle)
+        context.short.append(short)
+        # then both signs may be anything, and steps tell
+        reach = replace(reach, clear=builder.apply("or", reach.clear, short))
     root = signed_root(context, angle.suffix, reach, free)
     safe = square
     if free is not None:
@@ -163,6 +169,8 @@ def _lower_homogeneous(
     square = builder.add(builder.square(x), builder.square(y))
     length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
     free = is_short(context, length, degree, f"free{angle.suffix}")
+    if context.mends_roots:
+        context.short.append(is_nearly_short(context, square, degree, angle))
     sign = context.new_sign()
     keep_one(context, sign, free)
     factor = _over(context, sign, length, free, angle.suffix)
@@ -224,6 +232,8 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     length = builder.name(length, f"w{angle.suffix}")
     # the product of two vectors of equal length, which vanish together
     free = is_short_square(context, length, degree // 2, angle)
+    if context.mends_roots:
+        context.short.append(is_nearly_short(context, length, degree // 2, angle))
     factor = _over(context, facing, length, free, angle.suffix)
     finish(context, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
 

@@ -64,6 +64,7 @@ class Lowering:
         scales: Tolerances and reaches.
         step_number: Of the step at hand, from 1.
         meeting: Whether roots of a polynomial nearly meet; only where rows are doubted.
+        short: Whether an angle comes from so short a vector that few of its digits are right.
 
     Args:
         derivation: What to compute, and why.
@@ -88,6 +89,7 @@ class Lowering:
         self._target = Target(self._problem, self.builder, self.lower)
         self.step_number = 0
         self.meeting: list[Node] = []
+        self.short: list[Node] = []
 
     def run(self) -> Program:
         """The whole program."""
@@ -104,7 +106,8 @@ class Lowering:
         self.builder.heading("joint values")
         joints = {f"q{n}": self.angles.joint_value(n) for n in range(1, chain.dof + 1)}
         free = self.angles.free_joints()
-        return self.builder.finish(chain.name, joints, free, self.angles.near)
+        near = dict.fromkeys((*self.angles.near, *self.short))
+        return self.builder.finish(chain.name, joints, free, near)
 
     def _shoulder(self, step: Step) -> None:
         """Once the elbow's angle is known the arm angle gives the shoulder's rotation."""
@@ -143,6 +146,12 @@ class Lowering:
     def at_seed(self, polynomial: Polynomial) -> Node:
         """The value of a polynomial where the joints have the seed's values."""
         return PolynomialLowering(self._algebra, self.builder, self._seed_value).lower(polynomial)
+
+    @property
+    def mends_roots(self) -> bool:
+        """Whether rows that come from roots of a polynomial are tightened."""
+        rooted = any(step.kind is Kind.CIRCLE for step in self._derivation.steps)
+        return rooted and self._checks.tightened
 
     @property
     def doubts_rows(self) -> bool:

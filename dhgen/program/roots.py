@@ -95,6 +95,15 @@ def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSu
     return context.builder.name(short, f"free{angle.suffix}")
 
 
+def is_nearly_short(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
+    """Whether few digits of a vector's direction are right, from the square of its length."""
+    relative = context.scales.tolerances.near**2
+    limit = context.scales.tolerance(relative, 2 * degree, "near_square")
+    return context.builder.name(
+        context.builder.apply("at_most", square, limit), f"near{angle.suffix}"
+    )
+
+
 def vanishes(context: Lowering, value: Node, of: Polynomial) -> Node:
     """Whether an equation holds without its unknown.
 
@@ -181,12 +190,10 @@ def finish_nearly_free(
     Of roots that nearly meet there even fewer digits are right (UR5 with twists of 1.5708 and a
     straight wrist): an angle that satisfies the equation up to rounding is as good.
     """
-    builder, scales = context.builder, context.scales
+    builder = context.builder
     x, y, z = equation.factors
     degree = equation.degree
-    limit = scales.tolerance(scales.tolerances.near**2, 2 * degree, "near_square")
-    near = builder.apply("at_most", equation.square, limit)
-    near = builder.name(near, f"near{angle.suffix}")
+    near = is_nearly_short(context, equation.square, degree, angle)
     c, s = _seed_direction(context, angle)
     miss = builder.sub(builder.add(builder.mul(x, s), builder.mul(y, c)), z)
     side = builder.mul(equation.root, builder.sub(builder.mul(y, s), builder.mul(x, c)))

@@ -115,9 +115,10 @@ def close_name(axis: Axis) -> str:
 
 
 def close_texts(program: Program) -> list[str]:
-    """Whether the row at hand comes from roots that nearly meet, for each polynomial."""
+    """Whether the row at hand comes from roots that nearly meet, or a joint is nearly free."""
     places = [statement.axis for statement in program.body if isinstance(statement, Roots)]
-    return [f"{close_name(program.axes[place])}[i{place + 1}]" for place in places]
+    roots = [f"{close_name(program.axes[place])}[i{place + 1}]" for place in places]
+    return [*roots, *program.near] if roots else []
 
 
 _REASONS = {

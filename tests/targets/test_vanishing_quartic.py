@@ -105,3 +105,15 @@ def test_beside_it_the_joint_is_found(distance: float) -> None:
         held = rows[np.isin(status, HELD)]
         assert gap(held, joints) < 1e-3
         assert np.abs(poses_of(held) - T).max() < EXACT
+
+
+@pytest.mark.parametrize("distance", [1e-10, 1e-8])
+def test_both_signs_of_a_joint_that_is_nearly_free_are_kept(distance: float) -> None:
+    """Joint 2 is free where joint 3 is straight; beside that its cosine has few digits."""
+    q = beside(0.0)
+    q[:, [2, 4, 5]] = -distance, distance - np.pi, distance
+    for joints, T in zip(q, poses_of(q), strict=True):
+        rows, status = in_c().ik(T, joints)
+        held = rows[np.isin(status, HELD)]
+        assert gap(held, joints) < 1e-3
+        assert np.abs(poses_of(held) - T).max() < EXACT
