@@ -1599,6 +1599,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } abb_gofa_5_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1647,6 +1648,7 @@ static void abb_gofa_5_fit(const double samples[24], abb_gofa_5_trigonometric *f
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1829,8 +1831,9 @@ static void abb_gofa_5_few(const abb_gofa_5_trigonometric *f, double lifted, dou
     }
     x = abb_gofa_5_between(f, 1, low, at_low, high, at_high);
     abb_gofa_5_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         abb_gofa_5_add_root(roots, x, 1);
         return;
     }
@@ -1873,7 +1876,8 @@ static int abb_gofa_5_kind(const abb_gofa_5_trigonometric *f, const double low[3
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return ABB_GOFA_5_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2711,7 +2715,7 @@ static inline abb_gofa_5_lane abb_gofa_5_polish(const abb_gofa_5_loop *loop, abb
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } abb_gofa_5_found;
 
@@ -3109,6 +3113,7 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
     double w[5], solve[2][5];
     unsigned met = 0, of_group[ABB_GOFA_5_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     abb_gofa_5_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += ABB_GOFA_5_LANES) {
         const int count = all->count - from < ABB_GOFA_5_LANES ? all->count - from :
@@ -3137,7 +3142,6 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1603,6 +1603,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } fanuc_crx10ia_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1651,6 +1652,7 @@ static void fanuc_crx10ia_fit(const double samples[24], fanuc_crx10ia_trigonomet
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1838,8 +1840,9 @@ static void fanuc_crx10ia_few(const fanuc_crx10ia_trigonometric *f, double lifte
     }
     x = fanuc_crx10ia_between(f, 1, low, at_low, high, at_high);
     fanuc_crx10ia_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         fanuc_crx10ia_add_root(roots, x, 1);
         return;
     }
@@ -1882,7 +1885,8 @@ static int fanuc_crx10ia_kind(const fanuc_crx10ia_trigonometric *f, const double
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return FANUC_CRX10IA_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2731,7 +2735,7 @@ static inline fanuc_crx10ia_lane fanuc_crx10ia_polish(const fanuc_crx10ia_loop *
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } fanuc_crx10ia_found;
 
@@ -3133,6 +3137,7 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
     double w[5], solve[2][5];
     unsigned met = 0, of_group[FANUC_CRX10IA_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     fanuc_crx10ia_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += FANUC_CRX10IA_LANES) {
         const int count = all->count - from < FANUC_CRX10IA_LANES ? all->count - from :
@@ -3161,7 +3166,6 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -401,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 24edd1c1965ac5e9"
+_KEY = "general_4r2p f410458da187eed1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1030,7 +1030,7 @@ def _general_4r2p_grid(f):
 
 
 @_inner
-def _general_4r2p_kind(low, high, h, scale, rounding):
+def _general_4r2p_kind(low, high, h, scale, rounding, touching):
     """0: no root between two angles; 1: nothing but rounding; 2: one extremum at most; 3: none of
     these. The Bernstein coefficients of the quintic through f, f', f'' at both ends and their
     differences bound f, f' and f''."""
@@ -1042,7 +1042,8 @@ def _general_4r2p_kind(low, high, h, scale, rounding):
     b3 = b5 - 2.0 * h * high[1] / 5.0 + h * h * high[2] / 20.0
     b4 = b5 - h * high[1] / 5.0
     least, most = min(b0, b1, b2, b3, b4, b5), max(b0, b1, b2, b3, b4, b5)
-    if least > doubt or most < -doubt:
+    zero = max(doubt, touching)
+    if least > zero or most < -zero:
         return 0
     if least >= -rounding and most <= rounding:
         return 1
@@ -1074,13 +1075,14 @@ def _general_4r2p_between(f, order, low, high, rising):
 
 
 @_inner
-def _general_4r2p_few(f, rounding, near, low, at_low, high, at_high, roots, counts):
-    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double)."""
+def _general_4r2p_few(f, rounding, touching, near, low, at_low, high, at_high, roots, counts):
+    """The roots of a cell where f has one extremum at most, into roots[0] (simple) or [1] (double).
+    Extrema that are lifted by `touching` count as double."""
     middle, at_middle = high, at_high[0]
     if at_low[1] * at_high[1] < 0.0:
         middle = _general_4r2p_between(f, 1, low, high, at_low[1] < 0.0)
         at_middle, _, bend = _general_4r2p_at(f, middle)
-        lifted = at_middle * bend > 0.0 and abs(at_middle) <= abs(bend) * near
+        lifted = at_middle * bend > 0.0 and abs(at_middle) <= max(abs(bend) * near, touching)
         if abs(at_middle) <= rounding or lifted:
             _general_4r2p_add_root(roots, counts, 1, middle)
             return
@@ -1114,6 +1116,7 @@ def _general_4r2p_find_roots(f, scale, rounding, middle, reach, near):
     roots = np.empty((2, 24))
     counts = np.array([0, 0, 1])
     grid = _general_4r2p_grid(f)
+    touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
     budget = 100  # against an f that is next to nothing for long stretches
     edge = np.empty(16)  # the upper edges still to come
     at, at_low = np.empty((16, 3)), np.empty(3)
@@ -1121,7 +1124,7 @@ def _general_4r2p_find_roots(f, scale, rounding, middle, reach, near):
     for i in range(256):
         if min(abs(i - middle), 256 - abs(i - middle)) > reach:
             continue
-        if _general_4r2p_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding) == 0:
+        if _general_4r2p_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding, touching) == 0:
             continue
         low = i * 0.02454369260617026
         edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
@@ -1131,9 +1134,11 @@ def _general_4r2p_find_roots(f, scale, rounding, middle, reach, near):
         while waiting > 0:
             top = waiting - 1
             h = edge[top] - low
-            kind = _general_4r2p_kind(at_low, at[top], h, scale, rounding)
+            kind = _general_4r2p_kind(at_low, at[top], h, scale, rounding, touching)
             if kind == 2:
-                _general_4r2p_few(f, rounding, near, low, at_low, edge[top], at[top], roots, counts)
+                _general_4r2p_few(
+                    f, rounding, touching, near, low, at_low, edge[top], at[top], roots, counts
+                )
             elif kind == 1 or (kind == 3 and (depth[top] == 14 or budget == 0)):
                 counts[2] = 0
                 _general_4r2p_add_root(roots, counts, 1, low + 0.5 * h)

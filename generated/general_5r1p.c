@@ -1648,6 +1648,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_5r1p_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1696,6 +1697,7 @@ static void general_5r1p_fit(const double samples[24], general_5r1p_trigonometri
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1882,8 +1884,9 @@ static void general_5r1p_few(const general_5r1p_trigonometric *f, double lifted,
     }
     x = general_5r1p_between(f, 1, low, at_low, high, at_high);
     general_5r1p_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         general_5r1p_add_root(roots, x, 1);
         return;
     }
@@ -1926,7 +1929,8 @@ static int general_5r1p_kind(const general_5r1p_trigonometric *f, const double l
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return GENERAL_5R1P_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2782,7 +2786,7 @@ static inline general_5r1p_lane general_5r1p_polish(const general_5r1p_loop *loo
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } general_5r1p_found;
 
@@ -2932,6 +2936,7 @@ static int general_5r1p_settle(const general_5r1p_formulation *form, const gener
     double w[5], solve[2][5];
     unsigned met = 0, of_group[GENERAL_5R1P_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     general_5r1p_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R1P_LANES) {
         const int count = all->count - from < GENERAL_5R1P_LANES ? all->count - from :
@@ -2960,7 +2965,6 @@ static int general_5r1p_settle(const general_5r1p_formulation *form, const gener
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

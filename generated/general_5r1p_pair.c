@@ -1642,6 +1642,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_5r1p_pair_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1690,6 +1691,7 @@ static void general_5r1p_pair_fit(const double samples[24], general_5r1p_pair_tr
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1886,8 +1888,9 @@ static void general_5r1p_pair_few(const general_5r1p_pair_trigonometric *f, doub
     }
     x = general_5r1p_pair_between(f, 1, low, at_low, high, at_high);
     general_5r1p_pair_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         general_5r1p_pair_add_root(roots, x, 1);
         return;
     }
@@ -1931,7 +1934,8 @@ static int general_5r1p_pair_kind(const general_5r1p_pair_trigonometric *f, cons
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return GENERAL_5R1P_PAIR_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2812,7 +2816,7 @@ static inline general_5r1p_pair_lane general_5r1p_pair_polish(const general_5r1p
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } general_5r1p_pair_found;
 
@@ -2966,6 +2970,7 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
     double w[3], solve[2][3];
     unsigned met = 0, of_group[GENERAL_5R1P_PAIR_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     general_5r1p_pair_invariants(form->joint, link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R1P_PAIR_LANES) {
         const int count = all->count - from < GENERAL_5R1P_PAIR_LANES ? all->count - from :
@@ -2994,7 +2999,6 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

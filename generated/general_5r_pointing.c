@@ -1617,6 +1617,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_5r_pointing_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1665,6 +1666,7 @@ static void general_5r_pointing_fit(const double samples[24], general_5r_pointin
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1862,8 +1864,9 @@ static void general_5r_pointing_few(const general_5r_pointing_trigonometric *f, 
     }
     x = general_5r_pointing_between(f, 1, low, at_low, high, at_high);
     general_5r_pointing_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         general_5r_pointing_add_root(roots, x, 1);
         return;
     }
@@ -1909,7 +1912,8 @@ static int general_5r_pointing_kind(const general_5r_pointing_trigonometric *f, 
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return GENERAL_5R_POINTING_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2778,7 +2782,7 @@ static inline general_5r_pointing_lane general_5r_pointing_polish(const general_
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } general_5r_pointing_found;
 
@@ -2926,6 +2930,7 @@ static int general_5r_pointing_settle(const general_5r_pointing_formulation *for
     double w[5], solve[2][5];
     unsigned met = 0, of_group[GENERAL_5R_POINTING_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     general_5r_pointing_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R_POINTING_LANES) {
         const int count = all->count - from < GENERAL_5R_POINTING_LANES ? all->count - from :
@@ -2955,7 +2960,6 @@ static int general_5r_pointing_settle(const general_5r_pointing_formulation *for
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

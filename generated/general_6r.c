@@ -1605,6 +1605,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_6r_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1653,6 +1654,7 @@ static void general_6r_fit(const double samples[24], general_6r_trigonometric *f
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1835,8 +1837,9 @@ static void general_6r_few(const general_6r_trigonometric *f, double lifted, dou
     }
     x = general_6r_between(f, 1, low, at_low, high, at_high);
     general_6r_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         general_6r_add_root(roots, x, 1);
         return;
     }
@@ -1879,7 +1882,8 @@ static int general_6r_kind(const general_6r_trigonometric *f, const double low[3
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return GENERAL_6R_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2717,7 +2721,7 @@ static inline general_6r_lane general_6r_polish(const general_6r_loop *loop, gen
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } general_6r_found;
 
@@ -2859,6 +2863,7 @@ static int general_6r_settle(const general_6r_formulation *form, const general_6
     double w[5], solve[2][5];
     unsigned met = 0, of_group[GENERAL_6R_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     general_6r_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_6R_LANES) {
         const int count = all->count - from < GENERAL_6R_LANES ? all->count - from :
@@ -2887,7 +2892,6 @@ static int general_6r_settle(const general_6r_formulation *form, const general_6
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1401,6 +1401,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_prrprr_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1449,6 +1450,7 @@ static void general_prrprr_fit(const double samples[24], general_prrprr_trigonom
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1636,8 +1638,9 @@ static void general_prrprr_few(const general_prrprr_trigonometric *f, double lif
     }
     x = general_prrprr_between(f, 1, low, at_low, high, at_high);
     general_prrprr_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         general_prrprr_add_root(roots, x, 1);
         return;
     }
@@ -1680,7 +1683,8 @@ static int general_prrprr_kind(const general_prrprr_trigonometric *f, const doub
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return GENERAL_PRRPRR_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2224,7 +2228,7 @@ static inline general_prrprr_lane general_prrprr_polish(const general_prrprr_loo
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[8][6], residual[8];
 } general_prrprr_found;
 

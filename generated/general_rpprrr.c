@@ -1399,6 +1399,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } general_rpprrr_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1447,6 +1448,7 @@ static void general_rpprrr_fit(const double samples[24], general_rpprrr_trigonom
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1634,8 +1636,9 @@ static void general_rpprrr_few(const general_rpprrr_trigonometric *f, double lif
     }
     x = general_rpprrr_between(f, 1, low, at_low, high, at_high);
     general_rpprrr_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         general_rpprrr_add_root(roots, x, 1);
         return;
     }
@@ -1678,7 +1681,8 @@ static int general_rpprrr_kind(const general_rpprrr_trigonometric *f, const doub
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return GENERAL_RPPRRR_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2222,7 +2226,7 @@ static inline general_rpprrr_lane general_rpprrr_polish(const general_rpprrr_loo
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[8][6], residual[8];
 } general_rpprrr_found;
 

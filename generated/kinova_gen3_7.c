@@ -1619,6 +1619,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } kinova_gen3_7_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1667,6 +1668,7 @@ static void kinova_gen3_7_fit(const double samples[24], kinova_gen3_7_trigonomet
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1854,8 +1856,9 @@ static void kinova_gen3_7_few(const kinova_gen3_7_trigonometric *f, double lifte
     }
     x = kinova_gen3_7_between(f, 1, low, at_low, high, at_high);
     kinova_gen3_7_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         kinova_gen3_7_add_root(roots, x, 1);
         return;
     }
@@ -1898,7 +1901,8 @@ static int kinova_gen3_7_kind(const kinova_gen3_7_trigonometric *f, const double
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return KINOVA_GEN3_7_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2747,7 +2751,7 @@ static inline kinova_gen3_7_lane kinova_gen3_7_polish(const kinova_gen3_7_loop *
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } kinova_gen3_7_found;
 
@@ -2893,6 +2897,7 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_GEN3_7_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     kinova_gen3_7_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_GEN3_7_LANES) {
         const int count = all->count - from < KINOVA_GEN3_7_LANES ? all->count - from :
@@ -2921,7 +2926,6 @@ static int kinova_gen3_7_settle(const kinova_gen3_7_formulation *form, const kin
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1606,6 +1606,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } kinova_gen3_lite_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1654,6 +1655,7 @@ static void kinova_gen3_lite_fit(const double samples[24], kinova_gen3_lite_trig
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1846,8 +1848,9 @@ static void kinova_gen3_lite_few(const kinova_gen3_lite_trigonometric *f, double
     }
     x = kinova_gen3_lite_between(f, 1, low, at_low, high, at_high);
     kinova_gen3_lite_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         kinova_gen3_lite_add_root(roots, x, 1);
         return;
     }
@@ -1891,7 +1894,8 @@ static int kinova_gen3_lite_kind(const kinova_gen3_lite_trigonometric *f, const 
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return KINOVA_GEN3_LITE_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2750,7 +2754,7 @@ static inline kinova_gen3_lite_lane kinova_gen3_lite_polish(const kinova_gen3_li
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } kinova_gen3_lite_found;
 
@@ -2896,6 +2900,7 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_GEN3_LITE_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     kinova_gen3_lite_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_GEN3_LITE_LANES) {
         const int count = all->count - from < KINOVA_GEN3_LITE_LANES ? all->count - from :
@@ -2924,7 +2929,6 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1604,6 +1604,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } manseur_doty_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1652,6 +1653,7 @@ static void manseur_doty_fit(const double samples[24], manseur_doty_trigonometri
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1838,8 +1840,9 @@ static void manseur_doty_few(const manseur_doty_trigonometric *f, double lifted,
     }
     x = manseur_doty_between(f, 1, low, at_low, high, at_high);
     manseur_doty_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         manseur_doty_add_root(roots, x, 1);
         return;
     }
@@ -1882,7 +1885,8 @@ static int manseur_doty_kind(const manseur_doty_trigonometric *f, const double l
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return MANSEUR_DOTY_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2727,7 +2731,7 @@ static inline manseur_doty_lane manseur_doty_polish(const manseur_doty_loop *loo
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } manseur_doty_found;
 
@@ -2870,6 +2874,7 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
     double w[5], solve[2][5];
     unsigned met = 0, of_group[MANSEUR_DOTY_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     manseur_doty_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += MANSEUR_DOTY_LANES) {
         const int count = all->count - from < MANSEUR_DOTY_LANES ? all->count - from :
@@ -2898,7 +2903,6 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

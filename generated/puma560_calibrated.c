@@ -1622,6 +1622,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } puma560_calibrated_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1670,6 +1671,7 @@ static void puma560_calibrated_fit(const double samples[24], puma560_calibrated_
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1866,8 +1868,9 @@ static void puma560_calibrated_few(const puma560_calibrated_trigonometric *f, do
     }
     x = puma560_calibrated_between(f, 1, low, at_low, high, at_high);
     puma560_calibrated_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         puma560_calibrated_add_root(roots, x, 1);
         return;
     }
@@ -1912,7 +1915,8 @@ static int puma560_calibrated_kind(const puma560_calibrated_trigonometric *f, co
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return PUMA560_CALIBRATED_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2776,7 +2780,7 @@ static inline puma560_calibrated_lane puma560_calibrated_polish(const puma560_ca
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } puma560_calibrated_found;
 
@@ -2924,6 +2928,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     double w[5], solve[2][5];
     unsigned met = 0, of_group[PUMA560_CALIBRATED_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     puma560_calibrated_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += PUMA560_CALIBRATED_LANES) {
         const int count = all->count - from < PUMA560_CALIBRATED_LANES ? all->count - from :
@@ -2953,7 +2958,6 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1592,6 +1592,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } welding_5r_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1640,6 +1641,7 @@ static void welding_5r_fit(const double samples[24], welding_5r_trigonometric *f
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1822,8 +1824,9 @@ static void welding_5r_few(const welding_5r_trigonometric *f, double lifted, dou
     }
     x = welding_5r_between(f, 1, low, at_low, high, at_high);
     welding_5r_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         welding_5r_add_root(roots, x, 1);
         return;
     }
@@ -1866,7 +1869,8 @@ static int welding_5r_kind(const welding_5r_trigonometric *f, const double low[3
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return WELDING_5R_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2704,7 +2708,7 @@ static inline welding_5r_lane welding_5r_polish(const welding_5r_loop *loop, wel
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } welding_5r_found;
 
@@ -2846,6 +2850,7 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
     double w[5], solve[2][5];
     unsigned met = 0, of_group[WELDING_5R_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     welding_5r_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += WELDING_5R_LANES) {
         const int count = all->count - from < WELDING_5R_LANES ? all->count - from :
@@ -2874,7 +2879,6 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1588,6 +1588,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } xarm6_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1636,6 +1637,7 @@ static void xarm6_fit(const double samples[24], xarm6_trigonometric *f)
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1817,8 +1819,9 @@ static void xarm6_few(const xarm6_trigonometric *f, double lifted, double low,
     }
     x = xarm6_between(f, 1, low, at_low, high, at_high);
     xarm6_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         xarm6_add_root(roots, x, 1);
         return;
     }
@@ -1860,7 +1863,8 @@ static int xarm6_kind(const xarm6_trigonometric *f, const double low[3], const d
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return XARM6_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2684,7 +2688,7 @@ static inline xarm6_lane xarm6_polish(const xarm6_loop *loop, xarm6_lane c[6], x
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } xarm6_found;
 
@@ -3070,6 +3074,7 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
     double w[5], solve[2][5];
     unsigned met = 0, of_group[XARM6_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     xarm6_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += XARM6_LANES) {
         const int count = all->count - from < XARM6_LANES ? all->count - from : XARM6_LANES;
@@ -3097,7 +3102,6 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

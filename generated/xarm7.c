@@ -1603,6 +1603,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } xarm7_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1651,6 +1652,7 @@ static void xarm7_fit(const double samples[24], xarm7_trigonometric *f)
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1832,8 +1834,9 @@ static void xarm7_few(const xarm7_trigonometric *f, double lifted, double low,
     }
     x = xarm7_between(f, 1, low, at_low, high, at_high);
     xarm7_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         xarm7_add_root(roots, x, 1);
         return;
     }
@@ -1875,7 +1878,8 @@ static int xarm7_kind(const xarm7_trigonometric *f, const double low[3], const d
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return XARM7_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2699,7 +2703,7 @@ static inline xarm7_lane xarm7_polish(const xarm7_loop *loop, xarm7_lane c[6], x
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } xarm7_found;
 
@@ -2839,6 +2843,7 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
     double w[5], solve[2][5];
     unsigned met = 0, of_group[XARM7_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     xarm7_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += XARM7_LANES) {
         const int count = all->count - from < XARM7_LANES ? all->count - from : XARM7_LANES;
@@ -2866,7 +2871,6 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -1601,6 +1601,7 @@ typedef struct {
     double scale;    /* the largest sample */
     double noise;    /* the harmonics beyond the eighth, over scale */
     double rounding; /* how far f may be from what it stands for */
+    double touching; /* how far an extremum may be lifted for roots to meet there */
 } yaskawa_hc10_trigonometric;
 
 /* f, f', f'' at the edges of the cells; the first edge stands at the end again */
@@ -1649,6 +1650,7 @@ static void yaskawa_hc10_fit(const double samples[24], yaskawa_hc10_trigonometri
     f->scale = most;
     f->noise = most > 0.0 ? beyond / most : 1.0;
     f->rounding = most * (3e-15 + 64.0 * f->noise);
+    f->touching = f->rounding + most * 2e-09;
 }
 
 /* f, f', f'' where the cosine and sine are given */
@@ -1835,8 +1837,9 @@ static void yaskawa_hc10_few(const yaskawa_hc10_trigonometric *f, double lifted,
     }
     x = yaskawa_hc10_between(f, 1, low, at_low, high, at_high);
     yaskawa_hc10_at(f, cos(x), sin(x), at);
+    const double near = fabs(at[2]) * lifted > f->touching ? fabs(at[2]) * lifted : f->touching;
     if (fabs(at[0]) <= f->rounding ||
-        (at[0] * at[2] > 0.0 && fabs(at[0]) <= fabs(at[2]) * lifted)) {
+        (at[0] * at[2] > 0.0 && fabs(at[0]) <= near)) {
         yaskawa_hc10_add_root(roots, x, 1);
         return;
     }
@@ -1879,7 +1882,8 @@ static int yaskawa_hc10_kind(const yaskawa_hc10_trigonometric *f, const double l
             most[2] = second > most[2] ? second : most[2];
         }
     }
-    if (least[0] > doubt || most[0] < -doubt) {
+    const double zero = doubt > f->touching ? doubt : f->touching;
+    if (least[0] > zero || most[0] < -zero) {
         return YASKAWA_HC10_ROOTLESS;
     }
     if (least[0] >= -f->rounding && most[0] <= f->rounding) {
@@ -2724,7 +2728,7 @@ static inline yaskawa_hc10_lane yaskawa_hc10_polish(const yaskawa_hc10_loop *loo
 typedef struct {
     int count;
     unsigned singular; /* bit i: the arm is singular at solution i */
-    int doubles; /* roots that met */
+    int doubles; /* roots that met, or may have */
     double q[16][6], residual[16];
 } yaskawa_hc10_found;
 
@@ -3121,6 +3125,7 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
     double w[5], solve[2][5];
     unsigned met = 0, of_group[YASKAWA_HC10_CANDIDATES] = {0};
     int complete = 1, expected = simple;
+    found->doubles += doubles;
     yaskawa_hc10_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += YASKAWA_HC10_LANES) {
         const int count = all->count - from < YASKAWA_HC10_LANES ? all->count - from :
@@ -3149,7 +3154,6 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
-            found->doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }

@@ -39,6 +39,9 @@ NOISE_FACTOR = 64.0
 # An extremum beside zero may be a double root that rounding has lifted off, also that of the
 # equations behind f, which nothing measures: when a complex pair is this near to the circle [rad].
 LIFTED = 1e-4
+# Where four roots meet the bend is next to nothing, too, and rounding of the equations, which no
+# harmonic tells, lifts f by up to this part of its largest value.
+FOURFOLD = 2e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +76,11 @@ class Trigonometric:
     def rounding(self) -> float:
         """How far f may be from what it stands for."""
         return self.scale * (ROUNDING + NOISE_FACTOR * self.noise)
+
+    @property
+    def touching(self) -> float:
+        """How far an extremum may be lifted from zero for roots to meet there."""
+        return self.rounding + self.scale * FOURFOLD
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,7 +222,7 @@ def _kind(f: Trigonometric, low: Values, high: Values, h: float) -> Kind:
     ]
     part = h / WIDTH
     doubt = f.rounding + f.scale * QUINTIC * part**6
-    if _of_one_sign(coefficients, doubt):
+    if _of_one_sign(coefficients, max(doubt, f.touching)):
         return Kind.ROOTLESS
     if max(map(abs, coefficients)) <= f.rounding:
         return Kind.FLAT
@@ -244,7 +252,7 @@ def _in_simple_cell(
         return
     x = _between(f, 1, low, high, at_low)
     at = f.at(cos(x), sin(x))
-    lifted = at[0] * at[2] > 0 and abs(at[0]) <= abs(at[2]) * near**2 / 2
+    lifted = at[0] * at[2] > 0 and abs(at[0]) <= max(abs(at[2]) * near**2 / 2, f.touching)
     if abs(at[0]) <= f.rounding or lifted:
         double.append(x)
         return

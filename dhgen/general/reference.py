@@ -216,6 +216,7 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     found = real_roots(lambda cosines, sines: fold(E, cosines, sines)[0])
     if found is None:
         return False
+    search.doubles += len(found.double)
     met: set[int | None] = set()
     expected = len(found.simple)
     complete = found.complete
@@ -228,7 +229,6 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
         starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
         if angle in found.double and (places or _vanishes(E, angle)):
-            search.doubles += 1
             expected += 1 if places & search.singular else 2
         met |= places
     return complete and len(met) >= expected and search.paired

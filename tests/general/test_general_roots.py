@@ -13,7 +13,7 @@ from dhgen.general.roots import real_roots
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-CROWDS = ([(1.0, 3e-4)] * 3, [(1.0, 1e-3), (1.002, 2e-3), (1.01, 1e-3)])
+CROWDS = ([(1.0, 2e-3)] * 3, [(1.0, 1e-3), (1.002, 2e-3), (1.01, 1e-3)])
 ELSEWHERE = (3.0, 3.5, 4.6, 5.1)
 
 

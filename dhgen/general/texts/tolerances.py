@@ -20,6 +20,7 @@ class Tolerances:
     quintic: str = repr(circle.QUINTIC)
     rounding: str = repr(circle.ROUNDING)
     noise_factor: str = repr(circle.NOISE_FACTOR)
+    fourfold: str = repr(circle.FOURFOLD)
     lifted: str = repr(0.5 * circle.LIFTED**2)  # the value of a parabola over its bend
     lifted_closer: str = repr(0.5 * (circle.LIFTED / roots.NEAR) ** 2)
     near: str = repr(roots.COSINE)
