@@ -14,6 +14,7 @@ import numpy as np
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.problem import task_entries
+from dhgen.paul.step import Kind
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Roots
@@ -73,8 +74,10 @@ def checks_needed(
         program = lowered(checks)
     if not tolerances.tell_rounding or chain.arm_angle:
         return checks  # exact rows can't be told, or the task doesn't say all of a row
-    # where roots nearly meet they are good to few digits, which poses that are tried don't show
+    # roots that nearly meet are good to few digits, and so is what a slide from its square points
+    # to where it is drawn in, which poses that are tried don't show
     rooted = any(isinstance(statement, Roots) for statement in program.body)
+    rooted = rooted or any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     return replace(checks, tightened=rooted or _is_inexact(chain, program, enough))
 
