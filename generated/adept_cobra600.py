@@ -622,7 +622,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 2) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits")
     rows, status, q = rows[first:last], status[first:last], np.empty(4)
     seed = _ZEROS if q_seed is None else _array(q_seed, (4,), "q_seed")
     if _nearest(rows, status, seed, limits, q):

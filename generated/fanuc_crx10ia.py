@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia acf739546c169b47"
+_KEY = "fanuc_crx10ia 8bb4ccb0ef0a037d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2330,7 +2330,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 16) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation")
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits")
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):

@@ -340,7 +340,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 01d8d7e60319a1ad"
+_KEY = "scorbot_pointing 6888d439ba8cc419"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1376,7 +1376,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 4) if branch is None else _span(branch)
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or its z axis not of length one, or the value of a free joint not finite")
+        raise ValueError("T is no pose: not finite, or its z axis not of length one to six digits, or the value of a free joint not finite")
     rows, status, q = rows[first:last], status[first:last], np.empty(5)
     seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     if _nearest(rows, status, seed, limits, q):

@@ -296,7 +296,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 3b4db973a36bcc6e"
+_KEY = "welding_5r f85b1dea864c994f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2080,7 +2080,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 16) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or its z axis not of length one")
+        raise ValueError("T is no pose: not finite, or its z axis not of length one to six digits")
     rows, status, q = rows[first:last], status[first:last], np.empty(5)
     seed = _ZEROS if q_seed is None else _array(q_seed, (5,), "q_seed")
     if _nearest(rows, status, seed, limits, q):

@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 8a290b62bce27a51"
+_KEY = "xarm7 c86c085d147bffdd"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2195,7 +2195,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 16) if branch is None else _span(branch)
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation, or the value of a free joint not finite")
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits, or the value of a free joint not finite")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
     seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
