@@ -3107,13 +3107,13 @@ static void abb_gofa_5_close_roots(const double *E, const abb_gofa_5_roots *root
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_5_loop *loop,
-                          double link[6][12], const abb_gofa_5_candidates *all, int simple,
-                          int doubles, abb_gofa_5_found *found)
+                          double link[6][12], const abb_gofa_5_candidates *all,
+                          const abb_gofa_5_roots *roots, abb_gofa_5_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[ABB_GOFA_5_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     abb_gofa_5_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += ABB_GOFA_5_LANES) {
         const int count = all->count - from < ABB_GOFA_5_LANES ? all->count - from :
@@ -3142,10 +3142,13 @@ static int abb_gofa_5_settle(const abb_gofa_5_formulation *form, const abb_gofa_
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
+    complete = complete && abb_gofa_5_bits(met) >= expected && abb_gofa_5_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -3179,8 +3182,7 @@ static int abb_gofa_5_attempt(const abb_gofa_5_formulation *form, const abb_gofa
     for (int i = 0; i < roots.doubles; i++) {
         abb_gofa_5_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return abb_gofa_5_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return abb_gofa_5_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -3131,13 +3131,13 @@ static void fanuc_crx10ia_close_roots(const double *E, const fanuc_crx10ia_roots
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fanuc_crx10ia_loop
     *loop,
-                          double link[6][12], const fanuc_crx10ia_candidates *all, int simple,
-                          int doubles, fanuc_crx10ia_found *found)
+                          double link[6][12], const fanuc_crx10ia_candidates *all,
+                          const fanuc_crx10ia_roots *roots, fanuc_crx10ia_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[FANUC_CRX10IA_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     fanuc_crx10ia_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += FANUC_CRX10IA_LANES) {
         const int count = all->count - from < FANUC_CRX10IA_LANES ? all->count - from :
@@ -3166,10 +3166,13 @@ static int fanuc_crx10ia_settle(const fanuc_crx10ia_formulation *form, const fan
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && fanuc_crx10ia_bits(met) >= expected && fanuc_crx10ia_paired(found);
+    complete = complete && fanuc_crx10ia_bits(met) >= expected && fanuc_crx10ia_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -3204,8 +3207,7 @@ static int fanuc_crx10ia_attempt(const fanuc_crx10ia_formulation *form, const fa
     for (int i = 0; i < roots.doubles; i++) {
         fanuc_crx10ia_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return fanuc_crx10ia_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return fanuc_crx10ia_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -2930,13 +2930,13 @@ static void general_5r1p_close_roots(const double *E, const general_5r1p_roots *
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int general_5r1p_settle(const general_5r1p_formulation *form, const general_5r1p_loop *loop,
-                          double link[6][12], const general_5r1p_candidates *all, int simple,
-                          int doubles, general_5r1p_found *found)
+                          double link[6][12], const general_5r1p_candidates *all,
+                          const general_5r1p_roots *roots, general_5r1p_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[GENERAL_5R1P_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     general_5r1p_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R1P_LANES) {
         const int count = all->count - from < GENERAL_5R1P_LANES ? all->count - from :
@@ -2965,10 +2965,13 @@ static int general_5r1p_settle(const general_5r1p_formulation *form, const gener
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && general_5r1p_bits(met) >= expected && general_5r1p_paired(found);
+    complete = complete && general_5r1p_bits(met) >= expected && general_5r1p_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -3002,8 +3005,7 @@ static int general_5r1p_attempt(const general_5r1p_formulation *form, const gene
     for (int i = 0; i < roots.doubles; i++) {
         general_5r1p_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return general_5r1p_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return general_5r1p_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

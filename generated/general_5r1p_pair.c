@@ -2964,13 +2964,13 @@ static void general_5r1p_pair_close_roots(const double *E, const general_5r1p_pa
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, const
     general_5r1p_pair_loop *loop,
-                          double link[6][12], const general_5r1p_pair_candidates *all, int simple,
-                          int doubles, general_5r1p_pair_found *found)
+                          double link[6][12], const general_5r1p_pair_candidates *all,
+                          const general_5r1p_pair_roots *roots, general_5r1p_pair_found *found)
 {
     double w[3], solve[2][3];
     unsigned met = 0, of_group[GENERAL_5R1P_PAIR_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     general_5r1p_pair_invariants(form->joint, link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R1P_PAIR_LANES) {
         const int count = all->count - from < GENERAL_5R1P_PAIR_LANES ? all->count - from :
@@ -2999,10 +2999,14 @@ static int general_5r1p_pair_settle(const general_5r1p_pair_formulation *form, c
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && general_5r1p_pair_bits(met) >= expected && general_5r1p_pair_paired(found);
+    complete = complete && general_5r1p_pair_bits(met) >= expected &&
+        general_5r1p_pair_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -3037,8 +3041,7 @@ static int general_5r1p_pair_attempt(const general_5r1p_pair_formulation *form, 
     for (int i = 0; i < roots.doubles; i++) {
         general_5r1p_pair_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return general_5r1p_pair_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return general_5r1p_pair_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

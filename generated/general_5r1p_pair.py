@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair 991c7e1fb0e7208e"
+_KEY = "general_5r1p_pair be4fa5c56d8e3102"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1725,7 +1725,6 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
     if not good:
         return False, count
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
-    doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1743,7 +1742,7 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
         total += 1
     met = np.zeros(16, dtype=np.int64)
     c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
-    vectors, expected = np.empty((5, 6)), simple
+    vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
     for i in range(total):
         cosine, sine = math.cos(angles[i]), math.sin(angles[i])
         met_here = singular_here = False
@@ -1764,8 +1763,11 @@ def _general_5r1p_pair_attempt(form, loop, q, residual, singular, doubles_met, c
                 complete = False
         if i >= first_double and (met_here or not regular):
             expected += 1 if singular_here else 2
+            true_doubles += 1
     regular = count - _general_5r1p_pair_marked(singular)
-    return complete and _general_5r1p_pair_marked(met) >= expected and regular % 2 == 0, count
+    complete = complete and _general_5r1p_pair_marked(met) >= expected and regular % 2 == 0
+    doubles_met[0] += true_doubles if complete else doubles
+    return complete, count
 
 
 @_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")

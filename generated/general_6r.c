@@ -2857,13 +2857,13 @@ static void general_6r_close_roots(const double *E, const general_6r_roots *root
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int general_6r_settle(const general_6r_formulation *form, const general_6r_loop *loop,
-                          double link[6][12], const general_6r_candidates *all, int simple,
-                          int doubles, general_6r_found *found)
+                          double link[6][12], const general_6r_candidates *all,
+                          const general_6r_roots *roots, general_6r_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[GENERAL_6R_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     general_6r_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_6R_LANES) {
         const int count = all->count - from < GENERAL_6R_LANES ? all->count - from :
@@ -2892,10 +2892,13 @@ static int general_6r_settle(const general_6r_formulation *form, const general_6
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && general_6r_bits(met) >= expected && general_6r_paired(found);
+    complete = complete && general_6r_bits(met) >= expected && general_6r_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2929,8 +2932,7 @@ static int general_6r_attempt(const general_6r_formulation *form, const general_
     for (int i = 0; i < roots.doubles; i++) {
         general_6r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return general_6r_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return general_6r_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

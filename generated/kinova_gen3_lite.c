@@ -2894,13 +2894,13 @@ static void kinova_gen3_lite_close_roots(const double *E, const kinova_gen3_lite
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, const
     kinova_gen3_lite_loop *loop,
-                          double link[6][12], const kinova_gen3_lite_candidates *all, int simple,
-                          int doubles, kinova_gen3_lite_found *found)
+                          double link[6][12], const kinova_gen3_lite_candidates *all,
+                          const kinova_gen3_lite_roots *roots, kinova_gen3_lite_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_GEN3_LITE_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     kinova_gen3_lite_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_GEN3_LITE_LANES) {
         const int count = all->count - from < KINOVA_GEN3_LITE_LANES ? all->count - from :
@@ -2929,10 +2929,13 @@ static int kinova_gen3_lite_settle(const kinova_gen3_lite_formulation *form, con
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && kinova_gen3_lite_bits(met) >= expected && kinova_gen3_lite_paired(found);
+    complete = complete && kinova_gen3_lite_bits(met) >= expected && kinova_gen3_lite_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2967,8 +2970,7 @@ static int kinova_gen3_lite_attempt(const kinova_gen3_lite_formulation *form, co
     for (int i = 0; i < roots.doubles; i++) {
         kinova_gen3_lite_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return kinova_gen3_lite_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return kinova_gen3_lite_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -2868,13 +2868,13 @@ static void kinova_jaco2_close_roots(const double *E, const kinova_jaco2_roots *
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinova_jaco2_loop *loop,
-                          double link[6][12], const kinova_jaco2_candidates *all, int simple,
-                          int doubles, kinova_jaco2_found *found)
+                          double link[6][12], const kinova_jaco2_candidates *all,
+                          const kinova_jaco2_roots *roots, kinova_jaco2_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[KINOVA_JACO2_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     kinova_jaco2_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += KINOVA_JACO2_LANES) {
         const int count = all->count - from < KINOVA_JACO2_LANES ? all->count - from :
@@ -2903,10 +2903,13 @@ static int kinova_jaco2_settle(const kinova_jaco2_formulation *form, const kinov
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && kinova_jaco2_bits(met) >= expected && kinova_jaco2_paired(found);
+    complete = complete && kinova_jaco2_bits(met) >= expected && kinova_jaco2_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2940,8 +2943,7 @@ static int kinova_jaco2_attempt(const kinova_jaco2_formulation *form, const kino
     for (int i = 0; i < roots.doubles; i++) {
         kinova_jaco2_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return kinova_jaco2_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return kinova_jaco2_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -355,7 +355,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 d814acffa1dcd34c"
+_KEY = "kinova_jaco2 a07edea4d1b2da3d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1723,7 +1723,6 @@ def _kinova_jaco2_attempt(form, loop, q, residual, singular, doubles_met, count)
     if not good:
         return False, count
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
-    doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1741,7 +1740,7 @@ def _kinova_jaco2_attempt(form, loop, q, residual, singular, doubles_met, count)
         total += 1
     met = np.zeros(16, dtype=np.int64)
     c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
-    vectors, expected = np.empty((5, 6)), simple
+    vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
     for i in range(total):
         cosine, sine = math.cos(angles[i]), math.sin(angles[i])
         met_here = singular_here = False
@@ -1762,8 +1761,11 @@ def _kinova_jaco2_attempt(form, loop, q, residual, singular, doubles_met, count)
                 complete = False
         if i >= first_double and (met_here or not regular):
             expected += 1 if singular_here else 2
+            true_doubles += 1
     regular = count - _kinova_jaco2_marked(singular)
-    return complete and _kinova_jaco2_marked(met) >= expected and regular % 2 == 0, count
+    complete = complete and _kinova_jaco2_marked(met) >= expected and regular % 2 == 0
+    doubles_met[0] += true_doubles if complete else doubles
+    return complete, count
 
 
 @_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")

@@ -2868,13 +2868,13 @@ static void manseur_doty_close_roots(const double *E, const manseur_doty_roots *
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int manseur_doty_settle(const manseur_doty_formulation *form, const manseur_doty_loop *loop,
-                          double link[6][12], const manseur_doty_candidates *all, int simple,
-                          int doubles, manseur_doty_found *found)
+                          double link[6][12], const manseur_doty_candidates *all,
+                          const manseur_doty_roots *roots, manseur_doty_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[MANSEUR_DOTY_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     manseur_doty_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += MANSEUR_DOTY_LANES) {
         const int count = all->count - from < MANSEUR_DOTY_LANES ? all->count - from :
@@ -2903,10 +2903,13 @@ static int manseur_doty_settle(const manseur_doty_formulation *form, const manse
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && manseur_doty_bits(met) >= expected && manseur_doty_paired(found);
+    complete = complete && manseur_doty_bits(met) >= expected && manseur_doty_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2940,8 +2943,7 @@ static int manseur_doty_attempt(const manseur_doty_formulation *form, const mans
     for (int i = 0; i < roots.doubles; i++) {
         manseur_doty_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return manseur_doty_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return manseur_doty_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

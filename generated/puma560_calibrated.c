@@ -2922,13 +2922,13 @@ static void puma560_calibrated_close_roots(const double *E, const puma560_calibr
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int puma560_calibrated_settle(const puma560_calibrated_formulation *form, const
     puma560_calibrated_loop *loop,
-                          double link[6][12], const puma560_calibrated_candidates *all, int simple,
-                          int doubles, puma560_calibrated_found *found)
+                          double link[6][12], const puma560_calibrated_candidates *all,
+                          const puma560_calibrated_roots *roots, puma560_calibrated_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[PUMA560_CALIBRATED_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     puma560_calibrated_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += PUMA560_CALIBRATED_LANES) {
         const int count = all->count - from < PUMA560_CALIBRATED_LANES ? all->count - from :
@@ -2958,10 +2958,14 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && puma560_calibrated_bits(met) >= expected && puma560_calibrated_paired(found);
+    complete = complete && puma560_calibrated_bits(met) >= expected &&
+        puma560_calibrated_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2997,8 +3001,7 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
     for (int i = 0; i < roots.doubles; i++) {
         puma560_calibrated_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return puma560_calibrated_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return puma560_calibrated_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -2844,13 +2844,13 @@ static void welding_5r_close_roots(const double *E, const welding_5r_roots *root
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int welding_5r_settle(const welding_5r_formulation *form, const welding_5r_loop *loop,
-                          double link[6][12], const welding_5r_candidates *all, int simple,
-                          int doubles, welding_5r_found *found)
+                          double link[6][12], const welding_5r_candidates *all,
+                          const welding_5r_roots *roots, welding_5r_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[WELDING_5R_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     welding_5r_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += WELDING_5R_LANES) {
         const int count = all->count - from < WELDING_5R_LANES ? all->count - from :
@@ -2879,10 +2879,13 @@ static int welding_5r_settle(const welding_5r_formulation *form, const welding_5
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && welding_5r_bits(met) >= expected && welding_5r_paired(found);
+    complete = complete && welding_5r_bits(met) >= expected && welding_5r_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2916,8 +2919,7 @@ static int welding_5r_attempt(const welding_5r_formulation *form, const welding_
     for (int i = 0; i < roots.doubles; i++) {
         welding_5r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return welding_5r_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return welding_5r_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

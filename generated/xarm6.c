@@ -3068,13 +3068,13 @@ static void xarm6_close_roots(const double *E, const xarm6_roots *roots, xarm6_c
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
-                          double link[6][12], const xarm6_candidates *all, int simple,
-                          int doubles, xarm6_found *found)
+                          double link[6][12], const xarm6_candidates *all,
+                          const xarm6_roots *roots, xarm6_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[XARM6_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     xarm6_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += XARM6_LANES) {
         const int count = all->count - from < XARM6_LANES ? all->count - from : XARM6_LANES;
@@ -3102,10 +3102,13 @@ static int xarm6_settle(const xarm6_formulation *form, const xarm6_loop *loop,
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && xarm6_bits(met) >= expected && xarm6_paired(found);
+    complete = complete && xarm6_bits(met) >= expected && xarm6_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -3137,8 +3140,7 @@ static int xarm6_attempt(const xarm6_formulation *form, const xarm6_loop *loop,
     for (int i = 0; i < roots.doubles; i++) {
         xarm6_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return xarm6_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return xarm6_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -2837,13 +2837,13 @@ static void xarm7_close_roots(const double *E, const xarm7_roots *roots, xarm7_c
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
-                          double link[6][12], const xarm7_candidates *all, int simple,
-                          int doubles, xarm7_found *found)
+                          double link[6][12], const xarm7_candidates *all,
+                          const xarm7_roots *roots, xarm7_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[XARM7_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     xarm7_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += XARM7_LANES) {
         const int count = all->count - from < XARM7_LANES ? all->count - from : XARM7_LANES;
@@ -2871,10 +2871,13 @@ static int xarm7_settle(const xarm7_formulation *form, const xarm7_loop *loop,
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && xarm7_bits(met) >= expected && xarm7_paired(found);
+    complete = complete && xarm7_bits(met) >= expected && xarm7_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -2906,8 +2909,7 @@ static int xarm7_attempt(const xarm7_formulation *form, const xarm7_loop *loop,
     for (int i = 0; i < roots.doubles; i++) {
         xarm7_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return xarm7_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return xarm7_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

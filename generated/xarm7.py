@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 c86c085d147bffdd"
+_KEY = "xarm7 0bbf6cf12a4ad3c1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1744,7 +1744,6 @@ def _xarm7_attempt(form, loop, q, residual, singular, doubles_met, count):
     if not good:
         return False, count
     simple, doubles, complete = counts[0], counts[1], counts[2] == 1
-    doubles_met[0] += doubles
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1762,7 +1761,7 @@ def _xarm7_attempt(form, loop, q, residual, singular, doubles_met, count):
         total += 1
     met = np.zeros(16, dtype=np.int64)
     c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
-    vectors, expected = np.empty((5, 6)), simple
+    vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
     for i in range(total):
         cosine, sine = math.cos(angles[i]), math.sin(angles[i])
         met_here = singular_here = False
@@ -1783,8 +1782,11 @@ def _xarm7_attempt(form, loop, q, residual, singular, doubles_met, count):
                 complete = False
         if i >= first_double and (met_here or not regular):
             expected += 1 if singular_here else 2
+            true_doubles += 1
     regular = count - _xarm7_marked(singular)
-    return complete and _xarm7_marked(met) >= expected and regular % 2 == 0, count
+    complete = complete and _xarm7_marked(met) >= expected and regular % 2 == 0
+    doubles_met[0] += true_doubles if complete else doubles
+    return complete, count
 
 
 @_apart("Tuple((boolean, int64))(float64[:, ::1], float64[:, ::1], float64[::1], int64[::1], int64[::1])")

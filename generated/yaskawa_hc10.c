@@ -3119,13 +3119,13 @@ static void yaskawa_hc10_close_roots(const double *E, const yaskawa_hc10_roots *
  * is another one for each of them and two more for each double root, or a singular one; and regular
  * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
 static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaskawa_hc10_loop *loop,
-                          double link[6][12], const yaskawa_hc10_candidates *all, int simple,
-                          int doubles, yaskawa_hc10_found *found)
+                          double link[6][12], const yaskawa_hc10_candidates *all,
+                          const yaskawa_hc10_roots *roots, yaskawa_hc10_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[YASKAWA_HC10_CANDIDATES] = {0};
-    int complete = 1, expected = simple;
-    found->doubles += doubles;
+    const int simple = roots->simple, doubles = roots->doubles;
+    int complete = roots->complete, expected = simple, true_doubles = 0;
     yaskawa_hc10_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += YASKAWA_HC10_LANES) {
         const int count = all->count - from < YASKAWA_HC10_LANES ? all->count - from :
@@ -3154,10 +3154,13 @@ static int yaskawa_hc10_settle(const yaskawa_hc10_formulation *form, const yaska
     }
     for (int i = all->groups - doubles; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
+            true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
-    return complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
+    complete = complete && yaskawa_hc10_bits(met) >= expected && yaskawa_hc10_paired(found);
+    found->doubles += complete ? true_doubles : doubles;
+    return complete;
 }
 
 /* The determinant at the sample angles, through a lens. */
@@ -3191,8 +3194,7 @@ static int yaskawa_hc10_attempt(const yaskawa_hc10_formulation *form, const yask
     for (int i = 0; i < roots.doubles; i++) {
         yaskawa_hc10_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
-    return yaskawa_hc10_settle(form, loop, link, &all, roots.simple, roots.doubles, found) &&
-        roots.complete;
+    return yaskawa_hc10_settle(form, loop, link, &all, &roots, found);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -216,9 +216,8 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     found = real_roots(lambda cosines, sines: fold(E, cosines, sines)[0])
     if found is None:
         return False
-    search.doubles += len(found.double)
     met: set[int | None] = set()
-    expected = len(found.simple)
+    expected, doubles = len(found.simple), 0
     complete = found.complete
     for angle in found.simple:
         (phi,) = _candidates(E, around, slides, (angle, 1))
@@ -230,8 +229,11 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
         if angle in found.double and (places or _vanishes(E, angle)):
             expected += 1 if places & search.singular else 2
+            doubles += 1
         met |= places
-    return complete and len(met) >= expected and search.paired
+    complete = complete and len(met) >= expected and search.paired
+    search.doubles += doubles if complete else len(found.double)
+    return complete
 
 
 def _vanishes(E: FloatArray, angle: float) -> bool:
