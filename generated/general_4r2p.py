@@ -401,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p e356923e6f5954e2"
+_KEY = "general_4r2p 2fb3e3ceeb758cbe"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -537,14 +537,14 @@ def _shorten(step):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e.
+def _damped_step(A, e, length, little, step):
+    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
 
     The rows of A, each with its share of the damping's root behind it, are made orthonormal one
     after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
     orthogonalization, 1994): the product A A' would lose half of the digits.
     """
-    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    damping = 0.1 * min(length * length, 1.0) + little
     rows, y = np.zeros((6, 12)), np.empty(6)
     total = np.zeros(12)
     for i in range(6):
@@ -578,18 +578,24 @@ def _damped_step(A, e, length, step):
 
 @_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
 def _descend(T, q, u):
-    """Takes u to where damped least squares lead; returns by how much that misses the pose."""
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool.
+    """
     e, A = np.empty(6), np.empty((6, 6))
-    least, best, step = math.inf, u.copy(), np.empty(6)
+    least, best, step, little = math.inf, u.copy(), np.empty(6), 1e-13
     for _ in range(40 + 1):
         length = _look(T, q, u, e, A)
-        stalled = length >= 0.5 * least and least <= 1e-10
+        slow = length >= 0.5 * least
+        stalled = slow and least <= 1e-10
+        if slow and least <= 1e-06:
+            little = 1e-26
         if length < least:
             least = length
             _take(best, u)
         if stalled:
             break
-        _damped_step(A, e, length, step)
+        _damped_step(A, e, length, little, step)
         _shorten(step)
         for j in range(6):
             u[j] += step[j]
@@ -609,7 +615,7 @@ def _limited_step(A, e, length, wish, u, low, high, step):
             rest[i] = e[i]
             for j in range(6):
                 rest[i] -= A[i, j] * wish[j]
-        _damped_step(A, rest, length, step)
+        _damped_step(A, rest, length, 1e-13, step)
         for j in range(6):
             step[j] += wish[j]
         _shorten(step)
@@ -676,11 +682,11 @@ def _start_of(k, near, u):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
 
 
-@_apart("int64(float64[:, ::1], float64[::1], float64[::1])")
-def _continuum(T, q, u):
+@_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64)")
+def _continuum(T, q, u, enough):
     """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
 
-    0 if it is a singular solution that stands alone, -1 if it is a regular one.
+    They miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone, -1 if it is a regular one.
     """
     e, A = np.empty(6), np.empty((6, 6))
     along, end = np.empty(6), np.empty(6)
@@ -689,7 +695,7 @@ def _continuum(T, q, u):
         e[i] = 0.0
         for j in range(6):
             e[i] += A[i, j] * _STRIDE[j]
-    _damped_step(A, e, 0.0, along)
+    _damped_step(A, e, 0.0, 1e-13, along)
     square = 0.0
     for j in range(6):
         along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
@@ -703,7 +709,7 @@ def _continuum(T, q, u):
         miss = _descend(T, q, end)
         for j in range(6):
             gap = max(gap, abs(end[j] - u[j]))
-        if miss > 1e-10 or gap <= 0.002:
+        if miss > enough or gap <= 0.002:
             return 0
     return 1
 
@@ -729,10 +735,11 @@ def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
     if count == 8 or _is_known(kept, kinds, count, u, False):
         return count
-    kind = _continuum(T, q, u)
+    enough = 1e-10
+    kind = _continuum(T, q, u, enough)
     if kind == 1:
         end = u.copy()
-        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= 1e-10:
+        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= enough:
             _take(u, end)
     _wrap_angles(u)
     if _is_known(kept, kinds, count, u, kind >= 0):
@@ -1114,7 +1121,7 @@ def _general_4r2p_find_roots(f, scale, rounding, middle, reach, near):
     cells on both sides of the middle one. Two complex roots count as a double one where the value of
     a parabola over its bend is below `near`."""
     roots = np.empty((2, 24))
-    counts = np.array([0, 0, 1])
+    counts = np.array([0, 0, 1, 0])
     grid = _general_4r2p_grid(f)
     touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
     budget = 100  # against an f that is next to nothing for long stretches
@@ -1232,7 +1239,17 @@ def _general_4r2p_replace(roots, counts, closer, closer_counts, middle):
 
 
 @_inner
-def _general_4r2p_unseen(roots, counts, seen, looks):
+def _general_4r2p_any_near(roots, counts, middle):
+    """Whether any root is near to an angle."""
+    near = False
+    for twice in range(2):
+        for i in range(counts[twice]):
+            near = near or _general_4r2p_near(roots[twice, i], middle)
+    return near
+
+
+@_inner
+def _general_4r2p_next_double(roots, counts, seen, looks):
     """The first double root that nothing has looked at more closely; their count if there is none."""
     for i in range(counts[1]):
         near = False
@@ -1618,7 +1635,8 @@ def _general_4r2p_real_roots_closed(of):
 
     Where roots may be double they are replaced by what a closer look shows, if it shows all: values
     that are computed there have the digits that the fit of f lacks. What was given up stands among
-    them.
+    them. Behind them stand, as many as the last of the counts, places where that shows no root: the
+    values lack the digits that the equations behind f lack.
     """
     samples = np.empty(24)
     _general_4r2p_sample_closed(of, 0.0, 0.0, samples)
@@ -1630,7 +1648,8 @@ def _general_4r2p_real_roots_closed(of):
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
-    i = _general_4r2p_unseen(roots, counts, seen, looks)
+    unseen = np.empty(4)
+    i = _general_4r2p_next_double(roots, counts, seen, looks)
     while i < counts[1] and looks < 4:
         middle = seen[looks] = roots[1, i]
         looks += 1
@@ -1643,9 +1662,15 @@ def _general_4r2p_real_roots_closed(of):
         )
         if blur <= 1e-10 and closer_counts[2]:
             _general_4r2p_replace(roots, counts, closer, closer_counts, middle)
+            if not _general_4r2p_any_near(roots, counts, middle):
+                unseen[counts[3]] = middle
+                counts[3] += 1
         else:
             clear = False
-        i = _general_4r2p_unseen(roots, counts, seen, looks)
+        i = _general_4r2p_next_double(roots, counts, seen, looks)
+    counts[3] = min(counts[3], 24 - counts[1])
+    for k in range(counts[3]):
+        roots[1, counts[1] + k] = unseen[k]
     if clear and i == counts[1]:
         counts[2] = 1
     if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not

@@ -95,15 +95,17 @@ static void shorten(double step[5])
         step[j] *= 2.0 / longest;
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
+ * A, each with its share of the
  * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
  * by
  * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
  * */
 static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[5])
+    const struct descent *d, const double e[6], double length, double little,
+    double step[5])
 {
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    const double damping = 0.1 * fmin(length * length, 1.0) + little;
     double rows[6][11], y[6], sum[11] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         double square = 0.0;
@@ -137,20 +139,23 @@ static void damped_step(
 }
 
 
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. */
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool. */
 static double descend(struct descent *d, double u[5])
 {
-    double least = HUGE_VAL, best[5], step[5];
+    double least = HUGE_VAL, little = 1e-13, best[5], step[5];
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int stalled = d->length >= 0.5 * least && least <= 1e-10;
+        const int slow = d->length >= 0.5 * least, stalled = slow && least <= 1e-10;
+        if (slow && least <= 1e-06)
+            little = 1e-26;
         if (d->length < least) {
             least = d->length;
             copy(u, best);
         }
         if (stalled)
             break;
-        damped_step(d, d->e, d->length, step);
+        damped_step(d, d->e, d->length, little, step);
         shorten(step);
         for (int j = 0; j < 5; j++)
             u[j] += step[j];
@@ -177,7 +182,7 @@ static void limited_step(
             for (int j = 0; j < 5; j++)
                 e[i] -= d->A[i][j] * wish[j];
         }
-        damped_step(d, e, d->length, step);
+        damped_step(d, e, d->length, 1e-13, step);
         for (int j = 0; j < 5; j++)
             step[j] += wish[j];
         shorten(step);
@@ -256,9 +261,11 @@ static double distance_between(const double a[5], const double b[5])
         most = fmax(most, fabs(a[j] - b[j]));
     return most;
 }
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, 0 if it is a
- * singular solution that stands alone, -1 if it is a regular one. */
-static int continuum(struct descent *d, const double u[5])
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
+ * pose
+ * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
+ * one. */
+static int continuum(struct descent *d, const double u[5], double enough)
 {
     double along[5], moved[6], square = 0.0;
     look(d, u);
@@ -267,7 +274,7 @@ static int continuum(struct descent *d, const double u[5])
         for (int j = 0; j < 5; j++)
             moved[i] += d->A[i][j] * stride[j];
     }
-    damped_step(d, moved, 0.0, along);
+    damped_step(d, moved, 0.0, 1e-13, along);
     for (int j = 0; j < 5; j++) {
         along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
         square += along[j] * along[j];
@@ -278,7 +285,7 @@ static int continuum(struct descent *d, const double u[5])
         double end[5];
         for (int j = 0; j < 5; j++)
             end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
-        if (descend(d, end) > 1e-05 || distance_between(end, u) <= 0.002)
+        if (descend(d, end) > enough || distance_between(end, u) <= 0.002)
             return 0;
     }
     return 1;
@@ -310,11 +317,13 @@ static void keep(struct descent *d, struct kept *kept, double u[5])
 {
     if (kept->count == 16 || is_known(kept, u, 0))
         return;
-    const int kind = continuum(d, u);
+    look(d, u); /* an exact solution is left for exact ones only */
+    const double enough = d->length <= 1e-10 ? 1e-10 : 1e-05;
+    const int kind = continuum(d, u, enough);
     if (kind == 1) {
         double end[5];
         copy(u, end);
-        if (pulled(d, end, no_lowest, no_highest) <= 1e-05)
+        if (pulled(d, end, no_lowest, no_highest) <= enough)
             copy(end, u);
     }
     wrap_angles(u);
@@ -1631,11 +1640,11 @@ typedef struct {
 } general_5r_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one). `complete` says that no cell was
- * given
- * up. */
+ * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
+ * where
+ * a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, complete;
+    int simple, doubles, unseen, complete;
     double c[GENERAL_5R_ROOTS + 8], s[GENERAL_5R_ROOTS + 8];
     double double_c[GENERAL_5R_ROOTS], double_s[GENERAL_5R_ROOTS];
 } general_5r_roots;
@@ -2051,7 +2060,7 @@ static void general_5r_find_roots(const general_5r_trigonometric *f, const gener
     int budget = 100; /* against an f that is next to nothing for long stretches */
     const double h = 0.02454369260617026;
     general_5r_fill_grid(f, &g);
-    roots->doubles = 0;
+    roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2213,13 +2222,28 @@ static int general_5r_magnify(general_5r_sampler sample, const void *of, double 
     return 1;
 }
 
+/* Whether any root is near to an angle. */
+static int general_5r_any_near(const general_5r_roots *roots, double cosine, double sine)
+{
+    int any = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        any |= general_5r_near(roots->c[i], roots->s[i], cosine, sine);
+    }
+    for (int i = 0; i < roots->doubles; i++) {
+        any |= general_5r_near(roots->double_c[i], roots->double_s[i], cosine, sine);
+    }
+    return any;
+}
+
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
- * there have the digits that the fit of f lacks. What was given up stands among them. */
+ * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
+ * was
+ * given up stands among them. */
 static void general_5r_look_closer(general_5r_sampler sample, const void *of, general_5r_roots
     *roots)
 {
     double c[4], s[4];
-    int looks = 0, clear = 1, i = 0;
+    int looks = 0, clear = 1, i = 0, emptied[4];
     if (roots->simple == GENERAL_5R_ROOTS || roots->doubles == GENERAL_5R_ROOTS) {
         return;
     }
@@ -2237,9 +2261,18 @@ static void general_5r_look_closer(general_5r_sampler sample, const void *of, ge
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        clear &= general_5r_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = general_5r_magnify(sample, of, c[looks], s[looks], roots);
+        clear &= emptied[looks];
+        emptied[looks] &= !general_5r_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
+    }
+    for (int k = 0; k < looks; k++) {
+        if (emptied[k] && roots->doubles + roots->unseen < GENERAL_5R_ROOTS) {
+            roots->double_c[roots->doubles + roots->unseen] = c[k];
+            roots->double_s[roots->doubles + roots->unseen] = s[k];
+            roots->unseen++;
+        }
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2872,14 +2905,17 @@ static void general_5r_close_roots(const double *E, const general_5r_roots *root
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
+ * nearly vanishes all around, rounding of the equations may lift it off a double root, which
+ * nothing
+ * but they tell. */
 static int general_5r_settle(const general_5r_formulation *form, const general_5r_loop *loop,
                           double link[6][12], const general_5r_candidates *all,
                           const general_5r_roots *roots, general_5r_found *found)
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[GENERAL_5R_CANDIDATES] = {0};
-    const int simple = roots->simple, doubles = roots->doubles;
+    const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     general_5r_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += GENERAL_5R_LANES) {
@@ -2907,14 +2943,14 @@ static int general_5r_settle(const general_5r_formulation *form, const general_5
             }
         }
     }
-    for (int i = all->groups - doubles; i < all->groups; i++) {
+    for (int i = all->groups - touching; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
             true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
         }
     }
     complete = complete && general_5r_bits(met) >= expected && general_5r_paired(found);
-    found->doubles += complete ? true_doubles : doubles;
+    found->doubles += complete ? true_doubles : roots->doubles;
     return complete;
 }
 
@@ -2946,7 +2982,7 @@ static int general_5r_attempt(const general_5r_formulation *form, const general_
     }
     general_5r_null_vectors(E, &roots, &all);
     general_5r_close_roots(E, &roots, &all);
-    for (int i = 0; i < roots.doubles; i++) {
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         general_5r_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
     return general_5r_settle(form, loop, link, &all, &roots, found);

@@ -94,15 +94,17 @@ static void shorten(double step[6])
         step[j] *= 2.0 / longest;
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
+ * A, each with its share of the
  * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
  * by
  * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
  * */
 static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[6])
+    const struct descent *d, const double e[6], double length, double little,
+    double step[6])
 {
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    const double damping = 0.1 * fmin(length * length, 1.0) + little;
     double rows[6][12], y[6], sum[12] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         double square = 0.0;
@@ -136,20 +138,23 @@ static void damped_step(
 }
 
 
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. */
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool. */
 static double descend(struct descent *d, double u[6])
 {
-    double least = HUGE_VAL, best[6], step[6];
+    double least = HUGE_VAL, little = 1e-13, best[6], step[6];
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int stalled = d->length >= 0.5 * least && least <= 1e-10;
+        const int slow = d->length >= 0.5 * least, stalled = slow && least <= 1e-10;
+        if (slow && least <= 1e-06)
+            little = 1e-26;
         if (d->length < least) {
             least = d->length;
             copy(u, best);
         }
         if (stalled)
             break;
-        damped_step(d, d->e, d->length, step);
+        damped_step(d, d->e, d->length, little, step);
         shorten(step);
         for (int j = 0; j < 6; j++)
             u[j] += step[j];
@@ -176,7 +181,7 @@ static void limited_step(
             for (int j = 0; j < 6; j++)
                 e[i] -= d->A[i][j] * wish[j];
         }
-        damped_step(d, e, d->length, step);
+        damped_step(d, e, d->length, 1e-13, step);
         for (int j = 0; j < 6; j++)
             step[j] += wish[j];
         shorten(step);
@@ -258,9 +263,11 @@ static double distance_between(const double a[6], const double b[6])
         most = fmax(most, fabs(a[j] - b[j]));
     return most;
 }
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, 0 if it is a
- * singular solution that stands alone, -1 if it is a regular one. */
-static int continuum(struct descent *d, const double u[6])
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
+ * pose
+ * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
+ * one. */
+static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], moved[6], square = 0.0;
     look(d, u);
@@ -269,7 +276,7 @@ static int continuum(struct descent *d, const double u[6])
         for (int j = 0; j < 6; j++)
             moved[i] += d->A[i][j] * stride[j];
     }
-    damped_step(d, moved, 0.0, along);
+    damped_step(d, moved, 0.0, 1e-13, along);
     for (int j = 0; j < 6; j++) {
         along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
         square += along[j] * along[j];
@@ -280,7 +287,7 @@ static int continuum(struct descent *d, const double u[6])
         double end[6];
         for (int j = 0; j < 6; j++)
             end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
-        if (descend(d, end) > 1e-10 || distance_between(end, u) <= 0.002)
+        if (descend(d, end) > enough || distance_between(end, u) <= 0.002)
             return 0;
     }
     return 1;
@@ -312,11 +319,12 @@ static void keep(struct descent *d, struct kept *kept, double u[6])
 {
     if (kept->count == 8 || is_known(kept, u, 0))
         return;
-    const int kind = continuum(d, u);
+    const double enough = 1e-10;
+    const int kind = continuum(d, u, enough);
     if (kind == 1) {
         double end[6];
         copy(u, end);
-        if (pulled(d, end, no_lowest, no_highest) <= 1e-10)
+        if (pulled(d, end, no_lowest, no_highest) <= enough)
             copy(end, u);
     }
     wrap_angles(u);
@@ -1408,11 +1416,11 @@ typedef struct {
 } general_rpprrr_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one). `complete` says that no cell was
- * given
- * up. */
+ * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
+ * where
+ * a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, complete;
+    int simple, doubles, unseen, complete;
     double c[GENERAL_RPPRRR_ROOTS + 8], s[GENERAL_RPPRRR_ROOTS + 8];
     double double_c[GENERAL_RPPRRR_ROOTS], double_s[GENERAL_RPPRRR_ROOTS];
 } general_rpprrr_roots;
@@ -1836,7 +1844,7 @@ static void general_rpprrr_find_roots(const general_rpprrr_trigonometric *f, con
     int budget = 100; /* against an f that is next to nothing for long stretches */
     const double h = 0.02454369260617026;
     general_rpprrr_fill_grid(f, &g);
-    roots->doubles = 0;
+    roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2002,13 +2010,28 @@ static int general_rpprrr_magnify(general_rpprrr_sampler sample, const void *of,
     return 1;
 }
 
+/* Whether any root is near to an angle. */
+static int general_rpprrr_any_near(const general_rpprrr_roots *roots, double cosine, double sine)
+{
+    int any = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        any |= general_rpprrr_near(roots->c[i], roots->s[i], cosine, sine);
+    }
+    for (int i = 0; i < roots->doubles; i++) {
+        any |= general_rpprrr_near(roots->double_c[i], roots->double_s[i], cosine, sine);
+    }
+    return any;
+}
+
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
- * there have the digits that the fit of f lacks. What was given up stands among them. */
+ * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
+ * was
+ * given up stands among them. */
 static void general_rpprrr_look_closer(general_rpprrr_sampler sample, const void *of,
     general_rpprrr_roots *roots)
 {
     double c[4], s[4];
-    int looks = 0, clear = 1, i = 0;
+    int looks = 0, clear = 1, i = 0, emptied[4];
     if (roots->simple == GENERAL_RPPRRR_ROOTS || roots->doubles == GENERAL_RPPRRR_ROOTS) {
         return;
     }
@@ -2026,9 +2049,18 @@ static void general_rpprrr_look_closer(general_rpprrr_sampler sample, const void
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        clear &= general_rpprrr_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = general_rpprrr_magnify(sample, of, c[looks], s[looks], roots);
+        clear &= emptied[looks];
+        emptied[looks] &= !general_rpprrr_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
+    }
+    for (int k = 0; k < looks; k++) {
+        if (emptied[k] && roots->doubles + roots->unseen < GENERAL_RPPRRR_ROOTS) {
+            roots->double_c[roots->doubles + roots->unseen] = c[k];
+            roots->double_s[roots->doubles + roots->unseen] = s[k];
+            roots->unseen++;
+        }
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }

@@ -339,7 +339,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite f20f673e6f770c8a"
+_KEY = "kinova_gen3_lite e0582ab34c555686"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -476,14 +476,14 @@ def _shorten(step):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e.
+def _damped_step(A, e, length, little, step):
+    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
 
     The rows of A, each with its share of the damping's root behind it, are made orthonormal one
     after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
     orthogonalization, 1994): the product A A' would lose half of the digits.
     """
-    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    damping = 0.1 * min(length * length, 1.0) + little
     rows, y = np.zeros((6, 12)), np.empty(6)
     total = np.zeros(12)
     for i in range(6):
@@ -517,18 +517,24 @@ def _damped_step(A, e, length, step):
 
 @_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
 def _descend(T, q, u):
-    """Takes u to where damped least squares lead; returns by how much that misses the pose."""
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool.
+    """
     e, A = np.empty(6), np.empty((6, 6))
-    least, best, step = math.inf, u.copy(), np.empty(6)
+    least, best, step, little = math.inf, u.copy(), np.empty(6), 1e-13
     for _ in range(40 + 1):
         length = _look(T, q, u, e, A)
-        stalled = length >= 0.5 * least and least <= 1e-10
+        slow = length >= 0.5 * least
+        stalled = slow and least <= 1e-10
+        if slow and least <= 1e-06:
+            little = 1e-26
         if length < least:
             least = length
             _take(best, u)
         if stalled:
             break
-        _damped_step(A, e, length, step)
+        _damped_step(A, e, length, little, step)
         _shorten(step)
         for j in range(6):
             u[j] += step[j]
@@ -548,7 +554,7 @@ def _limited_step(A, e, length, wish, u, low, high, step):
             rest[i] = e[i]
             for j in range(6):
                 rest[i] -= A[i, j] * wish[j]
-        _damped_step(A, rest, length, step)
+        _damped_step(A, rest, length, 1e-13, step)
         for j in range(6):
             step[j] += wish[j]
         _shorten(step)
@@ -609,11 +615,11 @@ def _start_of(k, near, u):
         u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
 
 
-@_apart("int64(float64[:, ::1], float64[::1], float64[::1])")
-def _continuum(T, q, u):
+@_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64)")
+def _continuum(T, q, u, enough):
     """Whether u is one of a continuum of solutions: 1 if there are others to both sides.
 
-    0 if it is a singular solution that stands alone, -1 if it is a regular one.
+    They miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone, -1 if it is a regular one.
     """
     e, A = np.empty(6), np.empty((6, 6))
     along, end = np.empty(6), np.empty(6)
@@ -622,7 +628,7 @@ def _continuum(T, q, u):
         e[i] = 0.0
         for j in range(6):
             e[i] += A[i, j] * _STRIDE[j]
-    _damped_step(A, e, 0.0, along)
+    _damped_step(A, e, 0.0, 1e-13, along)
     square = 0.0
     for j in range(6):
         along[j] = _STRIDE[j] - along[j]  # what of it leaves the tool where it is
@@ -636,7 +642,7 @@ def _continuum(T, q, u):
         miss = _descend(T, q, end)
         for j in range(6):
             gap = max(gap, abs(end[j] - u[j]))
-        if miss > 1e-10 or gap <= 0.002:
+        if miss > enough or gap <= 0.002:
             return 0
     return 1
 
@@ -662,10 +668,11 @@ def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
     if count == 16 or _is_known(kept, kinds, count, u, False):
         return count
-    kind = _continuum(T, q, u)
+    enough = 1e-10
+    kind = _continuum(T, q, u, enough)
     if kind == 1:
         end = u.copy()
-        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= 1e-10:
+        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= enough:
             _take(u, end)
     _wrap_angles(u)
     if _is_known(kept, kinds, count, u, kind >= 0):
@@ -1147,7 +1154,7 @@ def _kinova_gen3_lite_find_roots(f, scale, rounding, middle, reach, near):
     cells on both sides of the middle one. Two complex roots count as a double one where the value of
     a parabola over its bend is below `near`."""
     roots = np.empty((2, 24))
-    counts = np.array([0, 0, 1])
+    counts = np.array([0, 0, 1, 0])
     grid = _kinova_gen3_lite_grid(f)
     touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
     budget = 100  # against an f that is next to nothing for long stretches
@@ -1265,7 +1272,17 @@ def _kinova_gen3_lite_replace(roots, counts, closer, closer_counts, middle):
 
 
 @_inner
-def _kinova_gen3_lite_unseen(roots, counts, seen, looks):
+def _kinova_gen3_lite_any_near(roots, counts, middle):
+    """Whether any root is near to an angle."""
+    near = False
+    for twice in range(2):
+        for i in range(counts[twice]):
+            near = near or _kinova_gen3_lite_near(roots[twice, i], middle)
+    return near
+
+
+@_inner
+def _kinova_gen3_lite_next_double(roots, counts, seen, looks):
     """The first double root that nothing has looked at more closely; their count if there is none."""
     for i in range(counts[1]):
         near = False
@@ -1652,7 +1669,8 @@ def _kinova_gen3_lite_real_roots(of):
 
     Where roots may be double they are replaced by what a closer look shows, if it shows all: values
     that are computed there have the digits that the fit of f lacks. What was given up stands among
-    them.
+    them. Behind them stand, as many as the last of the counts, places where that shows no root: the
+    values lack the digits that the equations behind f lack.
     """
     samples = np.empty(24)
     _kinova_gen3_lite_sample(of, 0.0, 0.0, samples)
@@ -1664,7 +1682,8 @@ def _kinova_gen3_lite_real_roots(of):
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
-    i = _kinova_gen3_lite_unseen(roots, counts, seen, looks)
+    unseen = np.empty(4)
+    i = _kinova_gen3_lite_next_double(roots, counts, seen, looks)
     while i < counts[1] and looks < 4:
         middle = seen[looks] = roots[1, i]
         looks += 1
@@ -1677,9 +1696,15 @@ def _kinova_gen3_lite_real_roots(of):
         )
         if blur <= 1e-10 and closer_counts[2]:
             _kinova_gen3_lite_replace(roots, counts, closer, closer_counts, middle)
+            if not _kinova_gen3_lite_any_near(roots, counts, middle):
+                unseen[counts[3]] = middle
+                counts[3] += 1
         else:
             clear = False
-        i = _kinova_gen3_lite_unseen(roots, counts, seen, looks)
+        i = _kinova_gen3_lite_next_double(roots, counts, seen, looks)
+    counts[3] = min(counts[3], 24 - counts[1])
+    for k in range(counts[3]):
+        roots[1, counts[1] + k] = unseen[k]
     if clear and i == counts[1]:
         counts[2] = 1
     if noise > 1e-10:  # f nearly vanishes identically: it does not tell what there is not
@@ -1693,14 +1718,15 @@ def _kinova_gen3_lite_attempt(form, loop, q, residual, singular, doubles_met, co
 
     The certificate: every simple root leads to a solution, there is another one for each of them and
     two more for each double root, or a singular one; and regular solutions come in pairs. Where the
-    determinant only comes near to zero there is no root.
+    determinant only comes near to zero there is no root; where it nearly vanishes all around, rounding
+    of the equations may lift it off a double root, which nothing but they tell.
     """
     joints, links = _KINOVA_GEN3_LITE_JOINTS[form], _kinova_gen3_lite_around(form, loop)
     E = _kinova_gen3_lite_equations(joints, links)
     good, roots, counts = _kinova_gen3_lite_real_roots(E)
     if not good:
         return False, count
-    simple, doubles, complete = counts[0], counts[1], counts[2] == 1
+    simple, touching, complete = counts[0], counts[1] + counts[3], counts[2] == 1
     # simple roots, pairs of them that nearly meet, double roots
     angles = np.empty(96)
     total = simple
@@ -1713,7 +1739,7 @@ def _kinova_gen3_lite_attempt(form, loop, q, residual, singular, doubles_met, co
                 angles[total] = middle if gap > 0.0 else middle + 3.141592653589793
                 total += 1
     first_double = total
-    for i in range(doubles):
+    for i in range(touching):
         angles[total] = roots[1, i]
         total += 1
     met = np.zeros(16, dtype=np.int64)
@@ -1742,7 +1768,7 @@ def _kinova_gen3_lite_attempt(form, loop, q, residual, singular, doubles_met, co
             true_doubles += 1
     regular = count - _kinova_gen3_lite_marked(singular)
     complete = complete and _kinova_gen3_lite_marked(met) >= expected and regular % 2 == 0
-    doubles_met[0] += true_doubles if complete else doubles
+    doubles_met[0] += true_doubles if complete else counts[1]
     return complete, count
 
 

@@ -227,15 +227,17 @@ static void shorten(double step[6])
         step[j] *= 2.0 / longest;
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
+ * A, each with its share of the
  * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
  * by
  * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
  * */
 static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[6])
+    const struct descent *d, const double e[6], double length, double little,
+    double step[6])
 {
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-26;
+    const double damping = 0.1 * fmin(length * length, 1.0) + little;
     double rows[6][12], y[6], sum[12] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         double square = 0.0;
@@ -282,7 +284,7 @@ static double descended(struct descent *d, int steps, double exact, double q[6],
     *ahead = HUGE_VAL;
     for (int k = 0; k <= steps; k++) {
         look(d, u);
-        damped_step(d, d->e, d->length, step);
+        damped_step(d, d->e, d->length, 1e-26, step);
         const int slow = !(d->length <= fmax(0.5 * last, left));
         if (d->length < least) {
             least = d->length;

@@ -303,7 +303,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx f3f93bba7df82787"
+_KEY = "phantomx d2aedd5386000151"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -490,14 +490,14 @@ def _shorten(step):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e.
+def _damped_step(A, e, length, little, step):
+    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
 
     The rows of A, each with its share of the damping's root behind it, are made orthonormal one
     after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
     orthogonalization, 1994): the product A A' would lose half of the digits.
     """
-    damping = 0.1 * min(length * length, 1.0) + 1e-26
+    damping = 0.1 * min(length * length, 1.0) + little
     rows, y = np.zeros((6, 10)), np.empty(6)
     total = np.zeros(10)
     for i in range(6):
@@ -544,7 +544,7 @@ def _descended(T, steps, exact, q, ahead):
     ahead[0] = math.inf
     for _ in range(steps + 1):
         length = _look(T, joints, u, e, A)
-        _damped_step(A, e, length, step)
+        _damped_step(A, e, length, 1e-26, step)
         slow = not length <= max(0.5 * last, left)
         if length < least:
             least, ahead[0] = length, np.abs(step).max()

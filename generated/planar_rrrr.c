@@ -70,15 +70,17 @@ static void shorten(double step[4])
         step[j] *= 2.0 / longest;
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
+ * A, each with its share of the
  * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
  * by
  * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
  * */
 static void damped_step(
-    const struct descent *d, const double e[2], double length, double step[4])
+    const struct descent *d, const double e[2], double length, double little,
+    double step[4])
 {
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    const double damping = 0.1 * fmin(length * length, 1.0) + little;
     double rows[2][6], y[2], sum[6] = { 0.0 };
     for (int i = 0; i < 2; i++) {
         double square = 0.0;
@@ -130,7 +132,7 @@ static void limited_step(
             for (int j = 0; j < 4; j++)
                 e[i] -= d->A[i][j] * wish[j];
         }
-        damped_step(d, e, d->length, step);
+        damped_step(d, e, d->length, 1e-13, step);
         for (int j = 0; j < 4; j++)
             step[j] += wish[j];
         shorten(step);

@@ -214,7 +214,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 2ebf54e33f9bc9dc"
+_KEY = "planar_rrrr e84523621bf90404"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -323,14 +323,14 @@ def _shorten(step):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e.
+def _damped_step(A, e, length, little, step):
+    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
 
     The rows of A, each with its share of the damping's root behind it, are made orthonormal one
     after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
     orthogonalization, 1994): the product A A' would lose half of the digits.
     """
-    damping = 0.1 * min(length * length, 1.0) + 1e-13
+    damping = 0.1 * min(length * length, 1.0) + little
     rows, y = np.zeros((2, 6)), np.empty(2)
     total = np.zeros(6)
     for i in range(2):
@@ -374,7 +374,7 @@ def _limited_step(A, e, length, wish, u, low, high, step):
             rest[i] = e[i]
             for j in range(4):
                 rest[i] -= A[i, j] * wish[j]
-        _damped_step(A, rest, length, step)
+        _damped_step(A, rest, length, 1e-13, step)
         for j in range(4):
             step[j] += wish[j]
         _shorten(step)

@@ -95,15 +95,17 @@ static void shorten(double step[6])
         step[j] *= 2.0 / longest;
 }
 
-/* The damped least squares step A' (A A' + damping)^-1 e. The rows of A, each with its share of the
+/* The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping. The rows of
+ * A, each with its share of the
  * damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used as
  * by
  * A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the digits.
  * */
 static void damped_step(
-    const struct descent *d, const double e[6], double length, double step[6])
+    const struct descent *d, const double e[6], double length, double little,
+    double step[6])
 {
-    const double damping = 0.1 * fmin(length * length, 1.0) + 1e-13;
+    const double damping = 0.1 * fmin(length * length, 1.0) + little;
     double rows[6][12], y[6], sum[12] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         double square = 0.0;
@@ -137,20 +139,23 @@ static void damped_step(
 }
 
 
-/* Takes u to where damped least squares lead; returns by how much that misses the pose. */
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool. */
 static double descend(struct descent *d, double u[6])
 {
-    double least = HUGE_VAL, best[6], step[6];
+    double least = HUGE_VAL, little = 1e-13, best[6], step[6];
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int stalled = d->length >= 0.5 * least && least <= 1e-10;
+        const int slow = d->length >= 0.5 * least, stalled = slow && least <= 1e-10;
+        if (slow && least <= 1e-06)
+            little = 1e-26;
         if (d->length < least) {
             least = d->length;
             copy(u, best);
         }
         if (stalled)
             break;
-        damped_step(d, d->e, d->length, step);
+        damped_step(d, d->e, d->length, little, step);
         shorten(step);
         for (int j = 0; j < 6; j++)
             u[j] += step[j];
@@ -177,7 +182,7 @@ static void limited_step(
             for (int j = 0; j < 6; j++)
                 e[i] -= d->A[i][j] * wish[j];
         }
-        damped_step(d, e, d->length, step);
+        damped_step(d, e, d->length, 1e-13, step);
         for (int j = 0; j < 6; j++)
             step[j] += wish[j];
         shorten(step);
@@ -259,9 +264,11 @@ static double distance_between(const double a[6], const double b[6])
         most = fmax(most, fabs(a[j] - b[j]));
     return most;
 }
-/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, 0 if it is a
- * singular solution that stands alone, -1 if it is a regular one. */
-static int continuum(struct descent *d, const double u[6])
+/* Whether u is one of a continuum of solutions: 1 if there are others to both sides, that miss the
+ * pose
+ * by no more than `enough`, 0 if it is a singular solution that stands alone, -1 if it is a regular
+ * one. */
+static int continuum(struct descent *d, const double u[6], double enough)
 {
     double along[6], moved[6], square = 0.0;
     look(d, u);
@@ -270,7 +277,7 @@ static int continuum(struct descent *d, const double u[6])
         for (int j = 0; j < 6; j++)
             moved[i] += d->A[i][j] * stride[j];
     }
-    damped_step(d, moved, 0.0, along);
+    damped_step(d, moved, 0.0, 1e-13, along);
     for (int j = 0; j < 6; j++) {
         along[j] = stride[j] - along[j]; /* what of it leaves the tool where it is */
         square += along[j] * along[j];
@@ -281,7 +288,7 @@ static int continuum(struct descent *d, const double u[6])
         double end[6];
         for (int j = 0; j < 6; j++)
             end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
-        if (descend(d, end) > 1e-10 || distance_between(end, u) <= 0.002)
+        if (descend(d, end) > enough || distance_between(end, u) <= 0.002)
             return 0;
     }
     return 1;
@@ -313,11 +320,12 @@ static void keep(struct descent *d, struct kept *kept, double u[6])
 {
     if (kept->count == 16 || is_known(kept, u, 0))
         return;
-    const int kind = continuum(d, u);
+    const double enough = 1e-10;
+    const int kind = continuum(d, u, enough);
     if (kind == 1) {
         double end[6];
         copy(u, end);
-        if (pulled(d, end, no_lowest, no_highest) <= 1e-10)
+        if (pulled(d, end, no_lowest, no_highest) <= enough)
             copy(end, u);
     }
     wrap_angles(u);
@@ -1631,11 +1639,11 @@ typedef struct {
 } puma560_calibrated_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
- * within the rounding of f, or nearly (two roots, none or one). `complete` says that no cell was
- * given
- * up. */
+ * within the rounding of f, or nearly (two roots, none or one); behind these stand `unseen` places
+ * where
+ * a closer look shows no root. `complete` says that no cell was given up. */
 typedef struct {
-    int simple, doubles, complete;
+    int simple, doubles, unseen, complete;
     double c[PUMA560_CALIBRATED_ROOTS + 8], s[PUMA560_CALIBRATED_ROOTS + 8];
     double double_c[PUMA560_CALIBRATED_ROOTS], double_s[PUMA560_CALIBRATED_ROOTS];
 } puma560_calibrated_roots;
@@ -2073,7 +2081,7 @@ static void puma560_calibrated_find_roots(const puma560_calibrated_trigonometric
     int budget = 100; /* against an f that is next to nothing for long stretches */
     const double h = 0.02454369260617026;
     puma560_calibrated_fill_grid(f, &g);
-    roots->doubles = 0;
+    roots->doubles = roots->unseen = 0;
     roots->complete = 1;
     for (int word = 0; word < 256 / 64; word++) {
         unsigned long long bits =
@@ -2243,13 +2251,29 @@ static int puma560_calibrated_magnify(puma560_calibrated_sampler sample, const v
     return 1;
 }
 
+/* Whether any root is near to an angle. */
+static int puma560_calibrated_any_near(const puma560_calibrated_roots *roots, double cosine, double
+    sine)
+{
+    int any = 0;
+    for (int i = 0; i < roots->simple; i++) {
+        any |= puma560_calibrated_near(roots->c[i], roots->s[i], cosine, sine);
+    }
+    for (int i = 0; i < roots->doubles; i++) {
+        any |= puma560_calibrated_near(roots->double_c[i], roots->double_s[i], cosine, sine);
+    }
+    return any;
+}
+
 /* Where roots may be double they are replaced by what a closer look shows: values that are computed
- * there have the digits that the fit of f lacks. What was given up stands among them. */
+ * there have the digits that the fit of f lacks, not those that the equations lack behind f. What
+ * was
+ * given up stands among them. */
 static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, const void *of,
     puma560_calibrated_roots *roots)
 {
     double c[4], s[4];
-    int looks = 0, clear = 1, i = 0;
+    int looks = 0, clear = 1, i = 0, emptied[4];
     if (roots->simple == PUMA560_CALIBRATED_ROOTS || roots->doubles == PUMA560_CALIBRATED_ROOTS) {
         return;
     }
@@ -2267,9 +2291,18 @@ static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, co
         }
         c[looks] = roots->double_c[i];
         s[looks] = roots->double_s[i];
-        clear &= puma560_calibrated_magnify(sample, of, c[looks], s[looks], roots);
+        emptied[looks] = puma560_calibrated_magnify(sample, of, c[looks], s[looks], roots);
+        clear &= emptied[looks];
+        emptied[looks] &= !puma560_calibrated_any_near(roots, c[looks], s[looks]);
         looks++;
         i = 0;
+    }
+    for (int k = 0; k < looks; k++) {
+        if (emptied[k] && roots->doubles + roots->unseen < PUMA560_CALIBRATED_ROOTS) {
+            roots->double_c[roots->doubles + roots->unseen] = c[k];
+            roots->double_s[roots->doubles + roots->unseen] = s[k];
+            roots->unseen++;
+        }
     }
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
@@ -2919,7 +2952,10 @@ static void puma560_calibrated_close_roots(const double *E, const puma560_calibr
 /* Polish all candidates of a formulation. The certificate: every simple root leads to a solution,
  * there
  * is another one for each of them and two more for each double root, or a singular one; and regular
- * solutions come in pairs. Where the determinant only comes near to zero there is no root. */
+ * solutions come in pairs. Where the determinant only comes near to zero there is no root; where it
+ * nearly vanishes all around, rounding of the equations may lift it off a double root, which
+ * nothing
+ * but they tell. */
 static int puma560_calibrated_settle(const puma560_calibrated_formulation *form, const
     puma560_calibrated_loop *loop,
                           double link[6][12], const puma560_calibrated_candidates *all,
@@ -2927,7 +2963,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
 {
     double w[5], solve[2][5];
     unsigned met = 0, of_group[PUMA560_CALIBRATED_CANDIDATES] = {0};
-    const int simple = roots->simple, doubles = roots->doubles;
+    const int simple = roots->simple, touching = roots->doubles + roots->unseen;
     int complete = roots->complete, expected = simple, true_doubles = 0;
     puma560_calibrated_invariants(link[3], link[4], w, solve);
     for (int from = 0; from < all->count; from += PUMA560_CALIBRATED_LANES) {
@@ -2956,7 +2992,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
             }
         }
     }
-    for (int i = all->groups - doubles; i < all->groups; i++) {
+    for (int i = all->groups - touching; i < all->groups; i++) {
         if (of_group[i] || !all->regular[i]) {
             true_doubles++;
             expected += of_group[i] & found->singular ? 1 : 2;
@@ -2964,7 +3000,7 @@ static int puma560_calibrated_settle(const puma560_calibrated_formulation *form,
     }
     complete = complete && puma560_calibrated_bits(met) >= expected &&
         puma560_calibrated_paired(found);
-    found->doubles += complete ? true_doubles : doubles;
+    found->doubles += complete ? true_doubles : roots->doubles;
     return complete;
 }
 
@@ -2998,7 +3034,7 @@ static int puma560_calibrated_attempt(const puma560_calibrated_formulation *form
     }
     puma560_calibrated_null_vectors(E, &roots, &all);
     puma560_calibrated_close_roots(E, &roots, &all);
-    for (int i = 0; i < roots.doubles; i++) {
+    for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         puma560_calibrated_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
     return puma560_calibrated_settle(form, loop, link, &all, &roots, found);

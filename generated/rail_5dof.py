@@ -273,7 +273,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 5ce007a73a3f25a0"
+_KEY = "rail_5dof e4d2f6dd186cc83d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -458,14 +458,14 @@ def _shorten(step):
 
 
 @_inner
-def _damped_step(A, e, length, step):
-    """The damped least squares step A' (A A' + damping)^-1 e.
+def _damped_step(A, e, length, little, step):
+    """The damped least squares step A' (A A' + damping)^-1 e, `little` the least damping.
 
     The rows of A, each with its share of the damping's root behind it, are made orthonormal one
     after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
     orthogonalization, 1994): the product A A' would lose half of the digits.
     """
-    damping = 0.1 * min(length * length, 1.0) + 1e-26
+    damping = 0.1 * min(length * length, 1.0) + little
     rows, y = np.zeros((6, 11)), np.empty(6)
     total = np.zeros(11)
     for i in range(6):
@@ -512,7 +512,7 @@ def _descended(T, steps, exact, q, ahead):
     ahead[0] = math.inf
     for _ in range(steps + 1):
         length = _look(T, joints, u, e, A)
-        _damped_step(A, e, length, step)
+        _damped_step(A, e, length, 1e-26, step)
         slow = not length <= max(0.5 * last, left)
         if length < least:
             least, ahead[0] = length, np.abs(step).max()

@@ -114,11 +114,14 @@ class Roots:
         simple: Where f changes its sign.
         double: Where f touches zero within its rounding, or nearly: two roots, or none, or one.
         complete: Whether no cell was left undecided.
+        unseen: Where f comes near to zero and a closer look shows no root. It has the digits of f,
+            not those of what f is made of.
     """
 
     simple: tuple[float, ...]
     double: tuple[float, ...]
     complete: bool
+    unseen: tuple[float, ...] = ()
 
 
 class Kind(Enum):

@@ -208,6 +208,8 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
 
     The certificate: every simple root leads to a solution, there is another one for each of them
     and two more for each double root, or a singular one; and regular solutions come in pairs.
+    Where f nearly vanishes all around, rounding of the equations may lift it off a double root, and
+    a closer look shows none: the equations themselves tell.
     """
     target = search.target
     around = formulation.links(target.links, target.P)
@@ -224,10 +226,11 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
         place = search.offer(formulation.angles(phi))
         complete = complete and place is not None
         met |= {place} - {None}
-    for angle in (*_nearly_double(found.simple), *found.double):
+    touching = (*found.double, *found.unseen)
+    for angle in (*_nearly_double(found.simple), *touching):
         starts = [formulation.angles(phi) for phi in _candidates(E, around, slides, (angle, 2))]
         places = {search.offer(theta, doubtful=True) for theta in starts} - {None}
-        if angle in found.double and (places or _vanishes(E, angle)):
+        if angle in touching and (places or _vanishes(E, angle)):
             expected += 1 if places & search.singular else 2
             doubles += 1
         met |= places

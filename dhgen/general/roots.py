@@ -55,6 +55,7 @@ def real_roots(at: At) -> Roots | None:
 def _closer(at: At, found: Roots) -> Roots:
     """Where roots may be double they are replaced by what a closer look shows, if it shows all."""
     looks: list[float] = []
+    unseen: list[float] = []
     clear = True
     while len(looks) < LOOKS:
         places = [x for x in found.double if not any(_near(x, seen) for seen in looks)]
@@ -69,9 +70,12 @@ def _closer(at: At, found: Roots) -> Roots:
                 _replaced(found.double, near.double, places[0]),
                 found.complete,
             )
+            if not any(_near(x, places[0]) for x in (*found.simple, *found.double)):
+                unseen.append(places[0])
     # what was given up stands among the double roots
     every = all(any(_near(x, seen) for seen in looks) for x in found.double)
-    return Roots(found.simple, found.double, found.complete or (clear and every))
+    complete = found.complete or (clear and every)
+    return Roots(found.simple, found.double, complete, tuple(unseen))
 
 
 def _magnified(at: At, middle: float) -> Roots:

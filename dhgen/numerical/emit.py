@@ -27,7 +27,6 @@ Numbers = dict[str, tuple[str, ...]]
 # How Python's function `_look` is compiled: once for many callers, or into its only one.
 APART = "float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64[:, ::1])"
 ONCE, INSIDE = f'@_apart("{APART}")', "@_inner"
-FINE = repr(constants.FINE)  # the least damping of steps that tighten
 
 
 def c_tools(kernel: NumericalKernel, name: str) -> str:
@@ -54,7 +53,7 @@ def python_search(kernel: NumericalKernel) -> str:
 
 def c_tightening(kernel: NumericalKernel, name: str) -> str:
     """The static function `tighten` in C99, with all that it needs."""
-    values = _texts(kernel) | {"name": name, "upper": name.upper(), "floor": FINE}
+    values = _texts(kernel) | {"name": name, "upper": name.upper()}
     return render("c/tighten.c.jinja", arrays=_c_arrays(kernel), **values)
 
 
@@ -72,8 +71,8 @@ def python_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[st
 
 def python_tightening(kernel: NumericalKernel) -> str:
     """The function `_tighten` in Python, with all that it needs."""
-    arrays, values = _python_arrays(kernel), _texts(kernel) | {"floor": FINE}
-    return render("python/tighten.py.jinja", arrays=arrays, looked=INSIDE, **values)
+    arrays = _python_arrays(kernel)
+    return render("python/tighten.py.jinja", arrays=arrays, looked=INSIDE, **_texts(kernel))
 
 
 def _c_arrays(kernel: NumericalKernel) -> dict[str, str]:
@@ -145,7 +144,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "residual": repr(kernel.residual),
         **_method(kernel),
     }
-    return {"n": numbers, "dof": dof, "rows": kernel.rows, "floor": repr(constants.FLOOR)}
+    return {"n": numbers, "dof": dof, "rows": kernel.rows}
 
 
 def _listed(numbers: Sequence[float]) -> dict[str, object]:
@@ -159,6 +158,9 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "aside": repr(ASIDE),
         "any_turn": any_turn(),
         "damping": repr(constants.DAMPING),
+        "floor": repr(constants.FLOOR),
+        "nearly": repr(constants.NEARLY),
+        "fine": repr(constants.FINE),
         "longest": repr(constants.LONGEST),
         "steps": constants.STEPS,
         "solution": repr(TOLERANCES.polished),

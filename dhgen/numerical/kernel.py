@@ -20,6 +20,10 @@ MOST = 16  # rows of an arm with finitely many solutions: what a general arm has
 # always added, so that a singular arm has a step: below the square of what counts as singular.
 DAMPING = 0.1
 FLOOR = 1e-13
+# Where steps get slow at a miss below this less is added: what always is keeps them from going on
+# where joints hardly move the tool. Beside singular places the last digits count.
+NEARLY = 1e-6
+FINE = 1e-26
 LONGEST = 2.0  # of a step's components [rad, arm sizes]
 STEPS = 40  # from a start; 7 to 16 are usual
 SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
@@ -31,7 +35,6 @@ REDUNDANT_STARTS = 24  # of an arm with infinitely many solutions
 # Steps of a row that is not exact. Double roots take a quarter off with each; beside a singular
 # place a joint that is nearly free may be anywhere, and three steps are one of it.
 TIGHTENINGS = 72
-FINE = 1e-26  # what is added then: beside singular places the last digits count
 SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
 LOOSE = TOLERANCES.promised / TOLERANCES.exact  # times what counts as exact is still a solution
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet

@@ -178,13 +178,18 @@ class Arm:
             return
         sideways = self.sideways(u, self.directions)
         if np.linalg.norm(sideways) > constants.SINGULAR:
-            singular = True
-            chosen = self.continues(u, sideways / np.linalg.norm(sideways))
+            singular, enough = True, self._enough(u)
+            chosen = self.continues(u, sideways / np.linalg.norm(sideways), enough)
             if chosen:
-                u = self.pulled(u)
+                u = self.pulled(u, enough)
         u = self.wrapped(u)
         if len(kept) < self.kernel.rows and not self._known(u, kept, singular=singular):
             kept.append(_Kept(u, singular, chosen))
+
+    def _enough(self, u: FloatArray) -> float:
+        """What others of a continuum may miss: an exact solution is left for exact ones only."""
+        exact = self.miss(u[None])[1][0] <= TOLERANCES.polished
+        return TOLERANCES.polished if exact else self.kernel.residual
 
     def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> bool:
         for each in kept:
@@ -201,36 +206,43 @@ class Arm:
     def descend(self, u: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Where starts (N, k) lead, and by how much that misses the pose (N,)."""
         best, least = u, np.full(len(u), np.inf)
+        floor = np.full(len(u), constants.FLOOR)
         running = np.ones(len(u), dtype=bool)
         for _ in range(constants.STEPS + 1):
             e, length, A = self.miss(u)
-            stalled = (length >= 0.5 * least) & (least <= TOLERANCES.polished)
+            slow = length >= 0.5 * least
+            stalled = slow & (least <= TOLERANCES.polished)
+            floor[slow & (least <= constants.NEARLY)] = constants.FINE
             better = running & (length < least)
             best, least = np.where(better[:, None], u, best), np.where(better, length, least)
             running &= ~stalled
             if not running.any():
                 break
-            u = np.where(running[:, None], u + shortened(damped_step(e, length, A)), u)
+            step = shortened(damped_step(e, length, A, floor))
+            u = np.where(running[:, None], u + step, u)
         return best, least
 
     def sideways(self, u: FloatArray, direction: FloatArray) -> FloatArray:
         """The part of a direction that leaves the tool where it is, to first order."""
         _, _, A = self.miss(u[None])
         moved = A @ direction
-        return np.asarray(direction - damped_step(moved, np.zeros(1), A)[0])
+        return np.asarray(direction - damped_step(moved, np.zeros(1), A, constants.FLOOR)[0])
 
-    def continues(self, u: FloatArray, sideways: FloatArray) -> bool:
-        """Whether solutions lie to both sides along a direction: u is one of a continuum."""
+    def continues(self, u: FloatArray, sideways: FloatArray, enough: float) -> bool:
+        """Whether solutions, that miss by no more than `enough`, lie to both sides of u.
+
+        Along a direction: u is one of a continuum then.
+        """
         feelers = np.array([u + constants.FEELER * sideways, u - constants.FEELER * sideways])
         ends, length = self.descend(feelers)
         apart = np.abs(ends - u).max(axis=1)
-        return bool(((length <= self.kernel.residual) & (apart > constants.FELT)).all())
+        return bool(((length <= enough) & (apart > constants.FELT)).all())
 
-    def pulled(self, u: FloatArray) -> FloatArray:
+    def pulled(self, u: FloatArray, enough: float) -> FloatArray:
         """The solution of the same continuum that is near to the seed, limits aside."""
         unlimited = np.full(len(u), np.inf)
         end, length = self._pull(u, (-unlimited, unlimited))
-        return end if length <= self.kernel.residual else u
+        return end if length <= enough else u
 
     def nearest(self) -> Found:
         """Of infinitely many solutions one near to the seed, inside the limits if possible."""
@@ -276,7 +288,8 @@ class Arm:
         pull, fixed = pull.copy(), np.zeros(len(u))
         locked = np.zeros(len(u), dtype=bool)
         while True:
-            step = shortened((pull + damped_step(e - A @ pull, length, A)[0])[None])[0] + fixed
+            towards = damped_step(e - A @ pull, length, A, constants.FLOOR)[0]
+            step = shortened((pull + towards)[None])[0] + fixed
             beyond = ~locked & ((u + step < low) | (u + step > high))
             if not beyond.any():
                 return np.asarray(step)
@@ -288,7 +301,7 @@ class Arm:
 
 
 def damped_step(
-    e: FloatArray, length: FloatArray, A: FloatArray, floor: float = constants.FLOOR
+    e: FloatArray, length: FloatArray, A: FloatArray, floor: float | FloatArray
 ) -> FloatArray:
     """The damped least squares step, A' (A A' + damping)^-1 e, by singular values.
 
@@ -297,7 +310,7 @@ def damped_step(
     damping = constants.DAMPING * np.minimum(length**2, 1.0) + floor
     U, values, across = np.linalg.svd(A, full_matrices=False)
     parts = (np.swapaxes(U, 1, 2) @ e[..., None])[..., 0]
-    parts *= values / (values**2 + damping[:, None])
+    parts *= values / (values**2 + damping[..., None])
     return np.asarray((parts[:, None, :] @ across)[:, 0])
 
 

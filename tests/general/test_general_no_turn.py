@@ -37,6 +37,17 @@ joints:
 tool: {xyz: [0.05, 0.02, 0.11], rpy: [0.3, 0.4, -0.2]}
 """
 NEARLY = (1.11882171, 2.53570551, -0.09606933, 2.52138356, 3.13879235)
+# Axes 1, 2 and 3 meet. Where the tool's point comes next to where they do, joint values in a long
+# row take the tool to the same place but for some 1e-9.
+AIMED = """name: arm
+task: pointing
+joints:
+  - {theta: q - pi/2, alpha: pi/2}
+  - {theta: q, alpha: pi/2}
+  - {theta: q, d: 0.508, a: 0.137, alpha: pi/2}
+  - {theta: q + 0.4, alpha: -pi/2}
+"""
+NEXT_TO_SINGULAR = (1.592058934, -0.189639291, 0.606465747, 2.478174412)
 
 
 def solved(chain: Chain, T: np.ndarray, values: list[float] | None = None) -> Rows:
@@ -142,3 +153,19 @@ def test_four_joints_whose_tool_points_in_c(tmp_path: Path) -> None:
         assert gaps(rows[status != UNREACHABLE], q).min() < 1e-6
         T[:3, 2] = [*T[1:3, 2], T[0, 2]]
         assert (solver.ik(T, np.zeros(4))[1] == UNREACHABLE).all()
+
+
+def test_exact_solutions_are_not_left_for_what_a_rounded_pose_may_miss(tmp_path: Path) -> None:
+    """Where joints are nearly free a step towards the seed keeps a row as exact as it is."""
+    (tmp_path / "arm.yaml").write_text(AIMED, encoding="utf-8")
+    module = without_derivation(load(tmp_path / "arm.yaml"))
+    for name, text in c_files(module).items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 4, 16, 0)
+    assert solver is not None
+    T, seed = solver.fk(np.array(NEXT_TO_SINGULAR)), np.zeros(4)
+    rows, status = solver.ik(T, seed)
+    known = interpret(module.solver, T[None], seed=seed)
+    for held in (rows[status != UNREACHABLE], known.q[0][known.solved[0]]):
+        reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in held])
+        np.testing.assert_allclose(reached[:, :3, 2:], [T[:3, 2:]] * len(held), atol=2e-10)
