@@ -216,7 +216,7 @@ class Builder(Graph):
         meaning: tuple[str, ...],
         step: int,
     ) -> Node:
-        """A root, in (-pi, pi], of a trigonometric polynomial of degree 2: a0, a1, b1, a2, b2."""
+        """A root, in (-pi, pi], of a trigonometric polynomial of degree 2: see `Roots`."""
         inner = sorted({axis for node in coefficients for axis in self.entries[node].axes})
         axis = len(self.axes)
         mark = Mark(len(self.entries), roots=coefficients, axis=axis, turning=turning)

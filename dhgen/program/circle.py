@@ -20,8 +20,18 @@ NEWTON_STEPS = 100
 Circle = tuple[float, float, float, float, float]  # a0, a1, b1, a2, b2
 
 
-def circle_roots(a0: float, a1: float, b1: float, a2: float, b2: float) -> list[float]:
+def circle_roots(
+    a0: float, a1: float, b1: float, a2: float, b2: float, rounding: float
+) -> list[float]:
     """Roots of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x.
+
+    Args:
+        a0: Of 1.
+        a1: Of cos x.
+        b1: Of sin x.
+        a2: Of cos 2x.
+        b2: Of sin 2x.
+        rounding: What rounding may add to values, besides that of the coefficients themselves.
 
     Returns:
         Four angles in (-pi, pi], ascending; NaN where there are fewer roots. A double root, and two
@@ -49,7 +59,7 @@ def circle_roots(a0: float, a1: float, b1: float, a2: float, b2: float) -> list[
         1.0,
     )
     found = []
-    for t in _quartic_roots(quartic, TOLERANCES.double * size / abs(lead)):
+    for t in _quartic_roots(quartic, (TOLERANCES.double * size + rounding) / abs(lead)):
         x = apart + math.pi + 2.0 * math.atan(t)
         found.append(_polished(a0, a1, b1, a2, b2, x, size))
     found.sort()

@@ -169,7 +169,7 @@ class _Run:
         found = [circle_roots(*row) for row in each.tolist()]
         close = [
             [is_close((a0, a1, b1, a2, b2), x) for x in roots]
-            for (a0, a1, b1, a2, b2), roots in zip(each.tolist(), found, strict=True)
+            for (a0, a1, b1, a2, b2, _), roots in zip(each.tolist(), found, strict=True)
         ]
 
         def along_axis(numbers: Array) -> Array:

@@ -183,7 +183,7 @@ class Roots:
 
     Attributes:
         axis: Position of that axis in `Program.axes`.
-        coefficients: a0, a1, b1, a2, b2.
+        coefficients: a0, a1, b1, a2, b2, and what rounding may add to values.
         axes: The axes that the coefficients depend on.
         turning: The joints, from 1, whose values add up to x but for a constant, and their signs.
     """

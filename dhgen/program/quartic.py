@@ -29,30 +29,37 @@ def lower_circle(context: Lowering, step: Step) -> None:
     (angle,) = step.unknowns
     assert isinstance(angle, AngleSum)
     builder = context.builder
-    p1, p2, q1, q2, r1, r2 = (
-        _linear(context, step, name) for name in ("P1", "P2", "Q1", "Q2", "R1", "R2")
-    )
-    if step.has("V1x"):
-        left, right = _turned(context, step, (r1, r2))
-        square = _scaled(builder, right, _sum(builder, _square(builder, p1), _square(builder, q1)))
-        polynomial = tuple(builder.sub(a, b) for a, b in zip(left, square, strict=True))
-    else:
-        cosine = _combined(builder, r2, q1[0], r1, q2[0])
-        sine = _combined(builder, r1, p2[0], r2, p1[0])
-        determinant = builder.sub(builder.mul(p1[0], q2[0]), builder.mul(q1[0], p2[0]))
-        total = _sum(builder, _square(builder, cosine), _square(builder, sine))
-        polynomial = (builder.sub(total[0], builder.square(determinant)), *total[1:])
+    left, right = _sides(context, step)
+    polynomial = tuple(builder.sub(a, b) for a, b in zip(left, right, strict=True))
     size = _size(builder, polynomial)
     free = is_short(context, size, _degree(context, step), f"free{angle.suffix}")
-    root = context.new_root(angle, _with_one_root(builder, free, polynomial))
+    rounding = _rounding(context, left, right)
+    root = context.new_root(angle, (*_with_one_root(builder, free, polynomial), rounding))
     builder.guard(builder.apply("at_most", root, builder.integer(4)), Failure.REACH)
     if context.doubts_rows:
         context.meeting.append(_is_close(context, angle, polynomial, root))
     seed = context.angles.seed(angle)
     context.angles.chosen(angle, free)
     if len(angle.terms) == 1 and context.may_be_lost:
-        root = _with_serving_digits(context, angle, polynomial, root)
+        root = _with_serving_digits(context, angle, polynomial, root, rounding)
     context.angles.solved_by_angle(angle, builder.select(free, seed, root))
+
+
+def _sides(context: Lowering, step: Step) -> tuple[Circle, Circle]:
+    """The sums of squares that are to be the same."""
+    builder = context.builder
+    p1, p2, q1, q2, r1, r2 = (
+        _linear(context, step, name) for name in ("P1", "P2", "Q1", "Q2", "R1", "R2")
+    )
+    if step.has("V1x"):
+        left, factor = _turned(context, step, (r1, r2))
+        vector = _sum(builder, _square(builder, p1), _square(builder, q1))
+        return left, _scaled(builder, factor, vector)
+    cosine = _combined(builder, r2, q1[0], r1, q2[0])
+    sine = _combined(builder, r1, p2[0], r2, p1[0])
+    determinant = builder.sub(builder.mul(p1[0], q2[0]), builder.mul(q1[0], p2[0]))
+    left = _sum(builder, _square(builder, cosine), _square(builder, sine))
+    return left, (builder.square(determinant), *(builder.integer(0) for _ in left[1:]))
 
 
 def _degree(context: Lowering, step: Step) -> int:
@@ -72,6 +79,16 @@ def _size(builder: Builder, polynomial: Circle) -> Node:
     return reduce(builder.add, map(builder.absolute, polynomial))
 
 
+def _rounding(context: Lowering, left: Circle, right: Circle) -> Node:
+    """What rounding may add to values of a difference of sums of squares, most of which cancels.
+
+    Beside a place where every angle serves nearly all of it does.
+    """
+    builder = context.builder
+    nothing = context.scales.tolerance(context.scales.tolerances.nothing, 0, "nothing")
+    return builder.mul(nothing, builder.add(left[0], right[0]))
+
+
 def _with_one_root(builder: Builder, free: Node, polynomial: Circle) -> Circle:
     """The polynomial; where it vanishes and every angle serves, 1 - cos x: one branch will do."""
     instead = map(builder.integer, (1, -1, 0, 0, 0))
@@ -89,7 +106,7 @@ def _is_close(context: Lowering, angle: AngleSum, polynomial: Circle, root: Node
 
 
 def _with_serving_digits(
-    context: Lowering, angle: AngleSum, polynomial: Circle, root: Node
+    context: Lowering, angle: AngleSum, polynomial: Circle, root: Node, rounded: Node
 ) -> Node:
     """The root, or a seed beside it that is a root as well, up to rounding.
 
@@ -116,7 +133,9 @@ def _with_serving_digits(
     conditions = (
         near,
         builder.apply(
-            "at_most", builder.absolute(at_seed.value(polynomial)), builder.mul(rounding, size)
+            "at_most",
+            builder.absolute(at_seed.value(polynomial)),
+            builder.add(builder.mul(rounding, size), rounded),
         ),
         builder.apply(
             "at_most",

@@ -29,7 +29,7 @@ _NAMES = {
     "reach": ("reach_slack", "rounding at the boundary of the workspace"),
     "merge": ("merge_slack", "nearer to that boundary two branches are one"),
     "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),
-    "nothing": ("square_rounding", "a squared length is rounded by this"),
+    "nothing": ("square_rounding", "squares are rounded by this"),
     "longest": ("longest_slide", "no slide is longer"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
     "doubtful": (DOUBTFUL, "a row may miss the pose by this before it is tightened"),

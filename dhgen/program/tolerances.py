@@ -33,7 +33,7 @@ class Tolerances:
         last_row: The last row of a pose may differ from 0 0 0 1 by this.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
             may have been rounded to six digits.
-        nothing: A squared length is rounded by this.
+        nothing: A square, or a sum of them, is rounded by this.
         exact: A row that misses its pose by no more is exact, but for rounding of the arithmetic;
             lengths count in arm sizes, or in the pose's distance where that is larger. Where one
             row is exact the pose was not rounded, and the others have to be exact, too.

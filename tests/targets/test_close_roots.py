@@ -4,7 +4,9 @@ An arm's third link reaches axis 2 where cos theta_3 = -a2 / a3; beside that pla
 theta_3 of two solutions are nearly the same, and theta_2 is anything. Another one's axes 3, 4 and 5
 meet in a point that reaches axis 1 where cos theta_2 = -a1 / a2: theta_1 is anything there, and
 theta_3, theta_4 and theta_5 follow it. A third one's slide is a quotient that has no digits where
-its polynomial is a square, at right angles of theta_3 with theta_5 zero.
+its polynomial is a square, at right angles of theta_3 with theta_5 zero. Of a fourth one's
+polynomial little is left where axis 6 is nearly parallel to axes 3, 4 and 5: rounding of what
+cancels moves it.
 """
 
 from __future__ import annotations
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
 TOUCHING = "touching"
 MEETING = "meeting"
 SLIDING = "sliding"
+CANCELLING = "cancelling"
 JOINTS = {
     TOUCHING: (
         "theta: q, d: 0, a: 0.3, alpha: pi/2",
@@ -52,10 +55,25 @@ JOINTS = {
         "theta: q, d: 0, a: 0.2, alpha: -pi/2",
         "theta: q, d: 0.05, a: 0, alpha: 0",
     ),
+    CANCELLING: (
+        "theta: q, d: 0.161, a: 0.158, alpha: pi/2",
+        "theta: q, d: 0.402, a: 0, alpha: -pi/2",
+        "theta: q, d: 0, a: -0.091, alpha: 0",
+        "theta: q, d: 0, a: 0.2, alpha: 0",
+        "theta: q, d: 0, a: 0.241, alpha: pi/2",
+        "theta: q, d: 0.523, a: 0, alpha: pi/2",
+    ),
 }
-TASK = {TOUCHING: "position", MEETING: "pose", SLIDING: "pose"}
+TASK = {TOUCHING: "position", MEETING: "pose", SLIDING: "pose", CANCELLING: "pose"}
 # The joint, from 0, whose angle makes another one free, and that angle.
 PLACE = {TOUCHING: (2, np.arccos(-0.15 / 0.5)), MEETING: (1, np.arccos(-0.136 / 0.23))}
+# Where the last one is singular, but for joint 5, of which the turn of its parallel axes is left.
+CROSSED = (
+    (2.658336633434206, 0.0679653168861698, 2.142340057783474, -2.5149838566263867, 0.0, -0.7),
+    (-1.9338444854281134, 0.6531097010672857, -2.2347635569128865, 2.656822074775003, 0.0, -2.2),
+    (-2.355170460784311, -0.6468665178202802, -2.157951058603331, 2.5058544889959187, 0.0, -2.5),
+    (1.988839001970632, 2.9252527777501287, -2.7023638528886194, 2.008352878035245, 0.0, 1.5),
+)
 DISTANCES = (1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5)
 COUNT = 20
 EXACT = 1e-11
@@ -138,6 +156,16 @@ def test_rows_that_miss_the_pose_by_far_lead_to_it(distance: float) -> None:
         held = rows[np.isin(status, HELD)]
         assert gap(held, joints).min() < APART, joints
         assert np.abs(poses_of(SLIDING, held) - T).max() < EXACT
+
+
+def test_a_double_root_of_what_cancelling_leaves_is_found() -> None:
+    """The polynomial touches zero there, up to the rounding of what it is a difference of."""
+    q = np.array(CROSSED)
+    q[:, 4] = np.pi - 0.01 - q[:, 2] - q[:, 3]
+    rows = interpret(compiled(CANCELLING).module.solver, poses_of(CANCELLING, q))
+    for joints, found, solved in zip(q, rows.q, rows.solved, strict=True):
+        assert solved.any(), joints
+        assert gap(found[solved], joints).min() < APART
 
 
 @pytest.mark.parametrize("name", [TOUCHING, MEETING])
