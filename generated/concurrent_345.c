@@ -62,11 +62,13 @@ static int between(const double p[5], const double *edges, int count, double tol
  * leading
  * coefficient; its roots lie between those of its derivative, those between the roots of the
  * second.
- * They are `close` where the slope is small: one may stand for two, or has another beside it. All
- * are
- * `moved` by an angle in the end. */
+ * They are `close` where the slope is small: one may stand for two, or has another beside it.
+ * Rounding
+ * may add so much to values. All roots are `moved` by an angle in the end. */
 static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double moved, double x[4], int close[4])
+    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
+        x[4],
+    int close[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
     double best = -1.0, apart = 0.0, edges[5], extrema[4];
@@ -103,7 +105,8 @@ static void circle_roots(
     for (int k = 0; k < count; k++)
         edges[k + 1] = extrema[k];
     edges[count + 1] = bound;
-    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
+    count = between(p, edges, count + 2, tolerance, x);
     for (int k = 0; k < count; k++) {
         double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
         const double ca = cos(at), sa = sin(at);
@@ -395,6 +398,7 @@ static const double a5 = 0.15; /* link length 5 [m] */
 static const double d6 = 0.1; /* joint offset 6 [m] */
 static const double a6 = 0.2; /* link length 6 [m] */
 static const double free_limit6 = 4.0089475140624984e-11; /* a length that fixes no angle [m^6] */
+static const double square_rounding = 1e-15; /* squares are rounded by this */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 3.422499999999999e-24;
 /* square of a length whose direction is good to few digits [m^2] */
@@ -662,48 +666,48 @@ static void solve(
         v10 = k6 * R2_6 - k7 * R1_6, v11 = k6 * -v8 - k7 * R1c6, v12 = k6 * -v9 - k7 * R1s6,
         v13 = k3 * R2_6 - k5 * R1_6, v14 = k3 * -v8 - k5 * R1c6, v15 = k3 * -v9 - k5 * R1s6,
         v16 = v11 * v11, v17 = v12 * v12, v18 = 2.0 * v10, v19 = v14 * v14, v20 = v15 * v15,
-        v21 = 2.0 * v13, v22 = v11 * v18 + v14 * v21, v23 = v12 * v18 + v15 * v21,
-        v24 = k12 * (v16 - v17) + k12 * (v19 - v20), v25 = v11 * v12 + v14 * v15,
-        v26 = v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)) - k18;
-    const int free6 = fabs(v26) + fabs(v22) + fabs(v23) + fabs(v24) + fabs(v25) <= free_limit6;
+        v21 = 2.0 * v13, v22 = v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)),
+        v23 = v11 * v18 + v14 * v21, v24 = v12 * v18 + v15 * v21,
+        v25 = k12 * (v16 - v17) + k12 * (v19 - v20), v26 = v11 * v12 + v14 * v15, v27 = v22 - k18;
+    const int free6 = fabs(v27) + fabs(v23) + fabs(v24) + fabs(v25) + fabs(v26) <= free_limit6;
     double x6_roots[4];
     int x6_close[4];
-    circle_roots(free6 ? 1.0 : v26, free6 ? -1.0 : v22, free6 ? 0.0 : v23, free6 ? 0.0 : v24, free6
-        ? 0.0 : v25, moved, x6_roots, x6_close);
+    circle_roots(free6 ? 1.0 : v27, free6 ? -1.0 : v23, free6 ? 0.0 : v24, free6 ? 0.0 : v25, free6
+        ? 0.0 : v26, square_rounding * (v22 + k18), moved, x6_roots, x6_close);
 
     /* theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1 */
-    const double v27 = 4.0 * v2, v28 = 4.0 * v3, v30 = 4.0 * v8, v31 = 4.0 * v9;
+    const double v28 = 4.0 * v2, v29 = 4.0 * v3, v31 = 4.0 * v8, v32 = 4.0 * v9;
 
     /* theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4] */
-    const double v32 = sqrt3 * T22, v33 = k11 * T21 + d5 * v32, v34 = k13 * T21 - 2.0 * (a5 * T22),
-        v35 = k9 * T21 + (k9 * T23 - 2.0 * T24), v37 = sqrt3 * T12, v38 = k11 * T11 + d5 * v37,
-        v39 = k13 * T11 - 2.0 * (a5 * T12), v40 = k9 * T11 + (k9 * T13 - 2.0 * T14);
+    const double v33 = sqrt3 * T22, v34 = k11 * T21 + d5 * v33, v35 = k13 * T21 - 2.0 * (a5 * T22),
+        v36 = k9 * T21 + (k9 * T23 - 2.0 * T24), v38 = sqrt3 * T12, v39 = k11 * T11 + d5 * v38,
+        v40 = k13 * T11 - 2.0 * (a5 * T12), v41 = k9 * T11 + (k9 * T13 - 2.0 * T14);
 
     /* theta3, type 2: U3 (A5 A6)^-1 [3, 3] */
-    const double v43 = sqrt3 * T11, v44 = T22 * k25, v45 = T21 * k25, v46 = T23 * k21,
-        v47 = sqrt3 * T21, v48 = T12 * k25, v49 = T11 * k25, v50 = T13 * k21, v51 = T32 * k26,
-        v52 = T31 * k26, v53 = k1 * T33, v55 = 3.0 * (T22 * k21), v56 = 3.0 * (T21 * k21),
-        v57 = T23 * k25, v58 = 3.0 * T12, v59 = 3.0 * T11, v60 = sqrt3 * T13, v61 = T22 * k26,
-        v62 = T21 * k26, v63 = k1 * T23, v64 = 3.0 * (T12 * k21), v65 = 3.0 * (T11 * k21),
-        v66 = T13 * k25, v67 = 3.0 * T22, v68 = 3.0 * T21, v69 = sqrt3 * T23, v70 = T12 * k26,
-        v71 = T11 * k26, v72 = k1 * T13, v73 = 3.0 * (k1 * T32), v74 = 3.0 * (k1 * T31),
-        v75 = T33 * k26, v76 = T32 * k25, v77 = T31 * k25, v78 = T33 * k21;
+    const double v44 = sqrt3 * T11, v45 = T22 * k25, v46 = T21 * k25, v47 = T23 * k21,
+        v48 = sqrt3 * T21, v49 = T12 * k25, v50 = T11 * k25, v51 = T13 * k21, v52 = T32 * k26,
+        v53 = T31 * k26, v54 = k1 * T33, v56 = 3.0 * (T22 * k21), v57 = 3.0 * (T21 * k21),
+        v58 = T23 * k25, v59 = 3.0 * T12, v60 = 3.0 * T11, v61 = sqrt3 * T13, v62 = T22 * k26,
+        v63 = T21 * k26, v64 = k1 * T23, v65 = 3.0 * (T12 * k21), v66 = 3.0 * (T11 * k21),
+        v67 = T13 * k25, v68 = 3.0 * T22, v69 = 3.0 * T21, v70 = sqrt3 * T23, v71 = T12 * k26,
+        v72 = T11 * k26, v73 = k1 * T13, v74 = 3.0 * (k1 * T32), v75 = 3.0 * (k1 * T31),
+        v76 = T33 * k26, v77 = T32 * k25, v78 = T31 * k25, v79 = T33 * k21;
 
     /* theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4] */
-    const double v80 = sqrt2 * v57, v81 = 4.0 * v60, v82 = sqrt2 * v63, v83 = sqrt2 * v66,
-        v84 = 4.0 * v69, v85 = sqrt2 * v72, v87 = 4.0 * T13, v88 = sqrt2 * v46, v89 = 4.0 * T23,
-        v90 = sqrt2 * v50;
+    const double v81 = sqrt2 * v58, v82 = 4.0 * v61, v83 = sqrt2 * v64, v84 = sqrt2 * v67,
+        v85 = 4.0 * v70, v86 = sqrt2 * v73, v88 = 4.0 * T13, v89 = sqrt2 * v47, v90 = 4.0 * T23,
+        v91 = sqrt2 * v51;
     const double wx = T14 - a6 * T11 - d6 * T13;
     const double wy = T24 - a6 * T21 - d6 * T23;
     const double wz = T34 - T31 * a6 - T33 * d6;
-    const double v92 = sqrt2 * (k25 * wy), v93 = 4.0 * (sqrt3 * wx), v94 = sqrt2 * (k1 * wy),
-        v95 = sqrt2 * (k25 * wx), v96 = 4.0 * (sqrt3 * wy), v97 = sqrt2 * (k1 * wx),
-        v98 = sqrt2 * (k26 * wz - k28), v99 = wz * k30 - k31, v101 = 4.0 * wx,
-        v102 = sqrt2 * (k21 * wy), v103 = 4.0 * wy, v104 = sqrt2 * (k21 * wx),
-        v105 = sqrt2 * (k1 * wz - k33);
+    const double v93 = sqrt2 * (k25 * wy), v94 = 4.0 * (sqrt3 * wx), v95 = sqrt2 * (k1 * wy),
+        v96 = sqrt2 * (k25 * wx), v97 = 4.0 * (sqrt3 * wy), v98 = sqrt2 * (k1 * wx),
+        v99 = sqrt2 * (k26 * wz - k28), v100 = wz * k30 - k31, v102 = 4.0 * wx,
+        v103 = sqrt2 * (k21 * wy), v104 = 4.0 * wy, v105 = sqrt2 * (k21 * wx),
+        v106 = sqrt2 * (k1 * wz - k33);
 
     /* theta4, type 3: U3[2, 3] and U3[1, 3] */
-    const double v109 = sqrt2 * (T23 * k26), v110 = sqrt2 * (T13 * k26);
+    const double v110 = sqrt2 * (T23 * k26), v111 = sqrt2 * (T13 * k26);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x6 = x6_roots[i1];
@@ -713,80 +717,80 @@ static void solve(
         const double c6 = cos(q6), s6 = sin(q6);
 
         /* theta2 */
-        const double v29 = k2 * (v1 + (c6 * v27 + s6 * v28));
-        const double Z2_2 = k4 * (v7 + (c6 * v30 + s6 * v31));
-        const double s2 = (k5 * v29 + k3 * Z2_2) * k19, c2 = (k6 * Z2_2 + k7 * v29) * k19;
+        const double v30 = k2 * (v1 + (c6 * v28 + s6 * v29));
+        const double Z2_2 = k4 * (v7 + (c6 * v31 + s6 * v32));
+        const double s2 = (k5 * v30 + k3 * Z2_2) * k19, c2 = (k6 * Z2_2 + k7 * v30) * k19;
         const double q2 = atan2(s2, c2);
 
         /* theta1 */
         const double X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2));
         const double X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24));
-        const double v36 = k12 * (c6 * v33 + s6 * v34 + v35),
-            v41 = k12 * (c6 * v38 + s6 * v39 + v40), v42 = X1_1 * v36 + X2_1 * v41;
-        const double C1 = X2_1 * v36 - X1_1 * v41;
-        const double w1 = sqrt(v42 * v42 + C1 * C1);
+        const double v37 = k12 * (c6 * v34 + s6 * v35 + v36),
+            v42 = k12 * (c6 * v39 + s6 * v40 + v41), v43 = X1_1 * v37 + X2_1 * v42;
+        const double C1 = X2_1 * v37 - X1_1 * v42;
+        const double w1 = sqrt(v43 * v43 + C1 * C1);
         const int free1 = w1 <= free_limit_squared2;
         const int near1 = w1 <= near_limit_squared2;
         const double factor1 = 1.0 / (free1 ? 1.0 : w1);
         const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
-            s1 = free1 ? sin(seed[0]) : -(v42 * factor1);
+            s1 = free1 ? sin(seed[0]) : -(v43 * factor1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double v54 = k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v37 + s6 * v43))) - s2 * (sqrt2 *
-            (c6 * v44 + s6 * v45 - v46))) + s1 * (c2 * (4.0 * (T23 + (c6 * v32 + s6 * v47))) + s2 *
-            (sqrt2 * (c6 * v48 + s6 * v49 - v50))) + sqrt2 * (s2 * (c6 * v51 + s6 * v52 + v53)));
-        const double Y3 = k14 * (sqrt2 * (c2 * (c6 * v73 + s6 * v74 + v75) + (v78 - (c6 * v76 + s6 *
-            v77))) - (c1 * (s2 * (4.0 * (c6 * v58 + s6 * v59 + v60)) - c2 * (sqrt2 * (c6 * v55 + s6
-            * v56 - v57)) + sqrt2 * (c6 * v61 + s6 * v62 + v63)) + s1 * (c2 * (sqrt2 * (c6 * v64 +
-            s6 * v65 - v66)) + s2 * (4.0 * (c6 * v67 + s6 * v68 + v69)) - sqrt2 * (c6 * v70 + s6 *
-            v71 + v72))));
-        const double v79 = v54 * v54 + Y3 * Y3;
-        const double w3 = sqrt(v79);
+        const double v55 = k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v38 + s6 * v44))) - s2 * (sqrt2 *
+            (c6 * v45 + s6 * v46 - v47))) + s1 * (c2 * (4.0 * (T23 + (c6 * v33 + s6 * v48))) + s2 *
+            (sqrt2 * (c6 * v49 + s6 * v50 - v51))) + sqrt2 * (s2 * (c6 * v52 + s6 * v53 + v54)));
+        const double Y3 = k14 * (sqrt2 * (c2 * (c6 * v74 + s6 * v75 + v76) + (v79 - (c6 * v77 + s6 *
+            v78))) - (c1 * (s2 * (4.0 * (c6 * v59 + s6 * v60 + v61)) - c2 * (sqrt2 * (c6 * v56 + s6
+            * v57 - v58)) + sqrt2 * (c6 * v62 + s6 * v63 + v64)) + s1 * (c2 * (sqrt2 * (c6 * v65 +
+            s6 * v66 - v67)) + s2 * (4.0 * (c6 * v68 + s6 * v69 + v70)) - sqrt2 * (c6 * v71 + s6 *
+            v72 + v73))));
+        const double v80 = v55 * v55 + Y3 * Y3;
+        const double w3 = sqrt(v80);
         const int free3 = w3 <= free_limit;
-        const int near3 = v79 <= near_limit_squared;
+        const int near3 = v80 <= near_limit_squared;
         const double divisor3 = free3 ? 1.0 : w3;
 
         /* theta5 */
-        const double v86 = c1 * (c2 * v80 + s2 * v81 + v82) - s1 * (c2 * v83 - s2 * v84 + v85) -
+        const double v87 = c1 * (c2 * v81 + s2 * v82 + v83) - s1 * (c2 * v84 - s2 * v85 + v86) -
             sqrt2 * (T33 * (k21 + c2 * k26)),
-            v91 = 2.0 * (c1 * (c2 * v87 + s2 * v88) + s1 * (c2 * v89 - s2 * v90) + sqrt2 * (s2 *
-                v53)),
-            v100 = c1 * (c2 * v92 + s2 * v93 + v94) - s1 * (c2 * v95 - s2 * v96 + v97) - (c2 * v98 +
-                s2 * k29 + v99),
-            v106 = 2.0 * (c1 * (c2 * v101 + s2 * v102) + s1 * (c2 * v103 - s2 * v104) + (s2 * v105 -
+            v92 = 2.0 * (c1 * (c2 * v88 + s2 * v89) + s1 * (c2 * v90 - s2 * v91) + sqrt2 * (s2 *
+                v54)),
+            v101 = c1 * (c2 * v93 + s2 * v94 + v95) - s1 * (c2 * v96 - s2 * v97 + v98) - (c2 * v99 +
+                s2 * k29 + v100),
+            v107 = 2.0 * (c1 * (c2 * v102 + s2 * v103) + s1 * (c2 * v104 - s2 * v105) + (s2 * v106 -
                 c2 * k32 - k34));
 
         /* theta4 */
-        const double Z1_4 = k2 * (c1 * (s2 * v87 - c2 * v88 - v109) + s1 * (c2 * v90 + s2 * v89 +
-            v110) - sqrt2 * (T33 * (k25 + k1 * c2)));
-        const double v112 = k12 * Z1_4;
+        const double Z1_4 = k2 * (c1 * (s2 * v88 - c2 * v89 - v110) + s1 * (c2 * v91 + s2 * v90 +
+            v111) - sqrt2 * (T33 * (k25 + k1 * c2)));
+        const double v113 = k12 * Z1_4;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e2 < 0.0 && free3) continue; /* both signs give the same */
             const double factor3 = e2 / divisor3;
-            const double c3 = free3 ? cos(seed[2]) : v54 * factor3,
+            const double c3 = free3 ? cos(seed[2]) : v55 * factor3,
                 s3 = free3 ? sin(seed[2]) : Y3 * factor3;
             const double q3 = atan2(s3, c3);
 
             /* theta5 */
-            const double v107 = k27 * (k2 * (c3 * v100 + s3 * v106)) * k35;
-            const double c5 = a5 * (k2 * (c3 * v86 + s3 * v91)) * k35;
-            const double q5 = atan2(-v107, c5);
+            const double v108 = k27 * (k2 * (c3 * v101 + s3 * v107)) * k35;
+            const double c5 = a5 * (k2 * (c3 * v87 + s3 * v92)) * k35;
+            const double q5 = atan2(-v108, c5);
 
             /* theta4 */
-            const double v108 = k12 * (sqrt3 * v107);
-            const double Z2_4 = k2 * (c3 * v91 + s3 * -v86);
-            const double v111 = v108 * Z1_4 + k12 * Z2_4;
-            const double C4 = v112 - v108 * Z2_4;
-            const double w4 = sqrt(v111 * v111 + C4 * C4);
+            const double v109 = k12 * (sqrt3 * v108);
+            const double Z2_4 = k2 * (c3 * v92 + s3 * -v87);
+            const double v112 = v109 * Z1_4 + k12 * Z2_4;
+            const double C4 = v113 - v109 * Z2_4;
+            const double w4 = sqrt(v112 * v112 + C4 * C4);
             const int free4 = w4 <= free_limit_squared;
             const int near4 = w4 <= near_limit_squared;
             const double factor4 = 1.0 / (free4 ? 1.0 : w4);
             const double c4 = free4 ? cos(seed[3]) : C4 * factor4,
-                s4 = free4 ? sin(seed[3]) : -(v111 * factor4);
+                s4 = free4 ? sin(seed[3]) : -(v112 * factor4);
             const double q4 = atan2(s4, c4);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;

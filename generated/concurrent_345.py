@@ -104,6 +104,7 @@ a5 = 0.15  # link length 5 [m]
 d6 = 0.1  # joint offset 6 [m]
 a6 = 0.2  # link length 6 [m]
 free_limit6 = 4.0089475140624984e-11  # a length that fixes no angle [m^6]
+square_rounding = 1e-15  # squares are rounded by this
 free_limit_squared2 = 3.422499999999999e-24  # square of a length that fixes no angle [m^2]
 # square of a length whose direction is good to few digits [m^2]
 near_limit_squared2 = 3.4224999999999994e-06
@@ -230,13 +231,14 @@ def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
 
 
 @_inner
-def _circle_roots(a0, a1, b1, a2, b2, moved):
+def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
     Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
     leading coefficient; its roots lie between those of its derivative, those between the
     roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. All are moved by an angle in the end.
+    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
+    by an angle in the end.
     """
     x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
@@ -270,7 +272,7 @@ def _circle_roots(a0, a1, b1, a2, b2, moved):
     for k in range(count):
         edges[k + 1] = extrema[k]
     edges[count + 1] = bound
-    tolerance = 1e-13 * size / abs(lead)
+    tolerance = (1e-13 * size + rounding) / abs(lead)
     count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
     for k in range(count):
         at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
@@ -565,7 +567,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 89eadbf3a6c72d20"
+_KEY = "concurrent_345 86cf6156dce78f25"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -989,99 +991,101 @@ def _solve(pose, seed, moved, q, status):
     v19 = v14 * v14
     v20 = v15 * v15
     v21 = 2.0 * v13
-    v22 = v11 * v18 + v14 * v21
-    v23 = v12 * v18 + v15 * v21
-    v24 = k12 * (v16 - v17) + k12 * (v19 - v20)
-    v25 = v11 * v12 + v14 * v15
-    v26 = v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20)) - k18
-    free6 = abs(v26) + abs(v22) + abs(v23) + abs(v24) + abs(v25) <= free_limit6
-    x6_roots, x6_close = _circle_roots(1.0 if free6 else v26, -1.0 if free6 else v22, 0.0 if free6
-        else v23, 0.0 if free6 else v24, 0.0 if free6 else v25, moved)
+    v22 = v10 * v10 + k12 * (v16 + v17) + (v13 * v13 + k12 * (v19 + v20))
+    v23 = v11 * v18 + v14 * v21
+    v24 = v12 * v18 + v15 * v21
+    v25 = k12 * (v16 - v17) + k12 * (v19 - v20)
+    v26 = v11 * v12 + v14 * v15
+    v27 = v22 - k18
+    free6 = abs(v27) + abs(v23) + abs(v24) + abs(v25) + abs(v26) <= free_limit6
+    x6_roots, x6_close = _circle_roots(1.0 if free6 else v27, -1.0 if free6 else v23, 0.0 if free6
+        else v24, 0.0 if free6 else v25, 0.0 if free6 else v26, square_rounding * (v22 + k18),
+        moved)
 
     # theta2, type 3: U0 (A5 A6)^-1 [3, 4] and the squared length of column 4 of A5 A6 U0^-1
-    v27 = 4.0 * v2
-    v28 = 4.0 * v3
-    v30 = 4.0 * v8
-    v31 = 4.0 * v9
+    v28 = 4.0 * v2
+    v29 = 4.0 * v3
+    v31 = 4.0 * v8
+    v32 = 4.0 * v9
 
     # theta1, type 3: U0 (A5 A6)^-1 [2, 4] and U0 (A5 A6)^-1 [1, 4]
-    v32 = sqrt3 * T22
-    v33 = k11 * T21 + d5 * v32
-    v34 = k13 * T21 - 2.0 * (a5 * T22)
-    v35 = k9 * T21 + (k9 * T23 - 2.0 * T24)
-    v37 = sqrt3 * T12
-    v38 = k11 * T11 + d5 * v37
-    v39 = k13 * T11 - 2.0 * (a5 * T12)
-    v40 = k9 * T11 + (k9 * T13 - 2.0 * T14)
+    v33 = sqrt3 * T22
+    v34 = k11 * T21 + d5 * v33
+    v35 = k13 * T21 - 2.0 * (a5 * T22)
+    v36 = k9 * T21 + (k9 * T23 - 2.0 * T24)
+    v38 = sqrt3 * T12
+    v39 = k11 * T11 + d5 * v38
+    v40 = k13 * T11 - 2.0 * (a5 * T12)
+    v41 = k9 * T11 + (k9 * T13 - 2.0 * T14)
 
     # theta3, type 2: U3 (A5 A6)^-1 [3, 3]
-    v43 = sqrt3 * T11
-    v44 = T22 * k25
-    v45 = T21 * k25
-    v46 = T23 * k21
-    v47 = sqrt3 * T21
-    v48 = T12 * k25
-    v49 = T11 * k25
-    v50 = T13 * k21
-    v51 = T32 * k26
-    v52 = T31 * k26
-    v53 = k1 * T33
-    v55 = 3.0 * (T22 * k21)
-    v56 = 3.0 * (T21 * k21)
-    v57 = T23 * k25
-    v58 = 3.0 * T12
-    v59 = 3.0 * T11
-    v60 = sqrt3 * T13
-    v61 = T22 * k26
-    v62 = T21 * k26
-    v63 = k1 * T23
-    v64 = 3.0 * (T12 * k21)
-    v65 = 3.0 * (T11 * k21)
-    v66 = T13 * k25
-    v67 = 3.0 * T22
-    v68 = 3.0 * T21
-    v69 = sqrt3 * T23
-    v70 = T12 * k26
-    v71 = T11 * k26
-    v72 = k1 * T13
-    v73 = 3.0 * (k1 * T32)
-    v74 = 3.0 * (k1 * T31)
-    v75 = T33 * k26
-    v76 = T32 * k25
-    v77 = T31 * k25
-    v78 = T33 * k21
+    v44 = sqrt3 * T11
+    v45 = T22 * k25
+    v46 = T21 * k25
+    v47 = T23 * k21
+    v48 = sqrt3 * T21
+    v49 = T12 * k25
+    v50 = T11 * k25
+    v51 = T13 * k21
+    v52 = T32 * k26
+    v53 = T31 * k26
+    v54 = k1 * T33
+    v56 = 3.0 * (T22 * k21)
+    v57 = 3.0 * (T21 * k21)
+    v58 = T23 * k25
+    v59 = 3.0 * T12
+    v60 = 3.0 * T11
+    v61 = sqrt3 * T13
+    v62 = T22 * k26
+    v63 = T21 * k26
+    v64 = k1 * T23
+    v65 = 3.0 * (T12 * k21)
+    v66 = 3.0 * (T11 * k21)
+    v67 = T13 * k25
+    v68 = 3.0 * T22
+    v69 = 3.0 * T21
+    v70 = sqrt3 * T23
+    v71 = T12 * k26
+    v72 = T11 * k26
+    v73 = k1 * T13
+    v74 = 3.0 * (k1 * T32)
+    v75 = 3.0 * (k1 * T31)
+    v76 = T33 * k26
+    v77 = T32 * k25
+    v78 = T31 * k25
+    v79 = T33 * k21
 
     # theta5, type 3: U3 A6^-1 [3, 3] and U3 A6^-1 [3, 4]
-    v80 = sqrt2 * v57
-    v81 = 4.0 * v60
-    v82 = sqrt2 * v63
-    v83 = sqrt2 * v66
-    v84 = 4.0 * v69
-    v85 = sqrt2 * v72
-    v87 = 4.0 * T13
-    v88 = sqrt2 * v46
-    v89 = 4.0 * T23
-    v90 = sqrt2 * v50
+    v81 = sqrt2 * v58
+    v82 = 4.0 * v61
+    v83 = sqrt2 * v64
+    v84 = sqrt2 * v67
+    v85 = 4.0 * v70
+    v86 = sqrt2 * v73
+    v88 = 4.0 * T13
+    v89 = sqrt2 * v47
+    v90 = 4.0 * T23
+    v91 = sqrt2 * v51
     wx = T14 - a6 * T11 - d6 * T13
     wy = T24 - a6 * T21 - d6 * T23
     wz = T34 - T31 * a6 - T33 * d6
-    v92 = sqrt2 * (k25 * wy)
-    v93 = 4.0 * (sqrt3 * wx)
-    v94 = sqrt2 * (k1 * wy)
-    v95 = sqrt2 * (k25 * wx)
-    v96 = 4.0 * (sqrt3 * wy)
-    v97 = sqrt2 * (k1 * wx)
-    v98 = sqrt2 * (k26 * wz - k28)
-    v99 = wz * k30 - k31
-    v101 = 4.0 * wx
-    v102 = sqrt2 * (k21 * wy)
-    v103 = 4.0 * wy
-    v104 = sqrt2 * (k21 * wx)
-    v105 = sqrt2 * (k1 * wz - k33)
+    v93 = sqrt2 * (k25 * wy)
+    v94 = 4.0 * (sqrt3 * wx)
+    v95 = sqrt2 * (k1 * wy)
+    v96 = sqrt2 * (k25 * wx)
+    v97 = 4.0 * (sqrt3 * wy)
+    v98 = sqrt2 * (k1 * wx)
+    v99 = sqrt2 * (k26 * wz - k28)
+    v100 = wz * k30 - k31
+    v102 = 4.0 * wx
+    v103 = sqrt2 * (k21 * wy)
+    v104 = 4.0 * wy
+    v105 = sqrt2 * (k21 * wx)
+    v106 = sqrt2 * (k1 * wz - k33)
 
     # theta4, type 3: U3[2, 3] and U3[1, 3]
-    v109 = sqrt2 * (T23 * k26)
-    v110 = sqrt2 * (T13 * k26)
+    v110 = sqrt2 * (T23 * k26)
+    v111 = sqrt2 * (T13 * k26)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
@@ -1093,67 +1097,67 @@ def _solve(pose, seed, moved, q, status):
         s6 = math.sin(q6)
 
         # theta2
-        v29 = k2 * (v1 + (c6 * v27 + s6 * v28))
-        Z2_2 = k4 * (v7 + (c6 * v30 + s6 * v31))
-        s2 = (k5 * v29 + k3 * Z2_2) * k19
-        c2 = (k6 * Z2_2 + k7 * v29) * k19
+        v30 = k2 * (v1 + (c6 * v28 + s6 * v29))
+        Z2_2 = k4 * (v7 + (c6 * v31 + s6 * v32))
+        s2 = (k5 * v30 + k3 * Z2_2) * k19
+        c2 = (k6 * Z2_2 + k7 * v30) * k19
         q2 = _atan2(s2, c2)
 
         # theta1
         X1_1 = k12 * (k9 + (c2 * k20 + d3 * s2))
         X2_1 = k2 * (sqrt2 * (c2 * k22 - s2 * k23 + k24))
-        v36 = k12 * (c6 * v33 + s6 * v34 + v35)
-        v41 = k12 * (c6 * v38 + s6 * v39 + v40)
-        v42 = X1_1 * v36 + X2_1 * v41
-        C1 = X2_1 * v36 - X1_1 * v41
-        w1 = math.sqrt(v42 * v42 + C1 * C1)
+        v37 = k12 * (c6 * v34 + s6 * v35 + v36)
+        v42 = k12 * (c6 * v39 + s6 * v40 + v41)
+        v43 = X1_1 * v37 + X2_1 * v42
+        C1 = X2_1 * v37 - X1_1 * v42
+        w1 = math.sqrt(v43 * v43 + C1 * C1)
         free1 = w1 <= free_limit_squared2
         near1 = w1 <= near_limit_squared2
         factor1 = 1.0 / (1.0 if free1 else w1)
         c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else -(v42 * factor1)
+        s1 = math.sin(seed[0]) if free1 else -(v43 * factor1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v54 = (
-            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v37 + s6 * v43))) - s2 * (sqrt2 * (c6 * v44 + s6 *
-            v45 - v46))) + s1 * (c2 * (4.0 * (T23 + (c6 * v32 + s6 * v47))) + s2 * (sqrt2 * (c6 *
-            v48 + s6 * v49 - v50))) + sqrt2 * (s2 * (c6 * v51 + s6 * v52 + v53)))
+        v55 = (
+            k2 * (c1 * (c2 * (4.0 * (T13 + (c6 * v38 + s6 * v44))) - s2 * (sqrt2 * (c6 * v45 + s6 *
+            v46 - v47))) + s1 * (c2 * (4.0 * (T23 + (c6 * v33 + s6 * v48))) + s2 * (sqrt2 * (c6 *
+            v49 + s6 * v50 - v51))) + sqrt2 * (s2 * (c6 * v52 + s6 * v53 + v54)))
         )
         Y3 = (
-            k14 * (sqrt2 * (c2 * (c6 * v73 + s6 * v74 + v75) + (v78 - (c6 * v76 + s6 * v77))) - (c1
-            * (s2 * (4.0 * (c6 * v58 + s6 * v59 + v60)) - c2 * (sqrt2 * (c6 * v55 + s6 * v56 - v57))
-            + sqrt2 * (c6 * v61 + s6 * v62 + v63)) + s1 * (c2 * (sqrt2 * (c6 * v64 + s6 * v65 -
-            v66)) + s2 * (4.0 * (c6 * v67 + s6 * v68 + v69)) - sqrt2 * (c6 * v70 + s6 * v71 +
-            v72))))
+            k14 * (sqrt2 * (c2 * (c6 * v74 + s6 * v75 + v76) + (v79 - (c6 * v77 + s6 * v78))) - (c1
+            * (s2 * (4.0 * (c6 * v59 + s6 * v60 + v61)) - c2 * (sqrt2 * (c6 * v56 + s6 * v57 - v58))
+            + sqrt2 * (c6 * v62 + s6 * v63 + v64)) + s1 * (c2 * (sqrt2 * (c6 * v65 + s6 * v66 -
+            v67)) + s2 * (4.0 * (c6 * v68 + s6 * v69 + v70)) - sqrt2 * (c6 * v71 + s6 * v72 +
+            v73))))
         )
-        v79 = v54 * v54 + Y3 * Y3
-        w3 = math.sqrt(v79)
+        v80 = v55 * v55 + Y3 * Y3
+        w3 = math.sqrt(v80)
         free3 = w3 <= free_limit
-        near3 = v79 <= near_limit_squared
+        near3 = v80 <= near_limit_squared
         divisor3 = 1.0 if free3 else w3
 
         # theta5
-        v86 = (
-            c1 * (c2 * v80 + s2 * v81 + v82) - s1 * (c2 * v83 - s2 * v84 + v85) - sqrt2 * (T33 *
+        v87 = (
+            c1 * (c2 * v81 + s2 * v82 + v83) - s1 * (c2 * v84 - s2 * v85 + v86) - sqrt2 * (T33 *
             (k21 + c2 * k26))
         )
-        v91 = 2.0 * (c1 * (c2 * v87 + s2 * v88) + s1 * (c2 * v89 - s2 * v90) + sqrt2 * (s2 * v53))
-        v100 = (
-            c1 * (c2 * v92 + s2 * v93 + v94) - s1 * (c2 * v95 - s2 * v96 + v97) - (c2 * v98 + s2 *
-            k29 + v99)
+        v92 = 2.0 * (c1 * (c2 * v88 + s2 * v89) + s1 * (c2 * v90 - s2 * v91) + sqrt2 * (s2 * v54))
+        v101 = (
+            c1 * (c2 * v93 + s2 * v94 + v95) - s1 * (c2 * v96 - s2 * v97 + v98) - (c2 * v99 + s2 *
+            k29 + v100)
         )
-        v106 = (
-            2.0 * (c1 * (c2 * v101 + s2 * v102) + s1 * (c2 * v103 - s2 * v104) + (s2 * v105 - c2 *
+        v107 = (
+            2.0 * (c1 * (c2 * v102 + s2 * v103) + s1 * (c2 * v104 - s2 * v105) + (s2 * v106 - c2 *
             k32 - k34))
         )
 
         # theta4
         Z1_4 = (
-            k2 * (c1 * (s2 * v87 - c2 * v88 - v109) + s1 * (c2 * v90 + s2 * v89 + v110) - sqrt2 *
+            k2 * (c1 * (s2 * v88 - c2 * v89 - v110) + s1 * (c2 * v91 + s2 * v90 + v111) - sqrt2 *
             (T33 * (k25 + k1 * c2)))
         )
-        v112 = k12 * Z1_4
+        v113 = k12 * Z1_4
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1161,26 +1165,26 @@ def _solve(pose, seed, moved, q, status):
             if e2 < 0.0 and free3:
                 continue  # both signs give the same
             factor3 = e2 / divisor3
-            c3 = math.cos(seed[2]) if free3 else v54 * factor3
+            c3 = math.cos(seed[2]) if free3 else v55 * factor3
             s3 = math.sin(seed[2]) if free3 else Y3 * factor3
             q3 = _atan2(s3, c3)
 
             # theta5
-            v107 = k27 * (k2 * (c3 * v100 + s3 * v106)) * k35
-            c5 = a5 * (k2 * (c3 * v86 + s3 * v91)) * k35
-            q5 = _atan2(-v107, c5)
+            v108 = k27 * (k2 * (c3 * v101 + s3 * v107)) * k35
+            c5 = a5 * (k2 * (c3 * v87 + s3 * v92)) * k35
+            q5 = _atan2(-v108, c5)
 
             # theta4
-            v108 = k12 * (sqrt3 * v107)
-            Z2_4 = k2 * (c3 * v91 + s3 * -v86)
-            v111 = v108 * Z1_4 + k12 * Z2_4
-            C4 = v112 - v108 * Z2_4
-            w4 = math.sqrt(v111 * v111 + C4 * C4)
+            v109 = k12 * (sqrt3 * v108)
+            Z2_4 = k2 * (c3 * v92 + s3 * -v87)
+            v112 = v109 * Z1_4 + k12 * Z2_4
+            C4 = v113 - v109 * Z2_4
+            w4 = math.sqrt(v112 * v112 + C4 * C4)
             free4 = w4 <= free_limit_squared
             near4 = w4 <= near_limit_squared
             factor4 = 1.0 / (1.0 if free4 else w4)
             c4 = math.cos(seed[3]) if free4 else C4 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v111 * factor4)
+            s4 = math.sin(seed[3]) if free4 else -(v112 * factor4)
             q4 = _atan2(s4, c4)
             row = 2 * i1 + i2
             q[row, 0] = q1

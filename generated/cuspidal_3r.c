@@ -62,11 +62,13 @@ static int between(const double p[5], const double *edges, int count, double tol
  * leading
  * coefficient; its roots lie between those of its derivative, those between the roots of the
  * second.
- * They are `close` where the slope is small: one may stand for two, or has another beside it. All
- * are
- * `moved` by an angle in the end. */
+ * They are `close` where the slope is small: one may stand for two, or has another beside it.
+ * Rounding
+ * may add so much to values. All roots are `moved` by an angle in the end. */
 static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double moved, double x[4], int close[4])
+    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
+        x[4],
+    int close[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
     double best = -1.0, apart = 0.0, edges[5], extrema[4];
@@ -103,7 +105,8 @@ static void circle_roots(
     for (int k = 0; k < count; k++)
         edges[k + 1] = extrema[k];
     edges[count + 1] = bound;
-    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
+    count = between(p, edges, count + 2, tolerance, x);
     for (int k = 0; k < count; k++) {
         double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
         const double ca = cos(at), sa = sin(at);
@@ -363,6 +366,7 @@ static const double d2 = 1.0; /* joint offset 2 [m] */
 static const double a2 = 2.0; /* link length 2 [m] */
 static const double a3 = 1.5; /* link length 3 [m] */
 static const double free_limit6 = 2.7680640624999998e-08; /* a length that fixes no angle [m^6] */
+static const double square_rounding = 1e-15; /* squares are rounded by this */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 3.025e-23;
 /* square of a length whose direction is good to few digits [m^2] */
@@ -450,14 +454,14 @@ static void solve(
     const double R2s1 = 2.0 * (T24 * a1);
     const double v2 = k1 + a3 * v1, v3 = a3 * R2c1 + k1 * T24, v4 = a3 * R2s1 - k1 * T14,
         v5 = k2 * T24, v6 = k2 * T14, v7 = v3 * v3, v8 = v4 * v4, v9 = 2.0 * v2, v10 = v5 * v5,
-        v11 = v6 * v6, v12 = v3 * v9 + v5 * k5, v13 = v6 * k5 - v4 * v9,
-        v14 = k4 * (v7 - v8) + k4 * (v10 - v11), v15 = v3 * v4 - v5 * v6,
-        v16 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7;
-    const int free1 = fabs(v16) + fabs(v12) + fabs(v13) + fabs(v14) + fabs(v15) <= free_limit6;
+        v11 = v6 * v6, v12 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)),
+        v13 = v3 * v9 + v5 * k5, v14 = v6 * k5 - v4 * v9, v15 = k4 * (v7 - v8) + k4 * (v10 - v11),
+        v16 = v3 * v4 - v5 * v6, v17 = v12 - k7;
+    const int free1 = fabs(v17) + fabs(v13) + fabs(v14) + fabs(v15) + fabs(v16) <= free_limit6;
     double x1_roots[4];
     int x1_close[4];
-    circle_roots(free1 ? 1.0 : v16, free1 ? -1.0 : -v12, free1 ? 0.0 : v13, free1 ? 0.0 : v14, free1
-        ? 0.0 : v15, moved, x1_roots, x1_close);
+    circle_roots(free1 ? 1.0 : v17, free1 ? -1.0 : -v13, free1 ? 0.0 : v14, free1 ? 0.0 : v15, free1
+        ? 0.0 : v16, square_rounding * (v12 + k7), moved, x1_roots, x1_close);
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
@@ -467,20 +471,20 @@ static void solve(
         const double c1 = cos(q1), s1 = sin(q1);
 
         /* theta3, type 3: U1[3, 4] and the squared length of column 4 of U1 */
-        const double v17 = d2 + (T14 * s1 - T24 * c1);
-        const double c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v17) * k8;
-        const double q3 = atan2(-(k2 * v17 * k8), c3);
+        const double v18 = d2 + (T14 * s1 - T24 * c1);
+        const double c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v18) * k8;
+        const double q3 = atan2(-(k2 * v18 * k8), c3);
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v18 = T34 * Y1_2;
+        const double v19 = T34 * Y1_2;
         const double C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1);
-        const double w2 = sqrt(v18 * v18 + C2 * C2);
+        const double w2 = sqrt(v19 * v19 + C2 * C2);
         const int free2 = w2 <= free_limit_squared2;
         const int near2 = w2 <= near_limit_squared2;
         const double factor2 = 1.0 / (free2 ? 1.0 : w2);
         const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-            s2 = free2 ? sin(seed[1]) : -(v18 * factor2);
+            s2 = free2 ? sin(seed[1]) : -(v19 * factor2);
         const double q2 = atan2(s2, c2);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;

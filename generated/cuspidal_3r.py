@@ -90,6 +90,7 @@ d2 = 1.0  # joint offset 2 [m]
 a2 = 2.0  # link length 2 [m]
 a3 = 1.5  # link length 3 [m]
 free_limit6 = 2.7680640624999998e-08  # a length that fixes no angle [m^6]
+square_rounding = 1e-15  # squares are rounded by this
 free_limit_squared2 = 3.025e-23  # square of a length that fixes no angle [m^2]
 near_limit_squared2 = 3.025e-05  # square of a length whose direction is good to few digits [m^2]
 k1 = 3.0  # a3 * a2 [m^2]
@@ -165,13 +166,14 @@ def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
 
 
 @_inner
-def _circle_roots(a0, a1, b1, a2, b2, moved):
+def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
     Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
     leading coefficient; its roots lie between those of its derivative, those between the
     roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. All are moved by an angle in the end.
+    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
+    by an angle in the end.
     """
     x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
@@ -205,7 +207,7 @@ def _circle_roots(a0, a1, b1, a2, b2, moved):
     for k in range(count):
         edges[k + 1] = extrema[k]
     edges[count + 1] = bound
-    tolerance = 1e-13 * size / abs(lead)
+    tolerance = (1e-13 * size + rounding) / abs(lead)
     count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
     for k in range(count):
         at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
@@ -373,7 +375,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 44a8b25a08118e07"
+_KEY = "cuspidal_3r ca27cc4920a76a66"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -701,14 +703,15 @@ def _solve(pose, seed, moved, q, status):
     v9 = 2.0 * v2
     v10 = v5 * v5
     v11 = v6 * v6
-    v12 = v3 * v9 + v5 * k5
-    v13 = v6 * k5 - v4 * v9
-    v14 = k4 * (v7 - v8) + k4 * (v10 - v11)
-    v15 = v3 * v4 - v5 * v6
-    v16 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11)) - k7
-    free1 = abs(v16) + abs(v12) + abs(v13) + abs(v14) + abs(v15) <= free_limit6
-    x1_roots, x1_close = _circle_roots(1.0 if free1 else v16, -1.0 if free1 else -v12, 0.0 if free1
-        else v13, 0.0 if free1 else v14, 0.0 if free1 else v15, moved)
+    v12 = v2 * v2 + k4 * (v7 + v8) + (k6 + k4 * (v10 + v11))
+    v13 = v3 * v9 + v5 * k5
+    v14 = v6 * k5 - v4 * v9
+    v15 = k4 * (v7 - v8) + k4 * (v10 - v11)
+    v16 = v3 * v4 - v5 * v6
+    v17 = v12 - k7
+    free1 = abs(v17) + abs(v13) + abs(v14) + abs(v15) + abs(v16) <= free_limit6
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v17, -1.0 if free1 else -v13, 0.0 if free1
+        else v14, 0.0 if free1 else v15, 0.0 if free1 else v16, square_rounding * (v12 + k7), moved)
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
@@ -720,20 +723,20 @@ def _solve(pose, seed, moved, q, status):
         s1 = math.sin(q1)
 
         # theta3, type 3: U1[3, 4] and the squared length of column 4 of U1
-        v17 = d2 + (T14 * s1 - T24 * c1)
-        c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v17) * k8
-        q3 = _atan2(-(k2 * v17 * k8), c3)
+        v18 = d2 + (T14 * s1 - T24 * c1)
+        c3 = (a3 * (v1 - (R2c1 * c1 + R2s1 * s1)) + k1 * v18) * k8
+        q3 = _atan2(-(k2 * v18 * k8), c3)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
-        v18 = T34 * Y1_2
+        v19 = T34 * Y1_2
         C2 = Y1_2 * (T14 * c1 + T24 * s1 - a1)
-        w2 = math.sqrt(v18 * v18 + C2 * C2)
+        w2 = math.sqrt(v19 * v19 + C2 * C2)
         free2 = w2 <= free_limit_squared2
         near2 = w2 <= near_limit_squared2
         factor2 = 1.0 / (1.0 if free2 else w2)
         c2 = math.cos(seed[1]) if free2 else C2 * factor2
-        s2 = math.sin(seed[1]) if free2 else -(v18 * factor2)
+        s2 = math.sin(seed[1]) if free2 else -(v19 * factor2)
         q2 = _atan2(s2, c2)
         row = i1
         q[row, 0] = q1

@@ -68,11 +68,13 @@ static int between(const double p[5], const double *edges, int count, double tol
  * leading
  * coefficient; its roots lie between those of its derivative, those between the roots of the
  * second.
- * They are `close` where the slope is small: one may stand for two, or has another beside it. All
- * are
- * `moved` by an angle in the end. */
+ * They are `close` where the slope is small: one may stand for two, or has another beside it.
+ * Rounding
+ * may add so much to values. All roots are `moved` by an angle in the end. */
 static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double moved, double x[4], int close[4])
+    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
+        x[4],
+    int close[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
     double best = -1.0, apart = 0.0, edges[5], extrema[4];
@@ -109,7 +111,8 @@ static void circle_roots(
     for (int k = 0; k < count; k++)
         edges[k + 1] = extrema[k];
     edges[count + 1] = bound;
-    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
+    count = between(p, edges, count + 2, tolerance, x);
     for (int k = 0; k < count; k++) {
         double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
         const double ca = cos(at), sa = sin(at);
@@ -399,6 +402,7 @@ static const double sa5 = 0.984807753012208; /* sine of twist 5 */
 static const double d6 = 0.1; /* joint offset 6 [m] */
 static const double a6 = 0.05; /* link length 6 [m] */
 static const double free_limit2 = 2.5599999999999996e-12; /* a length that fixes no angle [m^2] */
+static const double square_rounding = 1e-15; /* squares are rounded by this */
 static const double near_limit = 0.001; /* a length whose direction is good to few digits */
 /* a polynomial's value at a root, relative to its coefficients */
 static const double double_root = 1e-13;
@@ -621,51 +625,52 @@ static void solve(
     const double R1s6 = T31 * k5 - T32 * a5;
     const double v1 = T33 * ca5, v2 = T32 * sa5, v3 = T31 * sa5, v4 = a4 * v1, v5 = a4 * v2,
         v6 = a4 * v3, v7 = k2 * R1_6, v8 = k2 * R1c6, v9 = k2 * R1s6, v10 = v5 * v5, v11 = v6 * v6,
-        v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7, v16 = v5 * v12 + v8 * v15,
-        v17 = v6 * v12 + v9 * v15, v18 = k1 * (v10 - v11) + k1 * (v13 - v14),
-        v19 = v5 * v6 + v8 * v9,
-        v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7,
-        v21 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19);
-    const int free6 = v21 <= free_limit2;
+        v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7,
+        v16 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)), v17 = v5 * v12 + v8 * v15,
+        v18 = v6 * v12 + v9 * v15, v19 = k1 * (v10 - v11) + k1 * (v13 - v14),
+        v20 = v5 * v6 + v8 * v9, v21 = v16 - k7,
+        v22 = fabs(v21) + fabs(v17) + fabs(v18) + fabs(v19) + fabs(v20);
+    const int free6 = v22 <= free_limit2;
+    const double v23 = square_rounding * (v16 + k7);
     double x6_roots[4];
     int x6_close[4];
-    circle_roots(free6 ? 1.0 : v20, free6 ? -1.0 : v16, free6 ? 0.0 : v17, free6 ? 0.0 : v18, free6
-        ? 0.0 : v19, moved, x6_roots, x6_close);
-    const double v24 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]),
-        v25 = 2.0 * (cos(seed[5]) * sin(seed[5])), v26 = 2.0 * v19, v27 = 2.0 * v18,
-        v29 = v21 * near_limit,
-        v30 = v24 * v26 + (v17 * cos(seed[5]) - v16 * sin(seed[5])) - v25 * v27;
-    const int v31 = fabs(v20 + (v19 * v25 + (v18 * v24 + (v16 * cos(seed[5]) + v17 *
-        sin(seed[5]))))) <= v21 * double_root;
+    circle_roots(free6 ? 1.0 : v21, free6 ? -1.0 : v17, free6 ? 0.0 : v18, free6 ? 0.0 : v19, free6
+        ? 0.0 : v20, v23, moved, x6_roots, x6_close);
+    const double v26 = cos(seed[5]) * cos(seed[5]) - sin(seed[5]) * sin(seed[5]),
+        v27 = 2.0 * (cos(seed[5]) * sin(seed[5])), v28 = 2.0 * v20, v29 = 2.0 * v19,
+        v31 = v22 * near_limit,
+        v32 = v26 * v28 + (v18 * cos(seed[5]) - v17 * sin(seed[5])) - v27 * v29;
+    const int v33 = fabs(v21 + (v20 * v27 + (v19 * v26 + (v17 * cos(seed[5]) + v18 *
+        sin(seed[5]))))) <= v23 + v22 * double_root;
 
     /* theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3] */
-    const double v33 = sa5 * T22, v34 = sa5 * T21, v35 = ca5 * T23, v36 = sa5 * T12,
-        v37 = sa5 * T11, v38 = ca5 * T13, v39 = seed[0] + seed[1] + seed[2];
+    const double v35 = sa5 * T22, v36 = sa5 * T21, v37 = ca5 * T23, v38 = sa5 * T12,
+        v39 = sa5 * T11, v40 = ca5 * T13, v41 = seed[0] + seed[1] + seed[2];
 
     /* theta5, type 3: U3[3, 3] and U4[1, 3] */
-    const double v40 = 2.0 * T23, v41 = 2.0 * T13;
+    const double v42 = 2.0 * T23, v43 = 2.0 * T13;
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
-    const double v53 = 2.0 * T14, v54 = 2.0 * T24;
+    const double v55 = 2.0 * T14, v56 = 2.0 * T24;
 
     /* theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4] */
     const double wy = T24 - a6 * T21 - d6 * T23;
-    const double v56 = 2.0 * wy;
+    const double v58 = 2.0 * wy;
     const double wx = T14 - a6 * T11 - d6 * T13;
-    const double v57 = 2.0 * wx;
+    const double v59 = 2.0 * wx;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x6 = x6_roots[i1];
         /* theta6 */
         if (!(x6 <= 4.0)) continue; /* out of reach */
-        const double v22 = cos(x6), v23 = sin(x6),
-            v28 = (v22 * v22 - v23 * v23) * v26 + (v17 * v22 - v16 * v23) - 2.0 * (v22 * v23) * v27;
-        const int near6 = fabs(v28) <= v29;
-        const int same6 = -(double_root * (v21 * v21)) <= v28 * v30 && 0.0 < v22 * cos(seed[5]) +
-            v23 * sin(seed[5]) && fabs(v22 * sin(seed[5]) - v23 * cos(seed[5])) <= near_limit &&
-            near6 && v31;
-        const double v32 = same6 ? seed[5] : x6;
-        const double q6 = free6 ? seed[5] : v32;
+        const double v24 = cos(x6), v25 = sin(x6),
+            v30 = (v24 * v24 - v25 * v25) * v28 + (v18 * v24 - v17 * v25) - 2.0 * (v24 * v25) * v29;
+        const int near6 = fabs(v30) <= v31;
+        const int same6 = -(double_root * (v22 * v22)) <= v30 * v32 && 0.0 < v24 * cos(seed[5]) +
+            v25 * sin(seed[5]) && fabs(v24 * sin(seed[5]) - v25 * cos(seed[5])) <= near_limit &&
+            near6 && v33;
+        const double v34 = same6 ? seed[5] : x6;
+        const double q6 = free6 ? seed[5] : v34;
         const double c6 = cos(q6), s6 = sin(q6);
 
         /* theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3] */
@@ -675,38 +680,38 @@ static void solve(
 
         /* theta123 */
         const double X1_123 = k1 * (sqrt3 * s4);
-        const double Z1_123 = c6 * v33 + s6 * v34 + v35;
-        const double Z2_123 = c6 * v36 + s6 * v37 + v38;
+        const double Z1_123 = c6 * v35 + s6 * v36 + v37;
+        const double Z2_123 = c6 * v38 + s6 * v39 + v40;
         const double S123 = X1_123 * Z1_123 + k1 * Z2_123;
         const double C123 = X1_123 * Z2_123 - k1 * Z1_123;
         const double w123 = sqrt(S123 * S123 + C123 * C123);
         const int free123 = w123 <= free_limit_squared;
         const int near123 = w123 <= near_limit_squared;
         const double factor123 = 1.0 / (free123 ? 1.0 : w123);
-        const double c123 = free123 ? cos(v39) : C123 * factor123,
-            s123 = free123 ? sin(v39) : S123 * factor123;
+        const double c123 = free123 ? cos(v41) : C123 * factor123,
+            s123 = free123 ? sin(v41) : S123 * factor123;
         const double theta123 = atan2(s123, c123);
 
         /* theta5 */
         const double s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9;
-        const double v42 = sa5 * (k1 * (s123 * v41 - c123 * v40 - ca5)) * k9;
-        const double q5 = atan2(s5, -v42);
+        const double v44 = sa5 * (k1 * (s123 * v43 - c123 * v42 - ca5)) * k9;
+        const double q5 = atan2(s5, -v44);
 
         /* theta2 */
-        const double v43 = a5 + a6 * c6, v44 = s6 * k10 - k11, v45 = c4 * (2.0 * v43) + s4 * -v44,
-            v46 = sqrt3 * v44, v47 = c4 * (2.0 * v44) + s4 * v43, v48 = sqrt3 * v43, v49 = c4 * k12,
-            v50 = s6 * k13, v51 = k12 + (v49 + s4 * (sqrt3 * (v50 + k14))), v52 = v50 + k15;
-        const double Z1_2 = k1 * (v42 * (c123 * v45 + s123 * v46) + s5 * (c123 * v47 - s123 * v48) +
-            (v53 - (c123 * v51 + s123 * v52)));
-        const double Z2_2 = k1 * (s5 * (c123 * v48 + s123 * v47) - v42 * (c123 * v46 - s123 * v45) +
-            (c123 * v52 - s123 * v51 + v54));
+        const double v45 = a5 + a6 * c6, v46 = s6 * k10 - k11, v47 = c4 * (2.0 * v45) + s4 * -v46,
+            v48 = sqrt3 * v46, v49 = c4 * (2.0 * v46) + s4 * v45, v50 = sqrt3 * v45, v51 = c4 * k12,
+            v52 = s6 * k13, v53 = k12 + (v51 + s4 * (sqrt3 * (v52 + k14))), v54 = v52 + k15;
+        const double Z1_2 = k1 * (v44 * (c123 * v47 + s123 * v48) + s5 * (c123 * v49 - s123 * v50) +
+            (v55 - (c123 * v53 + s123 * v54)));
+        const double Z2_2 = k1 * (s5 * (c123 * v50 + s123 * v49) - v44 * (c123 * v48 - s123 * v47) +
+            (c123 * v54 - s123 * v53 + v56));
         const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
         const double K2 = N2 - k16;
         const double D2 = (longest2 - N2) * (N2 - shortest2);
         const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
         if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
             if (near6) lose(NEARLY + 6, D2, q[2 * i1], &status[2 * i1]);
-            if (near6) q[2 * i1][1] = v32;
+            if (near6) q[2 * i1][1] = v34;
             if (free6) lose(LOST + 6, D2, q[2 * i1], &status[2 * i1]);
             if (free123) lose(LOST + 1, D2, q[2 * i1], &status[2 * i1]);
             if (free123) lose(LOST + 2, D2, q[2 * i1], &status[2 * i1]);
@@ -718,12 +723,12 @@ static void solve(
 
         /* theta1 */
         const double X1_1 = a1 + a2 * c2;
-        const double v55 = k12 + (v49 + s4 * k19);
-        const double Z1_1 = k1 * (v42 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 *
-            s123)) + (c123 * k18 - s123 * v55 + v56));
-        const double Z2_1 = k1 * (v42 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 *
-            s123)) + (v57 - (c123 * v55 + s123 * k18)));
-        const double v58 = X1_1 * Z1_1, v59 = X1_1 * Z2_1;
+        const double v57 = k12 + (v51 + s4 * k19);
+        const double Z1_1 = k1 * (v44 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 *
+            s123)) + (c123 * k18 - s123 * v57 + v58));
+        const double Z2_1 = k1 * (v44 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 *
+            s123)) + (v59 - (c123 * v57 + s123 * k18)));
+        const double v60 = X1_1 * Z1_1, v61 = X1_1 * Z2_1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* down, up */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
@@ -735,8 +740,8 @@ static void solve(
 
             /* theta1 */
             const double Y1_1 = a2 * s2;
-            const double S1 = v58 - Y1_1 * Z2_1;
-            const double C1 = v59 + Y1_1 * Z1_1;
+            const double S1 = v60 - Y1_1 * Z2_1;
+            const double C1 = v61 + Y1_1 * Z1_1;
             const double w1 = sqrt(S1 * S1 + C1 * C1);
             const int free1 = w1 <= free_limit_squared2;
             const int near1 = w1 <= near_limit_squared2;

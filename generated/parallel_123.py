@@ -106,6 +106,7 @@ sa5 = 0.984807753012208  # sine of twist 5
 d6 = 0.1  # joint offset 6 [m]
 a6 = 0.05  # link length 6 [m]
 free_limit2 = 2.5599999999999996e-12  # a length that fixes no angle [m^2]
+square_rounding = 1e-15  # squares are rounded by this
 near_limit = 0.001  # a length whose direction is good to few digits
 double_root = 1e-13  # a polynomial's value at a root, relative to its coefficients
 free_limit_squared = 1e-24  # square of a length that fixes no angle
@@ -211,13 +212,14 @@ def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
 
 
 @_inner
-def _circle_roots(a0, a1, b1, a2, b2, moved):
+def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
     Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
     leading coefficient; its roots lie between those of its derivative, those between the
     roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. All are moved by an angle in the end.
+    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
+    by an angle in the end.
     """
     x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
@@ -251,7 +253,7 @@ def _circle_roots(a0, a1, b1, a2, b2, moved):
     for k in range(count):
         edges[k + 1] = extrema[k]
     edges[count + 1] = bound
-    tolerance = 1e-13 * size / abs(lead)
+    tolerance = (1e-13 * size + rounding) / abs(lead)
     count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
     for k in range(count):
         at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
@@ -520,7 +522,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 780e350b79b2f0f5"
+_KEY = "parallel_123 ac56fcd375a84252"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -927,65 +929,67 @@ def _solve(pose, seed, moved, q, status):
     v13 = v8 * v8
     v14 = v9 * v9
     v15 = 2.0 * v7
-    v16 = v5 * v12 + v8 * v15
-    v17 = v6 * v12 + v9 * v15
-    v18 = k1 * (v10 - v11) + k1 * (v13 - v14)
-    v19 = v5 * v6 + v8 * v9
-    v20 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)) - k7
-    v21 = abs(v20) + abs(v16) + abs(v17) + abs(v18) + abs(v19)
-    free6 = v21 <= free_limit2
-    x6_roots, x6_close = _circle_roots(1.0 if free6 else v20, -1.0 if free6 else v16, 0.0 if free6
-        else v17, 0.0 if free6 else v18, 0.0 if free6 else v19, moved)
-    v24 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
-    v25 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
-    v26 = 2.0 * v19
-    v27 = 2.0 * v18
-    v29 = v21 * near_limit
-    v30 = v24 * v26 + (v17 * math.cos(seed[5]) - v16 * math.sin(seed[5])) - v25 * v27
-    v31 = (
-        abs(v20 + (v19 * v25 + (v18 * v24 + (v16 * math.cos(seed[5]) + v17 * math.sin(seed[5])))))
-        <= v21 * double_root
+    v16 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14))
+    v17 = v5 * v12 + v8 * v15
+    v18 = v6 * v12 + v9 * v15
+    v19 = k1 * (v10 - v11) + k1 * (v13 - v14)
+    v20 = v5 * v6 + v8 * v9
+    v21 = v16 - k7
+    v22 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20)
+    free6 = v22 <= free_limit2
+    v23 = square_rounding * (v16 + k7)
+    x6_roots, x6_close = _circle_roots(1.0 if free6 else v21, -1.0 if free6 else v17, 0.0 if free6
+        else v18, 0.0 if free6 else v19, 0.0 if free6 else v20, v23, moved)
+    v26 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
+    v27 = 2.0 * (math.cos(seed[5]) * math.sin(seed[5]))
+    v28 = 2.0 * v20
+    v29 = 2.0 * v19
+    v31 = v22 * near_limit
+    v32 = v26 * v28 + (v18 * math.cos(seed[5]) - v17 * math.sin(seed[5])) - v27 * v29
+    v33 = (
+        abs(v21 + (v20 * v27 + (v19 * v26 + (v17 * math.cos(seed[5]) + v18 * math.sin(seed[5])))))
+        <= v23 + v22 * double_root
     )
 
     # theta123, type 3: U0 (A5 A6)^-1 [2, 3] and U0 (A5 A6)^-1 [1, 3]
-    v33 = sa5 * T22
-    v34 = sa5 * T21
-    v35 = ca5 * T23
-    v36 = sa5 * T12
-    v37 = sa5 * T11
-    v38 = ca5 * T13
-    v39 = seed[0] + seed[1] + seed[2]
+    v35 = sa5 * T22
+    v36 = sa5 * T21
+    v37 = ca5 * T23
+    v38 = sa5 * T12
+    v39 = sa5 * T11
+    v40 = ca5 * T13
+    v41 = seed[0] + seed[1] + seed[2]
 
     # theta5, type 3: U3[3, 3] and U4[1, 3]
-    v40 = 2.0 * T23
-    v41 = 2.0 * T13
+    v42 = 2.0 * T23
+    v43 = 2.0 * T13
 
     # theta2, type 8: U0[1, 4] and U0[2, 4]
-    v53 = 2.0 * T14
-    v54 = 2.0 * T24
+    v55 = 2.0 * T14
+    v56 = 2.0 * T24
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
     wy = T24 - a6 * T21 - d6 * T23
-    v56 = 2.0 * wy
+    v58 = 2.0 * wy
     wx = T14 - a6 * T11 - d6 * T13
-    v57 = 2.0 * wx
+    v59 = 2.0 * wx
 
     for i1 in range(4):  # root1, root2, root3, root4
         x6 = x6_roots[i1]
         # theta6
         if not (x6 <= 4.0):
             continue  # out of reach
-        v22 = math.cos(x6)
-        v23 = math.sin(x6)
-        v28 = (v22 * v22 - v23 * v23) * v26 + (v17 * v22 - v16 * v23) - 2.0 * (v22 * v23) * v27
-        near6 = abs(v28) <= v29
+        v24 = math.cos(x6)
+        v25 = math.sin(x6)
+        v30 = (v24 * v24 - v25 * v25) * v28 + (v18 * v24 - v17 * v25) - 2.0 * (v24 * v25) * v29
+        near6 = abs(v30) <= v31
         same6 = (
-            -(double_root * (v21 * v21)) <= v28 * v30 and 0.0 < v22 * math.cos(seed[5]) + v23 *
-            math.sin(seed[5]) and abs(v22 * math.sin(seed[5]) - v23 * math.cos(seed[5])) <=
-            near_limit and near6 and v31
+            -(double_root * (v22 * v22)) <= v30 * v32 and 0.0 < v24 * math.cos(seed[5]) + v25 *
+            math.sin(seed[5]) and abs(v24 * math.sin(seed[5]) - v25 * math.cos(seed[5])) <=
+            near_limit and near6 and v33
         )
-        v32 = seed[5] if same6 else x6
-        q6 = seed[5] if free6 else v32
+        v34 = seed[5] if same6 else x6
+        q6 = seed[5] if free6 else v34
         c6 = math.cos(q6)
         s6 = math.sin(q6)
 
@@ -996,41 +1000,41 @@ def _solve(pose, seed, moved, q, status):
 
         # theta123
         X1_123 = k1 * (sqrt3 * s4)
-        Z1_123 = c6 * v33 + s6 * v34 + v35
-        Z2_123 = c6 * v36 + s6 * v37 + v38
+        Z1_123 = c6 * v35 + s6 * v36 + v37
+        Z2_123 = c6 * v38 + s6 * v39 + v40
         S123 = X1_123 * Z1_123 + k1 * Z2_123
         C123 = X1_123 * Z2_123 - k1 * Z1_123
         w123 = math.sqrt(S123 * S123 + C123 * C123)
         free123 = w123 <= free_limit_squared
         near123 = w123 <= near_limit_squared
         factor123 = 1.0 / (1.0 if free123 else w123)
-        c123 = math.cos(v39) if free123 else C123 * factor123
-        s123 = math.sin(v39) if free123 else S123 * factor123
+        c123 = math.cos(v41) if free123 else C123 * factor123
+        s123 = math.sin(v41) if free123 else S123 * factor123
         theta123 = _atan2(s123, c123)
 
         # theta5
         s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9
-        v42 = sa5 * (k1 * (s123 * v41 - c123 * v40 - ca5)) * k9
-        q5 = _atan2(s5, -v42)
+        v44 = sa5 * (k1 * (s123 * v43 - c123 * v42 - ca5)) * k9
+        q5 = _atan2(s5, -v44)
 
         # theta2
-        v43 = a5 + a6 * c6
-        v44 = s6 * k10 - k11
-        v45 = c4 * (2.0 * v43) + s4 * -v44
-        v46 = sqrt3 * v44
-        v47 = c4 * (2.0 * v44) + s4 * v43
-        v48 = sqrt3 * v43
-        v49 = c4 * k12
-        v50 = s6 * k13
-        v51 = k12 + (v49 + s4 * (sqrt3 * (v50 + k14)))
-        v52 = v50 + k15
+        v45 = a5 + a6 * c6
+        v46 = s6 * k10 - k11
+        v47 = c4 * (2.0 * v45) + s4 * -v46
+        v48 = sqrt3 * v46
+        v49 = c4 * (2.0 * v46) + s4 * v45
+        v50 = sqrt3 * v45
+        v51 = c4 * k12
+        v52 = s6 * k13
+        v53 = k12 + (v51 + s4 * (sqrt3 * (v52 + k14)))
+        v54 = v52 + k15
         Z1_2 = (
-            k1 * (v42 * (c123 * v45 + s123 * v46) + s5 * (c123 * v47 - s123 * v48) + (v53 - (c123 *
-            v51 + s123 * v52)))
+            k1 * (v44 * (c123 * v47 + s123 * v48) + s5 * (c123 * v49 - s123 * v50) + (v55 - (c123 *
+            v53 + s123 * v54)))
         )
         Z2_2 = (
-            k1 * (s5 * (c123 * v48 + s123 * v47) - v42 * (c123 * v46 - s123 * v45) + (c123 * v52 -
-            s123 * v51 + v54))
+            k1 * (s5 * (c123 * v50 + s123 * v49) - v44 * (c123 * v48 - s123 * v47) + (c123 * v54 -
+            s123 * v53 + v56))
         )
         N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
         K2 = N2 - k16
@@ -1040,7 +1044,7 @@ def _solve(pose, seed, moved, q, status):
             if near6:
                 status[2 * i1] = _NEARLY + 6
                 q[2 * i1, 0] = D2
-                q[2 * i1, 1] = v32
+                q[2 * i1, 1] = v34
             if free6:
                 status[2 * i1] = _LOST + 6
                 q[2 * i1, 0] = D2
@@ -1059,17 +1063,17 @@ def _solve(pose, seed, moved, q, status):
 
         # theta1
         X1_1 = a1 + a2 * c2
-        v55 = k12 + (v49 + s4 * k19)
+        v57 = k12 + (v51 + s4 * k19)
         Z1_1 = (
-            k1 * (v42 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
-            * k18 - s123 * v55 + v56))
+            k1 * (v44 * (2.0 * (a5 * (c4 * s123))) + s5 * (a5 * (sqrt3 * c123 + s4 * s123)) + (c123
+            * k18 - s123 * v57 + v58))
         )
         Z2_1 = (
-            k1 * (v42 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v57 -
-            (c123 * v55 + s123 * k18)))
+            k1 * (v44 * (2.0 * (a5 * (c4 * c123))) + s5 * (a5 * (s4 * c123 - sqrt3 * s123)) + (v59 -
+            (c123 * v57 + s123 * k18)))
         )
-        v58 = X1_1 * Z1_1
-        v59 = X1_1 * Z2_1
+        v60 = X1_1 * Z1_1
+        v61 = X1_1 * Z2_1
 
         for i2 in range(2):  # down, up
             e2 = 1.0 - 2.0 * i2
@@ -1084,8 +1088,8 @@ def _solve(pose, seed, moved, q, status):
 
             # theta1
             Y1_1 = a2 * s2
-            S1 = v58 - Y1_1 * Z2_1
-            C1 = v59 + Y1_1 * Z1_1
+            S1 = v60 - Y1_1 * Z2_1
+            C1 = v61 + Y1_1 * Z1_1
             w1 = math.sqrt(S1 * S1 + C1 * C1)
             free1 = w1 <= free_limit_squared2
             near1 = w1 <= near_limit_squared2

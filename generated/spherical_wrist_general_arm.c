@@ -63,11 +63,13 @@ static int between(const double p[5], const double *edges, int count, double tol
  * leading
  * coefficient; its roots lie between those of its derivative, those between the roots of the
  * second.
- * They are `close` where the slope is small: one may stand for two, or has another beside it. All
- * are
- * `moved` by an angle in the end. */
+ * They are `close` where the slope is small: one may stand for two, or has another beside it.
+ * Rounding
+ * may add so much to values. All roots are `moved` by an angle in the end. */
 static void circle_roots(
-    double a0, double a1, double b1, double a2, double b2, double moved, double x[4], int close[4])
+    double a0, double a1, double b1, double a2, double b2, double rounding, double moved, double
+        x[4],
+    int close[4])
 {
     const double size = fabs(a0) + fabs(a1) + fabs(b1) + fabs(a2) + fabs(b2);
     double best = -1.0, apart = 0.0, edges[5], extrema[4];
@@ -104,7 +106,8 @@ static void circle_roots(
     for (int k = 0; k < count; k++)
         edges[k + 1] = extrema[k];
     edges[count + 1] = bound;
-    count = between(p, edges, count + 2, 1e-13 * size / fabs(lead), x);
+    const double tolerance = (1e-13 * size + rounding) / fabs(lead);
+    count = between(p, edges, count + 2, tolerance, x);
     for (int k = 0; k < count; k++) {
         double at = apart + 0.5 * turn + 2.0 * atan(x[k]);
         const double ca = cos(at), sa = sin(at);
@@ -399,6 +402,7 @@ static const double sa3 = 0.766044443118978; /* sine of twist 3 */
 static const double d4 = 0.37; /* joint offset 4 [m] */
 static const double d6 = 0.09; /* joint offset 6 [m] */
 static const double free_limit6 = 1.9456426971135993e-11; /* a length that fixes no angle [m^6] */
+static const double square_rounding = 1e-15; /* squares are rounded by this */
 /* square of a length that fixes no angle [m^2] */
 static const double free_limit_squared2 = 2.6895999999999994e-24;
 /* square of a length whose direction is good to few digits [m^2] */
@@ -622,25 +626,25 @@ static void solve(
     const double v4 = k4 * v3 + k5 * -v1, v5 = k4 * R2c1 - k5 * R1c1, v6 = k4 * R2s1 + k5 * v2,
         v7 = k3 * -v1 + k2 * v3, v8 = k3 * R1c1 - k2 * R2c1, v9 = k3 * v2 + k2 * R2s1,
         v10 = v5 * v5, v11 = v6 * v6, v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7,
-        v16 = v8 * v15 - v5 * v12, v17 = v6 * v12 + v9 * v15,
-        v18 = k9 * (v10 - v11) + k9 * (v13 - v14), v19 = v5 * v6 - v8 * v9,
-        v20 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10;
-    const int free1 = fabs(v20) + fabs(v16) + fabs(v17) + fabs(v18) + fabs(v19) <= free_limit6;
+        v16 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)), v17 = v8 * v15 - v5 * v12,
+        v18 = v6 * v12 + v9 * v15, v19 = k9 * (v10 - v11) + k9 * (v13 - v14),
+        v20 = v5 * v6 - v8 * v9, v21 = v16 - k10;
+    const int free1 = fabs(v21) + fabs(v17) + fabs(v18) + fabs(v19) + fabs(v20) <= free_limit6;
     double x1_roots[4];
     int x1_close[4];
-    circle_roots(free1 ? 1.0 : v20, free1 ? -1.0 : v16, free1 ? 0.0 : -v17, free1 ? 0.0 : v18, free1
-        ? 0.0 : v19, moved, x1_roots, x1_close);
+    circle_roots(free1 ? 1.0 : v21, free1 ? -1.0 : v17, free1 ? 0.0 : -v18, free1 ? 0.0 : v19, free1
+        ? 0.0 : v20, square_rounding * (v16 + k10), moved, x1_roots, x1_close);
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v21 = ca1 * wy, v22 = ca1 * wx, v23 = sa1 * (wz - d1);
+    const double v22 = ca1 * wy, v23 = ca1 * wx, v24 = sa1 * (wz - d1);
 
     /* theta4, type 2: U4[3, 3] */
-    const double v25 = ca1 * T23, v26 = ca1 * T13, v27 = T33 * sa1, v31 = T23 * sa1,
-        v32 = sa1 * T13, v33 = T33 * ca1;
+    const double v26 = ca1 * T23, v27 = ca1 * T13, v28 = T33 * sa1, v32 = T23 * sa1,
+        v33 = sa1 * T13, v34 = T33 * ca1;
 
     /* theta6, type 3: U1[3, 1] and U1[3, 2] */
-    const double v45 = T21 * sa1, v46 = sa1 * T11, v47 = T31 * ca1, v48 = T22 * sa1,
-        v49 = sa1 * T12, v50 = T32 * ca1;
+    const double v46 = T21 * sa1, v47 = sa1 * T11, v48 = T31 * ca1, v49 = T22 * sa1,
+        v50 = sa1 * T12, v51 = T32 * ca1;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
@@ -658,7 +662,7 @@ static void solve(
         /* theta2 */
         const double X1_2 = a2 + (a3 * c3 - s3 * k12);
         const double Y1_2 = c3 * k14 + s3 * k15 - k16;
-        const double Z1_2 = v23 - (s1 * v22 - c1 * v21);
+        const double Z1_2 = v24 - (s1 * v23 - c1 * v22);
         const double Z2_2 = wx * c1 + wy * s1 - a1;
         const double S2 = X1_2 * Z1_2 - Y1_2 * Z2_2;
         const double C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2;
@@ -671,34 +675,34 @@ static void solve(
         const double q2 = atan2(s2, c2);
 
         /* theta4 */
-        const double v24 = T13 * c1 + T23 * s1, v28 = s1 * v26 - c1 * v25 - v27, v29 = ca2 * v28,
-            v30 = ca2 * v24, v34 = s1 * v32 - c1 * v31 + v33,
-            v35 = c2 * (c3 * v24 - s3 * v29) - s2 * (c3 * v28 + s3 * v30) + sa2 * (s3 * v34),
-            v36 = sa2 * v28, v37 = sa2 * v24, v38 = sa2 * v34, v39 = ca2 * v34,
-            v40 = c2 * (c3 * (ca3 * v29) + s3 * (ca3 * v24) + sa3 * v36) + s2 * (c3 * (ca3 * v30) -
-                s3 * (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38)),
-            v41 = v35 * v35 + v40 * v40;
-        const double w4 = sqrt(v41);
+        const double v25 = T13 * c1 + T23 * s1, v29 = s1 * v27 - c1 * v26 - v28, v30 = ca2 * v29,
+            v31 = ca2 * v25, v35 = s1 * v33 - c1 * v32 + v34,
+            v36 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * v35),
+            v37 = sa2 * v29, v38 = sa2 * v25, v39 = sa2 * v35, v40 = ca2 * v35,
+            v41 = c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * v37) + s2 * (c3 * (ca3 * v31) -
+                s3 * (ca3 * v29) + sa3 * v38) + (sa3 * v40 - c3 * (ca3 * v39)),
+            v42 = v36 * v36 + v41 * v41;
+        const double w4 = sqrt(v42);
         const int free4 = w4 <= free_limit;
-        const int near4 = v41 <= near_limit_squared;
+        const int near4 = v42 <= near_limit_squared;
         const double divisor4 = free4 ? 1.0 : w4;
 
         /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-        const double c5 = c3 * (sa3 * v38) + ca3 * v39 - (c2 * (c3 * (sa3 * v29) + s3 * (sa3 * v24)
-            - ca3 * v36) + s2 * (c3 * (sa3 * v30) - s3 * (sa3 * v28) - ca3 * v37));
+        const double c5 = c3 * (sa3 * v39) + ca3 * v40 - (c2 * (c3 * (sa3 * v30) + s3 * (sa3 * v25)
+            - ca3 * v37) + s2 * (c3 * (sa3 * v31) - s3 * (sa3 * v29) - ca3 * v38));
 
         /* theta6 */
-        const double v42 = c3 * k17 - k13, v43 = sa2 * s3, v44 = k1 * c3 + k18;
-        const double Z1_6 = s1 * v46 - c1 * v45 + v47;
-        const double Z2_6 = s1 * v49 - c1 * v48 + v50;
+        const double v43 = c3 * k17 - k13, v44 = sa2 * s3, v45 = k1 * c3 + k18;
+        const double Z1_6 = s1 * v47 - c1 * v46 + v48;
+        const double Z2_6 = s1 * v50 - c1 * v49 + v51;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
             if (e2 < 0.0 && free4) continue; /* both signs give the same */
             const double factor4 = e2 / divisor4;
-            const double c4 = free4 ? cos(seed[3]) : v35 * factor4,
-                s4 = free4 ? sin(seed[3]) : -(v40 * factor4);
+            const double c4 = free4 ? cos(seed[3]) : v36 * factor4,
+                s4 = free4 ? sin(seed[3]) : -(v41 * factor4);
             const double q4 = atan2(s4, c4);
             const double root4 = w4 * e2;
 
@@ -706,8 +710,8 @@ static void solve(
             const double q5 = atan2(-root4, c5);
 
             /* theta6 */
-            const double X1_6 = c4 * v42 - s4 * v43;
-            const double Y1_6 = c5 * (c4 * v43 + s4 * v42) - root4 * v44;
+            const double X1_6 = c4 * v43 - s4 * v44;
+            const double Y1_6 = c5 * (c4 * v44 + s4 * v43) - root4 * v45;
             const double S6 = X1_6 * Z1_6 - Y1_6 * Z2_6;
             const double C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6;
             const double w6 = sqrt(S6 * S6 + C6 * C6);

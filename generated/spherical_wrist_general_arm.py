@@ -108,6 +108,7 @@ sa3 = 0.766044443118978  # sine of twist 3
 d4 = 0.37  # joint offset 4 [m]
 d6 = 0.09  # joint offset 6 [m]
 free_limit6 = 1.9456426971135993e-11  # a length that fixes no angle [m^6]
+square_rounding = 1e-15  # squares are rounded by this
 free_limit_squared2 = 2.6895999999999994e-24  # square of a length that fixes no angle [m^2]
 # square of a length whose direction is good to few digits [m^2]
 near_limit_squared2 = 2.6895999999999996e-06
@@ -209,13 +210,14 @@ def _between(p0, p1, p2, p3, p4, edges, count, tolerance, found):
 
 
 @_inner
-def _circle_roots(a0, a1, b1, a2, b2, moved):
+def _circle_roots(a0, a1, b1, a2, b2, rounding, moved):
     """Roots, ascending in (-pi, pi], of a0 + a1 cos x + b1 sin x + a2 cos 2x + b2 sin 2x; else NaN.
 
     Seen from a point where it is large, it is a quartic in the half-angle tangent with a large
     leading coefficient; its roots lie between those of its derivative, those between the
     roots of the second derivative. Second comes which are close, where the slope is small: one may
-    stand for two, or has another beside it. All are moved by an angle in the end.
+    stand for two, or has another beside it. Rounding may add so much to values. All roots are moved
+    by an angle in the end.
     """
     x, close = np.full(4, math.nan), np.zeros(4, np.bool_)
     size = abs(a0) + abs(a1) + abs(b1) + abs(a2) + abs(b2)
@@ -249,7 +251,7 @@ def _circle_roots(a0, a1, b1, a2, b2, moved):
     for k in range(count):
         edges[k + 1] = extrema[k]
     edges[count + 1] = bound
-    tolerance = 1e-13 * size / abs(lead)
+    tolerance = (1e-13 * size + rounding) / abs(lead)
     count = _between(p0, p1, p2, p3, 1.0, edges, count + 2, tolerance, x)
     for k in range(count):
         at = apart + 0.5 * _TURN + 2.0 * math.atan(x[k])
@@ -539,7 +541,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm fcaf0eec8ce87a25"
+_KEY = "spherical_wrist_general_arm 5ba3de8c147d9e36"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -957,35 +959,37 @@ def _solve(pose, seed, moved, q, status):
     v13 = v8 * v8
     v14 = v9 * v9
     v15 = 2.0 * v7
-    v16 = v8 * v15 - v5 * v12
-    v17 = v6 * v12 + v9 * v15
-    v18 = k9 * (v10 - v11) + k9 * (v13 - v14)
-    v19 = v5 * v6 - v8 * v9
-    v20 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14)) - k10
-    free1 = abs(v20) + abs(v16) + abs(v17) + abs(v18) + abs(v19) <= free_limit6
-    x1_roots, x1_close = _circle_roots(1.0 if free1 else v20, -1.0 if free1 else v16, 0.0 if free1
-        else -v17, 0.0 if free1 else v18, 0.0 if free1 else v19, moved)
+    v16 = v4 * v4 + k9 * (v10 + v11) + (v7 * v7 + k9 * (v13 + v14))
+    v17 = v8 * v15 - v5 * v12
+    v18 = v6 * v12 + v9 * v15
+    v19 = k9 * (v10 - v11) + k9 * (v13 - v14)
+    v20 = v5 * v6 - v8 * v9
+    v21 = v16 - k10
+    free1 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20) <= free_limit6
+    x1_roots, x1_close = _circle_roots(1.0 if free1 else v21, -1.0 if free1 else v17, 0.0 if free1
+        else -v18, 0.0 if free1 else v19, 0.0 if free1 else v20, square_rounding * (v16 + k10),
+        moved)
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v21 = ca1 * wy
-    v22 = ca1 * wx
-    v23 = sa1 * (wz - d1)
+    v22 = ca1 * wy
+    v23 = ca1 * wx
+    v24 = sa1 * (wz - d1)
 
     # theta4, type 2: U4[3, 3]
-    v25 = ca1 * T23
-    v26 = ca1 * T13
-    v27 = T33 * sa1
-    v31 = T23 * sa1
-    v32 = sa1 * T13
-    v33 = T33 * ca1
+    v26 = ca1 * T23
+    v27 = ca1 * T13
+    v28 = T33 * sa1
+    v32 = T23 * sa1
+    v33 = sa1 * T13
+    v34 = T33 * ca1
 
     # theta6, type 3: U1[3, 1] and U1[3, 2]
-    v45 = T21 * sa1
-    v46 = sa1 * T11
-    v47 = T31 * ca1
-    v48 = T22 * sa1
-    v49 = sa1 * T12
-    v50 = T32 * ca1
+    v46 = T21 * sa1
+    v47 = sa1 * T11
+    v48 = T31 * ca1
+    v49 = T22 * sa1
+    v50 = sa1 * T12
+    v51 = T32 * ca1
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
@@ -1006,7 +1010,7 @@ def _solve(pose, seed, moved, q, status):
         # theta2
         X1_2 = a2 + (a3 * c3 - s3 * k12)
         Y1_2 = c3 * k14 + s3 * k15 - k16
-        Z1_2 = v23 - (s1 * v22 - c1 * v21)
+        Z1_2 = v24 - (s1 * v23 - c1 * v22)
         Z2_2 = wx * c1 + wy * s1 - a1
         S2 = X1_2 * Z1_2 - Y1_2 * Z2_2
         C2 = X1_2 * Z2_2 - Z1_2 * -Y1_2
@@ -1019,38 +1023,38 @@ def _solve(pose, seed, moved, q, status):
         q2 = _atan2(s2, c2)
 
         # theta4
-        v24 = T13 * c1 + T23 * s1
-        v28 = s1 * v26 - c1 * v25 - v27
-        v29 = ca2 * v28
-        v30 = ca2 * v24
-        v34 = s1 * v32 - c1 * v31 + v33
-        v35 = c2 * (c3 * v24 - s3 * v29) - s2 * (c3 * v28 + s3 * v30) + sa2 * (s3 * v34)
-        v36 = sa2 * v28
-        v37 = sa2 * v24
-        v38 = sa2 * v34
-        v39 = ca2 * v34
-        v40 = (
-            c2 * (c3 * (ca3 * v29) + s3 * (ca3 * v24) + sa3 * v36) + s2 * (c3 * (ca3 * v30) - s3 *
-            (ca3 * v28) + sa3 * v37) + (sa3 * v39 - c3 * (ca3 * v38))
+        v25 = T13 * c1 + T23 * s1
+        v29 = s1 * v27 - c1 * v26 - v28
+        v30 = ca2 * v29
+        v31 = ca2 * v25
+        v35 = s1 * v33 - c1 * v32 + v34
+        v36 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * v35)
+        v37 = sa2 * v29
+        v38 = sa2 * v25
+        v39 = sa2 * v35
+        v40 = ca2 * v35
+        v41 = (
+            c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * v37) + s2 * (c3 * (ca3 * v31) - s3 *
+            (ca3 * v29) + sa3 * v38) + (sa3 * v40 - c3 * (ca3 * v39))
         )
-        v41 = v35 * v35 + v40 * v40
-        w4 = math.sqrt(v41)
+        v42 = v36 * v36 + v41 * v41
+        w4 = math.sqrt(v42)
         free4 = w4 <= free_limit
-        near4 = v41 <= near_limit_squared
+        near4 = v42 <= near_limit_squared
         divisor4 = 1.0 if free4 else w4
 
         # theta5, type 3: U4[2, 3] and U4[1, 3]
         c5 = (
-            c3 * (sa3 * v38) + ca3 * v39 - (c2 * (c3 * (sa3 * v29) + s3 * (sa3 * v24) - ca3 * v36) +
-            s2 * (c3 * (sa3 * v30) - s3 * (sa3 * v28) - ca3 * v37))
+            c3 * (sa3 * v39) + ca3 * v40 - (c2 * (c3 * (sa3 * v30) + s3 * (sa3 * v25) - ca3 * v37) +
+            s2 * (c3 * (sa3 * v31) - s3 * (sa3 * v29) - ca3 * v38))
         )
 
         # theta6
-        v42 = c3 * k17 - k13
-        v43 = sa2 * s3
-        v44 = k1 * c3 + k18
-        Z1_6 = s1 * v46 - c1 * v45 + v47
-        Z2_6 = s1 * v49 - c1 * v48 + v50
+        v43 = c3 * k17 - k13
+        v44 = sa2 * s3
+        v45 = k1 * c3 + k18
+        Z1_6 = s1 * v47 - c1 * v46 + v48
+        Z2_6 = s1 * v50 - c1 * v49 + v51
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1058,8 +1062,8 @@ def _solve(pose, seed, moved, q, status):
             if e2 < 0.0 and free4:
                 continue  # both signs give the same
             factor4 = e2 / divisor4
-            c4 = math.cos(seed[3]) if free4 else v35 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v40 * factor4)
+            c4 = math.cos(seed[3]) if free4 else v36 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v41 * factor4)
             q4 = _atan2(s4, c4)
             root4 = w4 * e2
 
@@ -1067,8 +1071,8 @@ def _solve(pose, seed, moved, q, status):
             q5 = _atan2(-root4, c5)
 
             # theta6
-            X1_6 = c4 * v42 - s4 * v43
-            Y1_6 = c5 * (c4 * v43 + s4 * v42) - root4 * v44
+            X1_6 = c4 * v43 - s4 * v44
+            Y1_6 = c5 * (c4 * v44 + s4 * v43) - root4 * v45
             S6 = X1_6 * Z1_6 - Y1_6 * Z2_6
             C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6
             w6 = math.sqrt(S6 * S6 + C6 * C6)

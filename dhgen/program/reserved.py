@@ -20,7 +20,7 @@ leads solves count distance found given here high i ik_carefully nearly residual
 serving_value solve_regular ended inner j k last least left length lose lost low middle misfit miss
 missed_by moved n others named nearest off outer reached read_pose repeats result right serves sum
 tighten tightened values search served square start step straighten summit third towards valid value
-way why x xx xy y yy z zz zeros
+way why x xx xy y yy z zz zeros exact exactly
 """
 
 _LANES = """
@@ -40,7 +40,7 @@ OUT_OF_LIMITS UNREACHABLE Unreachable carray cgutils intrinsic math njit np room
 # What else Python needs at file level beside the arm's constants, or has as locals where their
 # formulas are.
 _BESIDE_CONSTANTS = """
-ImportError METHOD ModuleType ThreadPoolExecutor ValueError config exact first hasattr
+ImportError METHOD ModuleType ThreadPoolExecutor ValueError config first hasattr
 normalize_signature os rest sys u v w work x0 x1 x2 y2
 """
 _NUMBERED = re.compile(r"(given|kind|packed)\d+")

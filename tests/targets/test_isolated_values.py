@@ -44,6 +44,12 @@ ARMS = {
         "theta: q, d: 0.11, a: 0, alpha: pi/2",
         "theta: q, d: 0.09, a: 0, alpha: -pi/2",
     ),
+    "barrel": (  # 3R1P: the slide's line leaves the reach of two links at either end
+        "theta: q, d: 0, a: 0.168, alpha: -pi/2",
+        "theta: q, d: 0.475, a: 0, alpha: pi/2",
+        "theta: q, d: 0.232, a: 0, alpha: -pi/2",
+        "theta: pi/2, d: q, a: 0.146, alpha: -60 deg",
+    ),
 }
 COUNT = 60
 EXACT = 1e-11  # how far a pose may be missed that has not been rounded
@@ -130,6 +136,19 @@ def test_the_nearest_value_is_taken() -> None:
             assert move < other + 1e-6
             nearer += move < other - 1e-6
     assert nearer > 0
+
+
+def test_an_exact_value_is_taken_though_a_nearer_one_nearly_fits() -> None:
+    """The slide leaves the links' reach at two lengths; at one of them axis 2 leans a little."""
+    source = np.random.default_rng(3)
+    q = np.stack([source.uniform(-3.0, 3.0, 8), *np.full((2, 8), -np.pi), np.full(8, 1.7)], axis=1)
+    q[:, 1] += 1e-6
+    q[:, 2] += 1e-10
+    for joints, T in zip(q, poses_of("barrel", q), strict=True):
+        rows, status = in_c("barrel").ik(T, np.zeros(4))
+        held = rows[np.isin(status, HELD)]
+        assert abs(held[:, 3] - joints[3]).max() < 1e-6, held
+        assert np.abs(poses_of("barrel", held) - T).max() < EXACT
 
 
 def test_a_rounded_pose_is_met_nearly() -> None:
