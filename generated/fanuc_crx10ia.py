@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 5520a62b2d647eed"
+_KEY = "fanuc_crx10ia 0a4199727b4dfe9f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -512,14 +512,16 @@ def _damped_step(A, e, length, little, step):
 def _descend(T, q, u):
     """Takes u to where damped least squares lead; returns by how much that misses the pose.
 
-    Near to it less damping than usual leads further, where joints hardly move the tool.
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
+    that is right may be long, and what it leaves, half of its square, far more than was missed.
     """
     e, A = np.empty(6), np.empty((6, 6))
     least, best, step, little = math.inf, u.copy(), np.empty(6), 1e-13
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(40 + 1):
         length = _look(T, q, u, e, A)
-        slow = length >= 0.5 * least
-        stalled = slow and least <= 1e-10
+        slow = length > max(0.5 * last, left)
+        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
         if slow and least <= 1e-06:
             little = 1e-26
         if length < least:
@@ -529,8 +531,11 @@ def _descend(T, q, u):
             break
         _damped_step(A, e, length, little, step)
         _shorten(step)
+        way = 0.0
         for j in range(6):
             u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
     _take(u, best)
     return least
 
@@ -621,7 +626,7 @@ def _continuum(T, q, u, enough):
     They miss the pose by no more than `enough`. 0 if it is a singular solution that stands alone, -1 if it is a regular one.
     """
     e, A = np.empty(6), np.empty((6, 6))
-    along, end = np.empty(6), np.empty(6)
+    along, end, other = np.empty(6), np.empty(6), np.full(6, np.inf)
     _look(T, q, u, e, A)
     for i in range(6):
         e[i] = 0.0
@@ -634,20 +639,45 @@ def _continuum(T, q, u, enough):
         square += along[j] * along[j]
     if math.sqrt(square) <= 0.0001:
         return -1
-    for side in (-1.0, 1.0):
-        gap = 0.0
+    for side in (1.0, -1.0):
+        gap = across = 0.0
         for j in range(6):
-            end[j] = u[j] - side * 0.05 * along[j] / math.sqrt(square)
+            end[j] = u[j] + side * 0.05 * along[j] / math.sqrt(square)
         miss = _descend(T, q, end)
         for j in range(6):
-            gap = max(gap, abs(end[j] - u[j]))
-        if miss > enough or gap <= 0.002:
+            gap, across = max(gap, abs(end[j] - u[j])), max(across, abs(end[j] - other[j]))
+        if miss > enough or min(gap, across) <= 0.01:
             return 0
+        _take(other, end)
     return 1
 
 
-@_apart("boolean(float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
-def _is_known(kept, kinds, count, u, singular):
+@_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64)")
+def _solves_between(T, q, u, way, length):
+    """Whether solutions lie all along the way from one to another: where many roots meet, joint values
+    beside the solution miss the pose by next to nothing."""
+    e, A = np.empty(6), np.empty((6, 6))
+    end, step = np.empty(6), np.empty(6)
+    for part in (0.25, 0.5, 0.75):
+        for j in range(6):
+            end[j] = u[j] + part * way[j]
+        miss = _look(T, q, end, e, A)
+        for _ in range(4):
+            if miss > 1e-10:
+                _damped_step(A, e, miss, 1e-13, step)
+                for j in range(6):
+                    end[j] += step[j]
+                miss = _look(T, q, end, e, A)
+        if miss > 1e-10:
+            return False
+        for j in range(6):
+            if abs(u[j] + part * way[j] - end[j]) > 0.0625 * length:
+                return False
+    return True
+
+
+@_apart("boolean(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
+def _is_known(T, q, kept, kinds, count, u, singular):
     """Whether a solution is one of those found before."""
     between = np.empty(6)
     for k in range(count):
@@ -657,7 +687,10 @@ def _is_known(kept, kinds, count, u, singular):
         gap = 0.0
         for j in range(6):
             gap = max(gap, abs(between[j]))
-        if gap < (0.001 if singular and kinds[k] >= 0 else 1e-06):
+        loose = singular and kinds[k] >= 0
+        if gap < (0.001 if loose else 1e-06):
+            return True
+        if loose and gap < 0.1 and _solves_between(T, q, kept[k], between, gap):
             return True
     return False
 
@@ -665,16 +698,17 @@ def _is_known(kept, kinds, count, u, singular):
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
-    if count == 16 or _is_known(kept, kinds, count, u, False):
+    if count == 16 or _is_known(T, q, kept, kinds, count, u, False):
         return count
     enough = 1e-10
     kind = _continuum(T, q, u, enough)
     if kind == 1:
         end = u.copy()
-        if _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST) <= enough:
+        _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST)
+        if _descend(T, q, end) <= enough:
             _take(u, end)
     _wrap_angles(u)
-    if _is_known(kept, kinds, count, u, kind >= 0):
+    if _is_known(T, q, kept, kinds, count, u, kind >= 0):
         return count
     kinds[count] = kind
     _take(kept[count], u)
@@ -2038,7 +2072,8 @@ def fanuc_crx10ia_general(T, q, residual):
 
     Returns:
         How many; -1 - count when it is not certain that these are all: for want of a certificate,
-        or because roots met or the arm is singular at a solution.
+        or because roots met or the arm is singular at a solution, or nearly, so that steps did not
+        make it exact.
     """
     loop = _fanuc_crx10ia_close(T)
     P = loop[5]
@@ -2074,6 +2109,8 @@ def fanuc_crx10ia_general(T, q, residual):
             q[i, k] = found[order[i], k]
         residual[i] = missing[order[i]]
     regular = _fanuc_crx10ia_marked(singular) == 0 and doubles_met[0] == 0
+    for i in range(count):
+        regular = regular and residual[i] <= 1e-12
     return count if complete and regular else -1 - count
 
 
@@ -2109,6 +2146,7 @@ def _all_joints(pose, seed):
         for j in range(6):
             u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
         if known < 0:
+            _descend(T, joints, u)  # where solutions meet it is exact that tells them apart
             count = _keep(T, joints, near, kept, kinds, count, u)
         else:
             _wrap_angles(u)

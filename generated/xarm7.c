@@ -139,13 +139,17 @@ static void damped_step(
 
 
 /* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
- * less damping than usual leads further, where joints hardly move the tool. */
+ * less damping than usual leads further, where joints hardly move the tool: there a step that is
+ * right
+ * may be long, and what it leaves, half of its square, far more than was missed. */
 static double descend(struct descent *d, double u[6])
 {
     double least = HUGE_VAL, little = 1e-13, best[6], step[6];
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int slow = d->length >= 0.5 * least, stalled = slow && least <= 1e-10;
+        const int slow = d->length > fmax(0.5 * last, left);
+        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
         if (slow && least <= 1e-06)
             little = 1e-26;
         if (d->length < least) {
@@ -156,8 +160,13 @@ static double descend(struct descent *d, double u[6])
             break;
         damped_step(d, d->e, d->length, little, step);
         shorten(step);
-        for (int j = 0; j < 6; j++)
+        double way = 0.0;
+        for (int j = 0; j < 6; j++) {
             u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = little < 1e-13 ? 0.5 * way * way : 0.0;
     }
     copy(best, u);
     return least;
@@ -283,14 +292,14 @@ static int continuum(struct descent *d, const double u[6], double enough)
     }
     if (sqrt(square) <= 0.0001)
         return -1;
-    for (int side = -1; side <= 1; side += 2) {
-        double end[6];
+    double end[2][6];
+    for (int side = 0; side < 2; side++) {
         for (int j = 0; j < 6; j++)
-            end[j] = u[j] - side * 0.05 * along[j] / sqrt(square);
-        if (descend(d, end) > enough || distance_between(end, u) <= 0.002)
+            end[side][j] = u[j] + (1 - 2 * side) * 0.05 * along[j] / sqrt(square);
+        if (descend(d, end[side]) > enough || distance_between(end[side], u) <= 0.01)
             return 0;
     }
-    return 1;
+    return distance_between(end[0], end[1]) > 0.01;
 }
 
 /* The solutions kept so far. */
@@ -299,7 +308,31 @@ struct kept {
     int count, singular[16], chosen[16];
 };
 
-static int is_known(const struct kept *kept, const double u[6], int singular)
+/* Whether solutions lie all along the way from one to another: where many roots meet, joint values
+ * beside the solution miss the pose by next to nothing. */
+static int solves_between(
+    struct descent *d, const double u[6], const double way[6], double length)
+{
+    static const double part[] = { 0.25, 0.5, 0.75 };
+    for (int i = 0; i < 3; i++) {
+        double start[6], end[6], step[6];
+        for (int j = 0; j < 6; j++)
+            start[j] = end[j] = u[j] + part[i] * way[j];
+        look(d, end);
+        for (int k = 0; k < 4 && d->length > 1e-10; k++) {
+            damped_step(d, d->e, d->length, 1e-13, step);
+            for (int j = 0; j < 6; j++)
+                end[j] += step[j];
+            look(d, end);
+        }
+        if (d->length > 1e-10 || distance_between(start, end) > 0.0625 * length)
+            return 0;
+    }
+    return 1;
+}
+
+static int is_known(
+    struct descent *d, const struct kept *kept, const double u[6], int singular)
 {
     static const double none[6] = { 0.0 };
     for (int k = 0; k < kept->count; k++) {
@@ -308,7 +341,10 @@ static int is_known(const struct kept *kept, const double u[6], int singular)
             gap[j] = u[j] - kept->u[k][j];
         wrap_angles(gap);
         const int loose = singular && kept->singular[k];
-        if (distance_between(gap, none) < (loose ? 0.001 : 1e-06))
+        const double length = distance_between(gap, none);
+        if (length < (loose ? 0.001 : 1e-06))
+            return 1;
+        if (loose && length < 0.1 && solves_between(d, kept->u[k], gap, length))
             return 1;
     }
     return 0;
@@ -317,18 +353,19 @@ static int is_known(const struct kept *kept, const double u[6], int singular)
 /* A solution joins those found before, unless it is one of them. */
 static void keep(struct descent *d, struct kept *kept, double u[6])
 {
-    if (kept->count == 16 || is_known(kept, u, 0))
+    if (kept->count == 16 || is_known(d, kept, u, 0))
         return;
     const double enough = 1e-10;
     const int kind = continuum(d, u, enough);
     if (kind == 1) {
         double end[6];
         copy(u, end);
-        if (pulled(d, end, no_lowest, no_highest) <= enough)
+        (void)pulled(d, end, no_lowest, no_highest);
+        if (descend(d, end) <= enough)
             copy(end, u);
     }
     wrap_angles(u);
-    if (is_known(kept, u, kind >= 0))
+    if (is_known(d, kept, u, kind >= 0))
         return;
     kept->singular[kept->count] = kind >= 0;
     kept->chosen[kept->count] = kind == 1;
@@ -3075,14 +3112,16 @@ static int xarm7_before(const double a[6], const double b[6])
  * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
- * all: for want of a certificate, or because roots met or the arm is singular at a solution. */
+ * all: for want of a certificate, or because roots met or the arm is singular at a solution, or
+ * nearly,
+ * so that steps did not make it exact. */
 static int xarm7_general(const double T[16], const double free_joints[1], double q[16][6],
                          double residual[16])
 {
     xarm7_found found;
     xarm7_loop whole;
     const xarm7_loop *const loop = &whole;
-    int order[16], complete;
+    int order[16], complete, inexact = 0;
     xarm7_close(T, free_joints, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3108,8 +3147,10 @@ static int xarm7_general(const double T[16], const double free_joints[1], double
             q[i][j] = found.q[order[i]][j];
         }
         residual[i] = found.residual[order[i]];
+        inexact |= residual[i] > 1e-12;
     }
-    return complete && !found.singular && !found.doubles ? found.count : -1 - found.count;
+    return complete && !found.singular && !found.doubles && !inexact ? found.count : -1 -
+        found.count;
 }
 
 /* All solutions. Where it is not certain that these are all, the seed and evenly spread starts are
@@ -3133,6 +3174,7 @@ static void all_joints(
         for (int j = 0; j < 6; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         if (count < 0) {
+            (void)descend(&d, u); /* where solutions meet it is exact that tells them apart */
             keep(&d, &kept, u);
             continue;
         }

@@ -63,7 +63,8 @@ class Solved:
         q: (k, 6), sorted by θ1, then θ2 ... [rad, in (−π, π]; a slide's in the file's unit].
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.
-        singular: Whether roots met, or the arm is singular at a solution.
+        singular: Whether roots met, or the arm is singular at a solution, or steps did not make one
+            exact, as where it nearly is.
     """
 
     q: FloatArray
@@ -167,7 +168,7 @@ class _Search:
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
         order = sorted(range(len(q)), key=lambda i: tuple(np.round(q[i], 9)))
         residual = np.array([self.residuals[kept[i]] for i in order])
-        singular = bool(self.singular or self.doubles)
+        singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)
 
 

@@ -28,6 +28,12 @@ LONGEST = 2.0  # of a step's components [rad, arm sizes]
 STEPS = 40  # from a start; 7 to 16 are usual
 SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]
 TOGETHER = 1e-3  # singular solutions, known less well, closer than this are one
+# Those closer than this are one if what lies between them solves, too: from these parts of the
+# way a few steps lead to solutions that are nearer to where they began than this part of it.
+NEIGHBOURS = 0.1
+BETWEEN = (0.25, 0.5, 0.75)
+STEPS_ASIDE = 4
+STAYS = 1 / 16
 STARTS = 48  # in a round; the search ends with the first round that finds nothing new
 ROUNDS = 8
 FEW_STARTS = 12  # beside what another algorithm found, where that is not certainly everything
@@ -48,7 +54,7 @@ PULLED = 60
 SETTLED = 1e-9  # a step shorter than this ends the pull
 SINGULAR = 1e-4  # what is left of a generic direction when all that moves the tool is taken away
 FEELER = 0.05  # how far a continuum is looked for in that direction [rad, arm sizes]
-FELT = 2e-3  # and how far from where it began a solution must then be
+FELT = 0.01  # and how far from where it began, and from the other side, a solution must then be
 
 
 @dataclass(frozen=True, slots=True)

@@ -145,8 +145,9 @@ class Arm:
     def _beside_starts(self, u: FloatArray) -> Found:
         """What the seed and a few starts lead to, beside solutions (k, n) that are known."""
         kept: list[_Kept] = []
-        first, *others = self.descend(self.starts(0, constants.FEW_STARTS))[0]
-        self._keep_what_fits(np.array([first, *u, *others]), kept)
+        first, *others = self.starts(0, constants.FEW_STARTS)
+        ends, _ = self.descend(np.array([first, *u, *others]))
+        self._keep_what_fits(ends, kept)
         return self._sorted(kept)
 
     def _keep_what_fits(self, u: FloatArray, kept: list[_Kept]) -> None:
@@ -194,24 +195,48 @@ class Arm:
     def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> bool:
         for each in kept:
             loose = singular and each.singular
-            gap = float(np.abs(self.wrapped(u - each.u)).max())
+            way = self.wrapped(u - each.u)
+            gap = float(np.abs(way).max())
             if gap < (constants.TOGETHER if loose else constants.SAME):
                 return True
+            if loose and gap < constants.NEIGHBOURS and self._solves_between(each.u, way):
+                return True
         return False
+
+    def _solves_between(self, u: FloatArray, way: FloatArray) -> bool:
+        """Whether solutions lie all along the way from one to another.
+
+        Where many roots meet, joint values beside the solution miss the pose by next to nothing.
+        """
+        starts = u + np.array(constants.BETWEEN)[:, None] * way
+        there = starts
+        for _ in range(constants.STEPS_ASIDE):
+            e, length, A = self.miss(there)
+            step = damped_step(e, length, A, constants.FLOOR)
+            there = there + np.where(length[:, None] <= self.kernel.residual, 0.0, step)
+        moved = np.abs(there - starts).max(axis=1)
+        stays = moved <= constants.STAYS * np.abs(way).max()
+        return bool(((self.miss(there)[1] <= self.kernel.residual) & stays).all())
 
     def wrapped(self, u: FloatArray) -> FloatArray:
         """Angles moved by whole turns into (-pi, pi]."""
         return np.asarray(np.where(self.turns, u - 2 * np.pi * np.ceil(u / (2 * np.pi) - 0.5), u))
 
     def descend(self, u: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Where starts (N, k) lead, and by how much that misses the pose (N,)."""
-        best, least = u, np.full(len(u), np.inf)
+        """Where starts (N, k) lead, and by how much that misses the pose (N,).
+
+        With little damping a step that is right may be long where many roots meet, and what it
+        leaves, half of its square, far more than was missed.
+        """
+        best, least, last = u, np.full(len(u), np.inf), np.full(len(u), np.inf)
+        left = np.zeros(len(u))
         floor = np.full(len(u), constants.FLOOR)
         running = np.ones(len(u), dtype=bool)
         for _ in range(constants.STEPS + 1):
             e, length, A = self.miss(u)
-            slow = length >= 0.5 * least
-            stalled = slow & (least <= TOLERANCES.polished)
+            slow = length > np.maximum(0.5 * last, left)
+            fine = floor < constants.FLOOR
+            stalled = slow & (least <= np.where(fine, TOLERANCES.polished, TOLERANCES.exact))
             floor[slow & (least <= constants.NEARLY)] = constants.FINE
             better = running & (length < least)
             best, least = np.where(better[:, None], u, best), np.where(better, length, least)
@@ -220,6 +245,8 @@ class Arm:
                 break
             step = shortened(damped_step(e, length, A, floor))
             u = np.where(running[:, None], u + step, u)
+            way = np.where(floor < constants.FLOOR, np.abs(step).sum(axis=1), 0.0)
+            last, left = length, 0.5 * way**2
         return best, least
 
     def sideways(self, u: FloatArray, direction: FloatArray) -> FloatArray:
@@ -235,14 +262,15 @@ class Arm:
         """
         feelers = np.array([u + constants.FEELER * sideways, u - constants.FEELER * sideways])
         ends, length = self.descend(feelers)
-        apart = np.abs(ends - u).max(axis=1)
-        return bool(((length <= enough) & (apart > constants.FELT)).all())
+        apart = np.abs([*(ends - u), ends[0] - ends[1]]).max(axis=1)
+        return bool((length <= enough).all() and (apart > constants.FELT).all())
 
     def pulled(self, u: FloatArray, enough: float) -> FloatArray:
         """The solution of the same continuum that is near to the seed, limits aside."""
         unlimited = np.full(len(u), np.inf)
-        end, length = self._pull(u, (-unlimited, unlimited))
-        return end if length <= enough else u
+        end, _ = self._pull(u, (-unlimited, unlimited))
+        ends, length = self.descend(end[None])
+        return ends[0] if length[0] <= enough else u
 
     def nearest(self) -> Found:
         """Of infinitely many solutions one near to the seed, inside the limits if possible."""

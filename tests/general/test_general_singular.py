@@ -240,6 +240,34 @@ def test_where_roots_meet_or_polynomials_vanish_there_are_rows(
         np.testing.assert_allclose(reached[named], np.tile(T, (len(held), 1, 1))[named], atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("text", "q"),
+    [
+        (ROLLS, (np.pi, 0.0, np.pi / 2, -np.pi / 2, 0.0, np.pi)),
+        (ROLLS, (np.pi / 2, np.pi, np.pi / 2, np.pi / 2, 0.0, np.pi)),
+        (INLINE, (np.pi, np.pi, -np.pi / 2, 0.0, np.pi, 0.0)),
+    ],
+)
+def test_where_many_roots_meet_there_is_one_row(
+    tmp_path: Path, text: str, q: tuple[float, ...]
+) -> None:
+    """Joint values up to 0.02 rad beside the solution miss the pose by less than 1e-10."""
+    (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
+    module = without_derivation(load(tmp_path / "arm.yaml"))
+    for name, written in c_files(module).items():
+        (tmp_path / name).write_text(written, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", len(q), 16, 0)
+    assert solver is not None
+    T = solver.fk(np.array(q))
+    for seed in (np.zeros(6), np.array(q)):
+        rows, status = solver.ik(T, seed)
+        meant = interpret(module.solver, T[None], seed)
+        assert not meant.free.any()
+        assert not (status == 2).any()
+        for held in (rows[status != 1], meant.q[0][meant.solved[0]]):
+            assert (gaps(held, np.array(q)) < 0.05).sum() == 1
+
+
 def test_nearly_free_joints_do_not_leave_a_pose_without_rows(tmp_path: Path) -> None:
     """The polynomial does not tell that there are none, and steps from anywhere lead to some."""
     (tmp_path / "arm.yaml").write_text(CALIBRATED, encoding="utf-8")

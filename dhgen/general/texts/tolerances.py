@@ -32,6 +32,7 @@ class Tolerances:
     noise: str = repr(roots.NOISE)
     clear: str = repr(roots.CLEAR)
     residual: str = repr(TOLERANCES.polished)
+    exact: str = repr(TOLERANCES.exact)
     together: str = repr(reference.TOGETHER)
     same: str = repr(reference.SAME)
     close: str = repr(4.0 - reference.CLOSE**2)  # the square of the sum of two such unit vectors
