@@ -266,6 +266,13 @@ static void start_of(const struct descent *d, int k, double u[6])
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
 }
 
+static const double least_u[6] = {
+    -INFINITY, -INFINITY, -0.30177291588079974, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double most_u[6] = {
+    INFINITY, INFINITY, 0.30177291588079974, INFINITY, INFINITY, INFINITY,
+};
+
 static double distance_between(const double a[6], const double b[6])
 {
     double most = 0.0;
@@ -351,6 +358,39 @@ static int is_known(
     return 0;
 }
 
+/* The nearest values inside the limits, whole turns aside; returns how far one was beyond. */
+static double clamped(const double u[6], double inside[6])
+{
+    double most = 0.0;
+    for (int j = 0; j < 6; j++) {
+        const double middle = 0.5 * (least_u[j] + most_u[j]);
+        double near = u[j];
+        if (turning[j] && isfinite(middle))
+            near -= 6.283185307179586 * ceil((near - middle) / 6.283185307179586 - 0.5);
+        inside[j] = fmin(fmax(near, least_u[j]), most_u[j]);
+        most = fmax(most, fabs(inside[j] - near));
+    }
+    return most;
+}
+
+/* Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
+ * inside
+ * the limits leads to one, from there or from the seed. */
+static void move_inside(
+    struct descent *d, const struct kept *kept, double enough, double u[6])
+{
+    double end[6];
+    if (clamped(u, end) <= 1e-09)
+        return;
+    for (int from_seed = 0; from_seed < 2; from_seed++) {
+        (void)clamped(from_seed ? d->seed : u, end);
+        if (pulled(d, end, least_u, most_u) <= enough && !is_known(d, kept, end, 1)) {
+            copy(end, u);
+            return;
+        }
+    }
+}
+
 /* A solution joins those found before, unless it is one of them. */
 static void keep(struct descent *d, struct kept *kept, double u[6])
 {
@@ -364,6 +404,7 @@ static void keep(struct descent *d, struct kept *kept, double u[6])
         (void)pulled(d, end, no_lowest, no_highest);
         if (descend(d, end) <= enough)
             copy(end, u);
+        move_inside(d, kept, enough, u);
     }
     wrap_angles(u);
     if (is_known(d, kept, u, kind >= 0))

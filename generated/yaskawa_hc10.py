@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 ce056d2604a579be"
+_KEY = "yaskawa_hc10 28add78850aea18e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -615,6 +615,14 @@ _STRIDE = np.array([
 ])
 _NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
 _NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -3.141592653589793, -3.141592653589793, -0.08726646259971647, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+])
+_MOST_U = np.array([
+    3.141592653589793, 3.141592653589793, 6.19591884457987, 3.141592653589793, 3.141592653589793,
+    3.141592653589793,
+])
 
 
 @_inner
@@ -700,6 +708,34 @@ def _is_known(T, q, kept, kinds, count, u, singular):
     return False
 
 
+@_inner
+def _clamped(u, inside):
+    """The nearest values inside the limits, whole turns aside; returns how far one was beyond."""
+    most = 0.0
+    for j in range(6):
+        near, middle = u[j], 0.5 * (_LEAST_U[j] + _MOST_U[j])
+        if _TURNING[j] and math.isfinite(middle):
+            near -= 6.283185307179586 * math.ceil((near - middle) / 6.283185307179586 - 0.5)
+        inside[j] = min(max(near, _LEAST_U[j]), _MOST_U[j])
+        most = max(most, abs(inside[j] - near))
+    return most
+
+
+@_apart("void(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64, float64[::1])")
+def _move_inside(T, q, near, kept, kinds, count, enough, u):
+    """Instead of one that is beyond a limit a solution that keeps all of them, if the way to the seed
+    inside the limits leads to one, from there or from the seed."""
+    end = np.empty(6)
+    if _clamped(u, end) <= 1e-09:
+        return
+    for from_seed in range(2):
+        _clamped(near if from_seed else u, end)
+        miss = _pulled(T, q, end, near, _LEAST_U, _MOST_U)
+        if miss <= enough and not _is_known(T, q, kept, kinds, count, end, True):
+            _take(u, end)
+            return
+
+
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
@@ -712,6 +748,7 @@ def _keep(T, q, near, kept, kinds, count, u):
         _pulled(T, q, end, near, _NO_LOWEST, _NO_HIGHEST)
         if _descend(T, q, end) <= enough:
             _take(u, end)
+        _move_inside(T, q, near, kept, kinds, count, enough, u)
     _wrap_angles(u)
     if _is_known(T, q, kept, kinds, count, u, kind >= 0):
         return count

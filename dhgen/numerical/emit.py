@@ -114,7 +114,7 @@ def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> 
     if kernel.position:
         arrays["measure"] = numbers(unit / size for unit in kernel.units)
         arrays["coordinate"] = tuple(map(str, kernel.position))
-    if kernel.redundant:
+    if kernel.limited or kernel.redundant:
         arrays |= {"least_u": numbers(kernel.lowest), "most_u": numbers(kernel.highest)}
     return arrays
 
@@ -139,6 +139,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "turning": kernel.turning,
         "pointing": kernel.pointing,
         "redundant": kernel.redundant,
+        "limited": kernel.limited,
         "checked": kernel.checked,
         "size": repr(chain.size),
         "residual": repr(kernel.residual),
@@ -165,6 +166,7 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "steps": constants.STEPS,
         "solution": repr(TOLERANCES.polished),
         "exact": repr(TOLERANCES.exact),
+        "limit": repr(TOLERANCES.limit),
         "tightenings": constants.TIGHTENINGS,
         "spare": repr(constants.SPARE),
         "sure": repr(constants.SURE),

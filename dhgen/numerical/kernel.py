@@ -100,6 +100,11 @@ class NumericalKernel:
         return TOLERANCES.consistent if self.checked else TOLERANCES.polished
 
     @property
+    def limited(self) -> bool:
+        """Whether a joint that is solved for has limits."""
+        return max(self.lowest) > -inf or min(self.highest) < inf
+
+    @property
     def rows(self) -> int:
         """How many solutions are kept: of infinitely many the one nearest to the seed."""
         return 1 if self.redundant else self.most

@@ -87,6 +87,7 @@ class Arm:
         self.q[given] = free
         self.seed = self.q[self.solved] / self.units
         spans: FloatArray = np.array(kernel.spans)
+        self.limits: Limits = (np.array(kernel.lowest), np.array(kernel.highest))
         self.low, self.width = spans[:, 0], spans[:, 1] - spans[:, 0]
         self.directions = np.array(directions(len(self.solved)))
 
@@ -182,7 +183,7 @@ class Arm:
             singular, enough = True, self._enough(u)
             chosen = self.continues(u, sideways / np.linalg.norm(sideways), enough)
             if chosen:
-                u = self.pulled(u, enough)
+                u = self._inside(self.pulled(u, enough), kept, enough)
         u = self.wrapped(u)
         if len(kept) < self.kernel.rows and not self._known(u, kept, singular=singular):
             kept.append(_Kept(u, singular, chosen))
@@ -272,11 +273,34 @@ class Arm:
         ends, length = self.descend(end[None])
         return ends[0] if length[0] <= enough else u
 
+    def _inside(self, u: FloatArray, kept: list[_Kept], enough: float) -> FloatArray:
+        """Instead of one that is beyond a limit a solution that keeps all of them.
+
+        If the way to the seed inside the limits leads to one, from there or from the seed.
+        """
+        if not self.kernel.limited or self._clamped(u)[1] <= TOLERANCES.limit:
+            return u
+        for start in (u, self.seed):
+            end, length = self._pull(self._clamped(start)[0], self.limits)
+            if length <= enough and not self._known(end, kept, singular=True):
+                return end
+        return u
+
+    def _clamped(self, u: FloatArray) -> tuple[FloatArray, float]:
+        """The nearest values inside the limits, whole turns aside, and how far one was beyond."""
+        with np.errstate(invalid="ignore"):  # joints without limits have no middle
+            middle = np.mean(self.limits, axis=0)
+        turns = self.turns & np.isfinite(middle)
+        whole = 2 * np.pi * np.ceil((u - np.where(turns, middle, 0.0)) / (2 * np.pi) - 0.5)
+        near = u - np.where(turns, whole, 0.0)
+        inside = np.clip(near, *self.limits)
+        return inside, float(np.abs(inside - near).max())
+
     def nearest(self) -> Found:
         """Of infinitely many solutions one near to the seed, inside the limits if possible."""
         k = self.kernel
         unlimited = np.full(len(self.solved), np.inf)
-        for limits in ((np.array(k.lowest), np.array(k.highest)), (-unlimited, unlimited)):
+        for limits in (self.limits, (-unlimited, unlimited)):
             best, least = None, np.inf
             for start in self.starts(0, constants.REDUNDANT_STARTS):
                 u, length = self._pull(np.clip(start, *limits), limits)

@@ -77,12 +77,7 @@ def test_the_first_joint_follows_the_seed_where_the_last_turns_about_its_axis(
     made: tuple[Compilation, CompiledSolver],
 ) -> None:
     _, solver = made
-    q = np.array([0.0, -0.5, -1.0, 0.0, 0.5, 0.0])
-    for _ in range(20):  # the tool onto axis 1 and down, by joints 3 and 5
-        T, J = solver.fk(q), solver.jacobian(q)
-        missing = T[0, 3], np.arctan2(T[0, 2], -T[2, 2])
-        q[[2, 4]] -= np.linalg.solve(np.stack([J[0, [2, 4]], -J[4, [2, 4]]]), missing)
-    q[[0, 5]] = 0.7, 0.2
+    q = on_the_first_axis(solver)
     T = solver.fk(q)
     rows, status = solver.ik(T, q)
     held = rows[status != 1]
@@ -92,16 +87,41 @@ def test_the_first_joint_follows_the_seed_where_the_last_turns_about_its_axis(
         np.testing.assert_allclose(solver.fk(np.ascontiguousarray(row)), T, atol=1e-9)
 
 
-def test_regular_poses_agree_with_the_program(made: tuple[Compilation, CompiledSolver]) -> None:
-    compilation, solver = made
-    q = np.random.default_rng(1).uniform(-2.5, 2.5, (5, 6))
-    poses = np.array([solver.fk(row) for row in q])
-    meant = interpret(compilation.module.solver, poses)
-    for k, T in enumerate(poses):
-        rows, status = solver.ik(T, np.zeros(6))
-        np.testing.assert_array_equal(status == 0, meant.solved[k])
-        np.testing.assert_allclose(rows[status == 0], meant.q[k][meant.solved[k]], atol=1e-8)
-        assert not meant.free[k].any()
+def on_the_first_axis(solver: CompiledSolver) -> np.ndarray:
+    """Joint values with the tool on axis 1 and down, by joints 3 and 5."""
+    q = np.array([0.0, -0.5, -1.0, 0.0, 0.5, 0.0])
+    for _ in range(20):
+        T, J = solver.fk(q), solver.jacobian(q)
+        missing = T[0, 3], np.arctan2(T[0, 2], -T[2, 2])
+        q[[2, 4]] -= np.linalg.solve(np.stack([J[0, [2, 4]], -J[4, [2, 4]]]), missing)
+    q[[0, 5]] = 0.7, 0.2
+    return q
+
+
+@pytest.mark.parametrize("first", [3.0, -2.5])
+def test_of_a_continuum_a_solution_inside_the_limits_is_taken(tmp_path: Path, first: float) -> None:
+    """Joints 1 and 6 turn against each other; near to the seed joint 6 is beyond its limit."""
+    limited = XARM6.replace("d: 0.097}", "d: 0.097, limits: [-0.5, 0.5]}")
+    (tmp_path / "arm.yaml").write_text(limited, encoding="utf-8")
+    module = without_derivation(load(tmp_path / "arm.yaml"))
+    for name, written in c_files(module).items():
+        (tmp_path / name).write_text(written, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 6, 16, 0)
+    assert solver is not None
+    q = on_the_first_axis(solver)
+    T, seed = solver.fk(q), np.array([first, *q[1:]])
+    rows, status = solver.ik(T, seed)
+    meant = interpret(module.solver, T[None], seed)
+    known = meant.q[0][meant.solved[0]]
+    inside = known[np.abs(known[:, 5]) < 0.5 + 1e-9]
+    assert (status == 2).sum() == len(inside)
+    for held in (rows[status == 2], inside):
+        assert (
+            np.abs(np.remainder(held - q + np.pi, 2 * np.pi) - np.pi)[:, 1:5].max(axis=1).min()
+            < 1e-6
+        )
+        for row in held:
+            np.testing.assert_allclose(solver.fk(np.ascontiguousarray(row)), T, atol=1e-9)
 
 
 @pytest.mark.parametrize("name", ["puma560_calibrated", "kinova_gen3_lite"])
