@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 TRIED = 50  # poses of each sort
 OTHER = 0.7  # from a pose's joint values to those of another seed [rad or length]
+SLIGHT = 1e-2  # less is the cosine or the sine of a twist that is nearly a right angle, or none
 BESIDE = tuple(10.0**power for power in range(-13, -2))  # of right angles [rad or length]
 
 
@@ -74,12 +75,22 @@ def checks_needed(
         program = lowered(checks)
     if not tolerances.tell_rounding or chain.arm_angle:
         return checks  # exact rows can't be told, or the task doesn't say all of a row
-    # roots that nearly meet are good to few digits, and so is what a slide from its square points
-    # to where it is drawn in, which poses that are tried don't show
-    rooted = any(isinstance(statement, Roots) for statement in program.body)
-    rooted = rooted or any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
-    return replace(checks, tightened=rooted or _is_inexact(chain, program, enough))
+    inexact = _may_be_inexact(derivation, program) or _is_inexact(chain, program, enough)
+    return replace(checks, tightened=inexact)
+
+
+def _may_be_inexact(derivation: Derivation, program: Program) -> bool:
+    """Whether there are poses of few digits that those which are tried don't show.
+
+    Roots that nearly meet are good to few digits, and so is what a slide from its square points to
+    where it is drawn in. A twist beside a right angle fixes by little what that would leave free.
+    """
+    rooted = any(isinstance(statement, Roots) for statement in program.body)
+    drawn_in = any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
+    constants = derivation.problem.algebra.chain.constants
+    slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in constants)
+    return rooted or drawn_in or slight
 
 
 def _everywhere(chain: Chain) -> FloatArray:
