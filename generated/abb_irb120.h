@@ -29,7 +29,7 @@ enum {
     ABB_IRB120_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     ABB_IRB120_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     ABB_IRB120_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     ABB_IRB120_OUT_OF_LIMITS = 3,

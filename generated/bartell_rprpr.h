@@ -29,7 +29,7 @@ enum {
     BARTELL_RPRPR_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     BARTELL_RPRPR_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     BARTELL_RPRPR_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     BARTELL_RPRPR_OUT_OF_LIMITS = 3,

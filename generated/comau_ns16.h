@@ -29,7 +29,7 @@ enum {
     COMAU_NS16_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     COMAU_NS16_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     COMAU_NS16_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     COMAU_NS16_OUT_OF_LIMITS = 3,

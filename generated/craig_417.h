@@ -29,7 +29,7 @@ enum {
     CRAIG_417_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     CRAIG_417_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     CRAIG_417_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     CRAIG_417_OUT_OF_LIMITS = 3,

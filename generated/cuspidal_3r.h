@@ -29,7 +29,7 @@ enum {
     CUSPIDAL_3R_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     CUSPIDAL_3R_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     CUSPIDAL_3R_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     CUSPIDAL_3R_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     CYLINDRICAL_WRIST_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     CYLINDRICAL_WRIST_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     CYLINDRICAL_WRIST_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     CYLINDRICAL_WRIST_OUT_OF_LIMITS = 3,

@@ -301,6 +301,11 @@ const char *const denso_vs060_branches[8] = {
 
 static const double lowest[6] = { -2.96706, -2.094395, -2.181662, -4.712389, -2.094395, -6.283185 };
 static const double highest[6] = { 2.96706, 2.094395, 2.70526, 4.712389, 2.094395, 6.283185 };
+/* Of the values of a free joint that are tried, from one to the next. */
+static const double fan_step[6] = {
+    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+    0.09817477042468103, 0.09817477042468103,
+};
 
 void denso_vs060_fk(const double q[6], double T[16])
 {
@@ -809,6 +814,163 @@ static void solve(
     }
 }
 
+/* A row of which another value of a joint that had been chosen might be better, and what solving
+ * again needs. */
+struct search {
+    const double *T;
+    double seed[6], start, q[8][6];
+    unsigned char status[8];
+    int joint, row;
+    int within; /* whether limits count */
+};
+
+/* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same for all joints of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
+}
+
+/* How far a row is from a solution: 0 if it is solved. */
+static double shortfall(const struct search *search)
+{
+    return search->status[search->row] == DENSO_VS060_UNREACHABLE ? -HUGE_VAL : 0.0;
+}
+
+/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+static double attempt(struct search *search, double moved)
+{
+    search->seed[search->joint] = search->start + moved;
+    for (int i = 0; i < 8; i++)
+        search->status[i] = DENSO_VS060_UNREACHABLE;
+    solve(search->T, search->seed, search->q, search->status);
+    const double result = shortfall(search);
+    return result == 0.0 && search->within ? -beyond_limits(search->q[search->row]) : result;
+}
+
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *search)
+{
+    const int status = search->status[search->row];
+    if (search->within && beyond_limits(search->q[search->row]) > 0.0)
+        return 0;
+    return status != DENSO_VS060_UNREACHABLE;
+}
+
+/* Golden section for a move between low and high that serves; NaN if there is none. */
+static double summit(struct search *search, double low, double high)
+{
+    for (int k = 0; k < 52; k++) {
+        const double third = 0.3819660112501051 * (high - low);
+        const double left = attempt(search, low + third), right = attempt(search, high - third);
+        if (left == 0.0 || right == 0.0)
+            return left == 0.0 ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(search, low - 1e-09)) || isinf(attempt(search, high + 1e-09)))
+        return NAN;
+    (void)attempt(search, low);
+    return serves(search) ? low : NAN;
+}
+
+/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
+ * does.
+ * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
+ * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
+ * */
+static double serving_value(struct search *search)
+{
+    const double step = fan_step[search->joint];
+    if (attempt(search, 0.0) == 0.0)
+        return 0.0;
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(search, -32.0 * step);
+    for (int k = -32; k <= 32; k++) {
+        before = here;
+        here = after;
+        after = attempt(search, (double)(k + 1) * step);
+        double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
+        if (here < 0.0 && here >= before && here > after)
+            outer = summit(search, outer - step, outer + step);
+        else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
+            continue;
+        if (isnan(outer))
+            continue;
+        for (int i = 0; i < 52; i++) {
+            const double middle = 0.5 * (inner + outer);
+            if (attempt(search, middle) == 0.0)
+                outer = middle;
+            else
+                inner = middle;
+        }
+        if (!(fabs(outer) >= fabs(nearest) - 1e-09))
+            nearest = outer;
+    }
+    return nearest;
+}
+
+/* Whether a joint beyond its limits stays where it is when the one that is searched moves. */
+static int hopeless(struct search *search)
+{
+    double values[6];
+    (void)attempt(search, 0.0);
+    if (shortfall(search) < 0.0)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        values[i] = search->q[search->row][i];
+    (void)attempt(search, fan_step[search->joint]);
+    if (shortfall(search) < 0.0)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        if (fabs(values[i] - search->q[search->row][i]) < 1e-09 && overshoot(i, values[i]) != 0.0)
+            return 1;
+    return 0;
+}
+
+/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
+ * that keeps all of them, if there is one. Where several joints are free the others take the seed's
+ * values as far as their limits allow. */
+static void keep_limits(
+    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
+{
+    static const int choosable[] = { 3, 1, 0 };
+    struct search search = { .T = T, .row = row, .within = 1 };
+    for (int i = 0; i < 6; i++)
+        search.seed[i] = seed[i] - overshoot(i, seed[i]);
+    for (unsigned k = 0; k < sizeof choosable / sizeof *choosable; k++) {
+        const int joint = choosable[k];
+        const double inside = search.seed[joint];
+        search.joint = joint;
+        search.start = seed[joint];
+        const double nearest = hopeless(&search) ? NAN : serving_value(&search);
+        if (!isnan(nearest)) {
+            (void)attempt(&search, nearest);
+            status[row] = search.status[row];
+            for (int i = 0; i < 6; i++)
+                q[row][i] = search.q[row][i];
+            return;
+        }
+        search.seed[joint] = inside;
+    }
+}
+
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -843,6 +1005,9 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     if (!valid)
         return -DENSO_VS060_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] == DENSO_VS060_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+            keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == DENSO_VS060_UNREACHABLE)
             continue;

@@ -29,7 +29,7 @@ enum {
     DENSO_VS060_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     DENSO_VS060_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     DENSO_VS060_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     DENSO_VS060_OUT_OF_LIMITS = 3,

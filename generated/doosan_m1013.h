@@ -29,7 +29,7 @@ enum {
     DOOSAN_M1013_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     DOOSAN_M1013_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     DOOSAN_M1013_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     DOOSAN_M1013_OUT_OF_LIMITS = 3,

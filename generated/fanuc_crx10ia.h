@@ -29,7 +29,7 @@ enum {
     FANUC_CRX10IA_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     FANUC_CRX10IA_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     FANUC_CRX10IA_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     FANUC_CRX10IA_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     FANUC_M710IC50_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     FANUC_M710IC50_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     FANUC_M710IC50_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     FANUC_M710IC50_OUT_OF_LIMITS = 3,

@@ -30,7 +30,7 @@ enum {
     FRANKA_PANDA_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     FRANKA_PANDA_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     FRANKA_PANDA_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     FRANKA_PANDA_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     GENERAL_5R_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     GENERAL_5R_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     GENERAL_5R_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     GENERAL_5R_OUT_OF_LIMITS = 3,

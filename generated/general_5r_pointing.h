@@ -30,7 +30,7 @@ enum {
     GENERAL_5R_POINTING_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     GENERAL_5R_POINTING_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     GENERAL_5R_POINTING_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     GENERAL_5R_POINTING_OUT_OF_LIMITS = 3,

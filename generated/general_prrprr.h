@@ -29,7 +29,7 @@ enum {
     GENERAL_PRRPRR_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     GENERAL_PRRPRR_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     GENERAL_PRRPRR_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     GENERAL_PRRPRR_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     GENERAL_RPPRRR_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     GENERAL_RPPRRR_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     GENERAL_RPPRRR_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     GENERAL_RPPRRR_OUT_OF_LIMITS = 3,

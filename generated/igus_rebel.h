@@ -29,7 +29,7 @@ enum {
     IGUS_REBEL_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     IGUS_REBEL_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     IGUS_REBEL_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     IGUS_REBEL_OUT_OF_LIMITS = 3,

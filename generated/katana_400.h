@@ -29,7 +29,7 @@ enum {
     KATANA_400_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     KATANA_400_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     KATANA_400_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     KATANA_400_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     KAWASAKI_RS007N_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     KAWASAKI_RS007N_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     KAWASAKI_RS007N_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     KAWASAKI_RS007N_OUT_OF_LIMITS = 3,

@@ -30,7 +30,7 @@ enum {
     KINOVA_GEN3_7_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     KINOVA_GEN3_7_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     KINOVA_GEN3_7_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     KINOVA_GEN3_7_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     KINOVA_JACO2_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     KINOVA_JACO2_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     KINOVA_JACO2_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     KINOVA_JACO2_OUT_OF_LIMITS = 3,

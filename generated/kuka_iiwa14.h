@@ -30,7 +30,7 @@ enum {
     KUKA_IIWA14_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     KUKA_IIWA14_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     KUKA_IIWA14_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     KUKA_IIWA14_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     KUKA_KR40PA_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     KUKA_KR40PA_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     KUKA_KR40PA_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     KUKA_KR40PA_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     OLSON_PPRRRR_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     OLSON_PPRRRR_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     OLSON_PPRRRR_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     OLSON_PPRRRR_OUT_OF_LIMITS = 3,

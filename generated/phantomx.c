@@ -535,6 +535,10 @@ const char *const phantomx_branches[2] = {
 
 static const double lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
 static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
+/* Of the values of a free joint that are tried, from one to the next. */
+static const double fan_step[4] = {
+    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+};
 
 void phantomx_fk(const double q[4], double T[16])
 {
@@ -921,7 +925,8 @@ static void solve(
     }
 }
 
-/* A row that was lost after a joint had been chosen, and what solving again needs. */
+/* A row of which another value of a joint that had been chosen might be better, and what solving
+ * again needs. */
 struct search {
     const double *T;
     double seed[4], start, q[2][4];
@@ -929,31 +934,38 @@ struct search {
     int joint, row;
 };
 
-/* Solves with the joint moved from the seed's value: 0 if the row is solved, else how far it is. */
-static double attempt(struct search *lost, double moved)
+/* How far a row is from a solution: 0 if it is solved. */
+static double shortfall(const struct search *search)
 {
-    lost->seed[lost->joint] = lost->start + moved;
+    if (search->status[search->row] >= LOST)
+        return search->q[search->row][0];
+    return search->status[search->row] == PHANTOMX_UNREACHABLE ? -HUGE_VAL : 0.0;
+}
+
+/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+static double attempt(struct search *search, double moved)
+{
+    search->seed[search->joint] = search->start + moved;
     for (int i = 0; i < 2; i++)
-        lost->status[i] = PHANTOMX_UNREACHABLE;
-    solve(lost->T, lost->seed, lost->q, lost->status);
-    if (lost->status[lost->row] >= LOST)
-        return lost->q[lost->row][0];
-    return lost->status[lost->row] == PHANTOMX_UNREACHABLE ? -HUGE_VAL : 0.0;
+        search->status[i] = PHANTOMX_UNREACHABLE;
+    solve(search->T, search->seed, search->q, search->status);
+    const double result = shortfall(search);
+    return result;
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *lost)
+static int serves(const struct search *search)
 {
-    const int status = lost->status[lost->row];
+    const int status = search->status[search->row];
     return status != PHANTOMX_UNREACHABLE && status < LOST;
 }
 
 /* Golden section for a move between low and high that serves; NaN if there is none. */
-static double summit(struct search *lost, double low, double high)
+static double summit(struct search *search, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
         const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(lost, low + third), right = attempt(lost, high - third);
+        const double left = attempt(search, low + third), right = attempt(search, high - third);
         if (left == 0.0 || right == 0.0)
             return left == 0.0 ? low + third : high - third;
         if (left >= right)
@@ -962,34 +974,37 @@ static double summit(struct search *lost, double low, double high)
             low += third;
     }
     /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+    if (isinf(attempt(search, low - 1e-09)) || isinf(attempt(search, high + 1e-09)))
         return NAN;
-    (void)attempt(lost, low);
-    return serves(lost) ? low : NAN;
+    (void)attempt(search, low);
+    return serves(search) ? low : NAN;
 }
 
-/* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
- * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed; of two that are
- * equally near the lower one. */
-static double serving_value(struct search *lost)
+/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
+ * does.
+ * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
+ * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
+ * */
+static double serving_value(struct search *search)
 {
-    const double step = turn / 64.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
+    const double step = fan_step[search->joint];
+    if (attempt(search, 0.0) == 0.0)
+        return 0.0;
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(search, -32.0 * step);
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(lost, (double)(k + 1) * step);
+        after = attempt(search, (double)(k + 1) * step);
         double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
         if (here < 0.0 && here >= before && here > after)
-            outer = summit(lost, outer - step, outer + step);
+            outer = summit(search, outer - step, outer + step);
         else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
             continue;
         if (isnan(outer))
             continue;
         for (int i = 0; i < 52; i++) {
             const double middle = 0.5 * (inner + outer);
-            if (attempt(lost, middle) == 0.0)
+            if (attempt(search, middle) == 0.0)
                 outer = middle;
             else
                 inner = middle;
@@ -1003,12 +1018,12 @@ static double serving_value(struct search *lost)
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
-static double serving_digits(struct search *lost)
+static double serving_digits(struct search *search)
 {
     for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
-        if (attempt(lost, moved) == 0.0)
+        if (attempt(search, moved) == 0.0)
             return moved;
-        if (attempt(lost, -moved) == 0.0)
+        if (attempt(search, -moved) == 0.0)
             return -moved;
     }
     return NAN;

@@ -29,7 +29,7 @@ enum {
     PLANAR_RP_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     PLANAR_RP_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     PLANAR_RP_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     PLANAR_RP_OUT_OF_LIMITS = 3,

@@ -60,7 +60,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "planar_rrrr"
 METHOD = "numerical"
 DOF = 4
@@ -79,7 +78,7 @@ MAX_SOLUTIONS = 1
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -214,7 +213,11 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
+<<<<<<< HEAD
 _KEY = "planar_rrrr e84523621bf90404"
+=======
+_KEY = "planar_rrrr 55d18f9cac76e82b"
+>>>>>>> 2dd1b20 (wip)
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -29,7 +29,7 @@ enum {
     PRISMATIC_2_WRIST_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     PRISMATIC_2_WRIST_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     PRISMATIC_2_WRIST_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     PRISMATIC_2_WRIST_OUT_OF_LIMITS = 3,

@@ -28,7 +28,7 @@ enum {
     PUMA560_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     PUMA560_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     PUMA560_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     PUMA560_OUT_OF_LIMITS = 3,

@@ -155,6 +155,11 @@ static const float highest[6] = {
     2.7925267f, 1.9198622f, 2.3561945f, 4.6425757f, 1.7453293f,
     4.6425757f,
 };
+/* Of the values of a free joint that are tried, from one to the next. */
+static const float fan_step[6] = {
+    0.09817477f, 0.09817477f, 0.09817477f, 0.09817477f,
+    0.09817477f, 0.09817477f,
+};
 
 void puma560_f32_fk(const float q[6], float T[16])
 {
@@ -510,6 +515,164 @@ static void solve(
     }
 }
 
+/* A row of which another value of a joint that had been chosen might be better, and what solving
+ * again needs. */
+struct search {
+    const float *T;
+    float seed[6], start, q[8][6];
+    unsigned char status[8];
+    int joint, row;
+    int within; /* whether limits count */
+};
+
+/* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
+static float overshoot(int joint, float value)
+{
+    const float low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0f;
+    const float gap = turn - (high - low), over = value - high;
+    const float rest = over - turn * floorf(over / turn);
+    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
+    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+}
+
+/* The same for all joints of a row. */
+static float beyond_limits(const float values[6])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 6; i++)
+        sum += fabsf(overshoot(i, values[i]));
+    return sum;
+}
+
+/* How far a row is from a solution: 0 if it is solved. */
+static float shortfall(const struct search *search)
+{
+    return search->status[search->row] == PUMA560_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
+}
+
+/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+static float attempt(struct search *search, float moved)
+{
+    search->seed[search->joint] = search->start + moved;
+    for (int i = 0; i < 8; i++)
+        search->status[i] = PUMA560_F32_UNREACHABLE;
+    solve(search->T, search->seed, search->q, search->status);
+    const float result = shortfall(search);
+    return result == 0.0f && search->within ? -beyond_limits(search->q[search->row]) : result;
+}
+
+/* Whether the row was solved, as exactly as poses may be rounded. */
+static int serves(const struct search *search)
+{
+    const int status = search->status[search->row];
+    if (search->within && beyond_limits(search->q[search->row]) > 0.0f)
+        return 0;
+    return status != PUMA560_F32_UNREACHABLE;
+}
+
+/* Golden section for a move between low and high that serves; NaN if there is none. */
+static float summit(struct search *search, float low, float high)
+{
+    for (int k = 0; k < 52; k++) {
+        const float third = 0.38196602f * (high - low);
+        const float left = attempt(search, low + third), right = attempt(search, high - third);
+        if (left == 0.0f || right == 0.0f)
+            return left == 0.0f ? low + third : high - third;
+        if (left >= right)
+            high -= third;
+        else
+            low += third;
+    }
+    /* beside a place where the branches meet, this one has no solution of its own */
+    if (isinf(attempt(search, low - 1e-09f)) || isinf(attempt(search, high + 1e-09f)))
+        return NAN;
+    (void)attempt(search, low);
+    return serves(search) ? low : NAN;
+}
+
+/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
+ * does.
+ * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
+ * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
+ * */
+static float serving_value(struct search *search)
+{
+    const float step = fan_step[search->joint];
+    if (attempt(search, 0.0f) == 0.0f)
+        return 0.0f;
+    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(search, -32.0f * step);
+    for (int k = -32; k <= 32; k++) {
+        before = here;
+        here = after;
+        after = attempt(search, (float)(k + 1) * step);
+        float outer = (float)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0f;
+        if (here < 0.0f && here >= before && here > after)
+            outer = summit(search, outer - step, outer + step);
+        else if (here < 0.0f || (k > 0 ? before : after) == 0.0f)
+            continue;
+        if (isnan(outer))
+            continue;
+        for (int i = 0; i < 52; i++) {
+            const float middle = 0.5f * (inner + outer);
+            if (attempt(search, middle) == 0.0f)
+                outer = middle;
+            else
+                inner = middle;
+        }
+        if (!(fabsf(outer) >= fabsf(nearest) - 1e-09f))
+            nearest = outer;
+    }
+    return nearest;
+}
+
+/* Whether a joint beyond its limits stays where it is when the one that is searched moves. */
+static int hopeless(struct search *search)
+{
+    float values[6];
+    (void)attempt(search, 0.0f);
+    if (shortfall(search) < 0.0f)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        values[i] = search->q[search->row][i];
+    (void)attempt(search, fan_step[search->joint]);
+    if (shortfall(search) < 0.0f)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        if (fabsf(values[i] - search->q[search->row][i]) < 1e-09f && overshoot(i, values[i]) !=
+            0.0f)
+            return 1;
+    return 0;
+}
+
+/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
+ * that keeps all of them, if there is one. Where several joints are free the others take the seed's
+ * values as far as their limits allow. */
+static void keep_limits(
+    const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
+{
+    static const int choosable[] = { 3, 1, 0 };
+    struct search search = { .T = T, .row = row, .within = 1 };
+    for (int i = 0; i < 6; i++)
+        search.seed[i] = seed[i] - overshoot(i, seed[i]);
+    for (unsigned k = 0; k < sizeof choosable / sizeof *choosable; k++) {
+        const int joint = choosable[k];
+        const float inside = search.seed[joint];
+        search.joint = joint;
+        search.start = seed[joint];
+        const float nearest = hopeless(&search) ? NAN : serving_value(&search);
+        if (!isnan(nearest)) {
+            (void)attempt(&search, nearest);
+            status[row] = search.status[row];
+            for (int i = 0; i < 6; i++)
+                q[row][i] = search.q[row][i];
+            return;
+        }
+        search.seed[joint] = inside;
+    }
+}
+
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
@@ -544,6 +707,9 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     if (!valid)
         return -PUMA560_F32_INVALID_POSE;
     solve(pose, seed, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] == PUMA560_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
+            keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA560_F32_UNREACHABLE)
             continue;

@@ -28,7 +28,7 @@ enum {
     PUMA_ARM_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     PUMA_ARM_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     PUMA_ARM_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     PUMA_ARM_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     RAIL_5DOF_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     RAIL_5DOF_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     RAIL_5DOF_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     RAIL_5DOF_OUT_OF_LIMITS = 3,

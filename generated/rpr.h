@@ -28,7 +28,7 @@ enum {
     RPR_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     RPR_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     RPR_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     RPR_OUT_OF_LIMITS = 3,

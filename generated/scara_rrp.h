@@ -29,7 +29,7 @@ enum {
     SCARA_RRP_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     SCARA_RRP_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     SCARA_RRP_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     SCARA_RRP_OUT_OF_LIMITS = 3,

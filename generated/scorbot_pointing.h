@@ -30,7 +30,7 @@ enum {
     SCORBOT_POINTING_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     SCORBOT_POINTING_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     SCORBOT_POINTING_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     SCORBOT_POINTING_OUT_OF_LIMITS = 3,

@@ -30,7 +30,7 @@ enum {
     SPHERICAL_WRIST_ALL_OFFSETS_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS = 3,

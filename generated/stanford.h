@@ -28,7 +28,7 @@ enum {
     STANFORD_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     STANFORD_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     STANFORD_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     STANFORD_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     STAUBLI_RX90_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     STAUBLI_RX90_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     STAUBLI_RX90_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     STAUBLI_RX90_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     STAUBLI_TX40_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     STAUBLI_TX40_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     STAUBLI_TX40_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     STAUBLI_TX40_OUT_OF_LIMITS = 3,

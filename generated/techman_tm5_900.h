@@ -29,7 +29,7 @@ enum {
     TECHMAN_TM5_900_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     TECHMAN_TM5_900_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     TECHMAN_TM5_900_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     TECHMAN_TM5_900_OUT_OF_LIMITS = 3,

@@ -294,6 +294,11 @@ static const double highest[6] = {
     6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
     6.283185307179586,
 };
+/* Of the values of a free joint that are tried, from one to the next. */
+static const double fan_step[6] = {
+    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+    0.09817477042468103, 0.09817477042468103,
+};
 
 void ur10e_fk(const double q[6], double T[16])
 {
@@ -808,39 +813,71 @@ static void solve(
     }
 }
 
-/* A row that was lost after a joint had been chosen, and what solving again needs. */
+/* A row of which another value of a joint that had been chosen might be better, and what solving
+ * again needs. */
 struct search {
     const double *T;
     double seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
+    int within; /* whether limits count */
 };
 
-/* Solves with the joint moved from the seed's value: 0 if the row is solved, else how far it is. */
-static double attempt(struct search *lost, double moved)
+/* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
+static double overshoot(int joint, double value)
 {
-    lost->seed[lost->joint] = lost->start + moved;
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same for all joints of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
+}
+
+/* How far a row is from a solution: 0 if it is solved. */
+static double shortfall(const struct search *search)
+{
+    if (search->status[search->row] >= LOST)
+        return search->q[search->row][0];
+    return search->status[search->row] == UR10E_UNREACHABLE ? -HUGE_VAL : 0.0;
+}
+
+/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+static double attempt(struct search *search, double moved)
+{
+    search->seed[search->joint] = search->start + moved;
     for (int i = 0; i < 8; i++)
-        lost->status[i] = UR10E_UNREACHABLE;
-    solve(lost->T, lost->seed, lost->q, lost->status);
-    if (lost->status[lost->row] >= LOST)
-        return lost->q[lost->row][0];
-    return lost->status[lost->row] == UR10E_UNREACHABLE ? -HUGE_VAL : 0.0;
+        search->status[i] = UR10E_UNREACHABLE;
+    solve(search->T, search->seed, search->q, search->status);
+    const double result = shortfall(search);
+    return result == 0.0 && search->within ? -beyond_limits(search->q[search->row]) : result;
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *lost)
+static int serves(const struct search *search)
 {
-    const int status = lost->status[lost->row];
+    const int status = search->status[search->row];
+    if (search->within && beyond_limits(search->q[search->row]) > 0.0)
+        return 0;
     return status != UR10E_UNREACHABLE && status < LOST;
 }
 
 /* Golden section for a move between low and high that serves; NaN if there is none. */
-static double summit(struct search *lost, double low, double high)
+static double summit(struct search *search, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
         const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(lost, low + third), right = attempt(lost, high - third);
+        const double left = attempt(search, low + third), right = attempt(search, high - third);
         if (left == 0.0 || right == 0.0)
             return left == 0.0 ? low + third : high - third;
         if (left >= right)
@@ -849,34 +886,37 @@ static double summit(struct search *lost, double low, double high)
             low += third;
     }
     /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(lost, low - 1e-09)) || isinf(attempt(lost, high + 1e-09)))
+    if (isinf(attempt(search, low - 1e-09)) || isinf(attempt(search, high + 1e-09)))
         return NAN;
-    (void)attempt(lost, low);
-    return serves(lost) ? low : NAN;
+    (void)attempt(search, low);
+    return serves(search) ? low : NAN;
 }
 
-/* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
- * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed; of two that are
- * equally near the lower one. */
-static double serving_value(struct search *lost)
+/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
+ * does.
+ * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
+ * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
+ * */
+static double serving_value(struct search *search)
 {
-    const double step = turn / 64.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(lost, -turn / 2.0);
+    const double step = fan_step[search->joint];
+    if (attempt(search, 0.0) == 0.0)
+        return 0.0;
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(search, -32.0 * step);
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(lost, (double)(k + 1) * step);
+        after = attempt(search, (double)(k + 1) * step);
         double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
         if (here < 0.0 && here >= before && here > after)
-            outer = summit(lost, outer - step, outer + step);
+            outer = summit(search, outer - step, outer + step);
         else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
             continue;
         if (isnan(outer))
             continue;
         for (int i = 0; i < 52; i++) {
             const double middle = 0.5 * (inner + outer);
-            if (attempt(lost, middle) == 0.0)
+            if (attempt(search, middle) == 0.0)
                 outer = middle;
             else
                 inner = middle;
@@ -890,12 +930,12 @@ static double serving_value(struct search *lost)
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
-static double serving_digits(struct search *lost)
+static double serving_digits(struct search *search)
 {
     for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
-        if (attempt(lost, moved) == 0.0)
+        if (attempt(search, moved) == 0.0)
             return moved;
-        if (attempt(lost, -moved) == 0.0)
+        if (attempt(search, -moved) == 0.0)
             return -moved;
     }
     return NAN;
@@ -917,6 +957,51 @@ static void choose_again(
     status[row] = served ? lost.status[row] : UR10E_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[row][i] = served ? lost.q[row][i] : NAN;
+}
+
+/* Whether a joint beyond its limits stays where it is when the one that is searched moves. */
+static int hopeless(struct search *search)
+{
+    double values[6];
+    (void)attempt(search, 0.0);
+    if (shortfall(search) < 0.0)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        values[i] = search->q[search->row][i];
+    (void)attempt(search, fan_step[search->joint]);
+    if (shortfall(search) < 0.0)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        if (fabs(values[i] - search->q[search->row][i]) < 1e-09 && overshoot(i, values[i]) != 0.0)
+            return 1;
+    return 0;
+}
+
+/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
+ * that keeps all of them, if there is one. Where several joints are free the others take the seed's
+ * values as far as their limits allow. */
+static void keep_limits(
+    const double T[16], const double seed[6], int row, double q[8][6], unsigned char status[8])
+{
+    static const int choosable[] = { 5, 1, 0 };
+    struct search search = { .T = T, .row = row, .within = 1 };
+    for (int i = 0; i < 6; i++)
+        search.seed[i] = seed[i] - overshoot(i, seed[i]);
+    for (unsigned k = 0; k < sizeof choosable / sizeof *choosable; k++) {
+        const int joint = choosable[k];
+        const double inside = search.seed[joint];
+        search.joint = joint;
+        search.start = seed[joint];
+        const double nearest = hopeless(&search) ? NAN : serving_value(&search);
+        if (!isnan(nearest)) {
+            (void)attempt(&search, nearest);
+            status[row] = search.status[row];
+            for (int i = 0; i < 6; i++)
+                q[row][i] = search.q[row][i];
+            return;
+        }
+        search.seed[joint] = inside;
+    }
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -956,6 +1041,9 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] == UR10E_FREE_JOINT && beyond_limits(q[row]) > 0.0)
+            keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == UR10E_UNREACHABLE)
             continue;

@@ -10,13 +10,16 @@ a pose counts.
 import functools
 import math
 import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from types import ModuleType
 
 import numpy as np
 
 try:
     from numba import carray, config, njit, types
     from numba.core import cgutils
+    from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic, overload
 
     if config.DISABLE_JIT:  # for debuggers
@@ -56,8 +59,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-_part = njit(inline="always", **_OPTIONS)  # of its caller: compiled once, there
-
 NAME = "ur5"
 METHOD = "closed form"
 DOF = 6
@@ -85,7 +86,7 @@ MAX_SOLUTIONS = 8
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -125,6 +126,11 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
+# Of the values of a free joint that are tried, from one to the next.
+_FAN_STEP = np.array([
+    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
+    0.09817477042468103, 0.09817477042468103,
+])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
@@ -351,6 +357,75 @@ _LOST = 128  # _LOST + j: the row was lost after joint j had been chosen freely
 _NEARLY = 192  # _NEARLY + j: joint j is nearly free, and the row's second value is its angle
 
 
+_APART = []  # what is compiled apart: functions, and the types of their arguments
+
+
+def _address(number):
+    """Where the code of a function is that is compiled apart."""
+    function, arguments = _APART[number]
+    function.compile(arguments)
+    compiled = function.overloads[arguments]
+    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
+
+
+# Compiled code finds this file, and no other text of it, among the modules that Python knows.
+_KEY = "ur5 9cc949e9722dc3c7"
+if _COMPILED:
+    sys.modules[_KEY] = ModuleType(_KEY)
+    sys.modules[_KEY].address = _address
+
+
+def _apart(signature):
+    """Compiles a function apart from its callers.
+
+    numba copies what a function calls into it, with all that this calls, and optimises everything
+    anew in each caller. Of these functions a caller has the address, which it asks for at its first
+    call: when it comes out of the cache it does not know it.
+    """
+    if not _COMPILED:
+        return lambda function: function
+    arguments, result = normalize_signature(signature)
+
+    def ask(context, builder, number, place):
+        api = context.get_python_api(builder)
+        lock = api.gil_ensure()
+        module = api.import_module(context.insert_const_string(builder.module, _KEY))
+        with builder.if_then(cgutils.is_not_null(builder, module)):
+            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
+            answer = api.call_method(module, "address", (which,))
+            with builder.if_then(cgutils.is_not_null(builder, answer)):
+                builder.store(api.long_as_voidptr(answer), place)
+                api.decref(answer)
+            api.decref(module)
+        api.gil_release(lock)
+
+    def decorate(function):
+        number = len(_APART)
+        _APART.append((_inner(function), arguments))
+
+        def code(context, builder, called, values):
+            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
+            values = [context.cast(builder, *each) for each in given]
+            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
+            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
+            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
+                ask(context, builder, number, place)
+            address = builder.load(place)
+            with builder.if_then(cgutils.is_null(builder, address), likely=False):
+                context.call_conv.return_exc(builder)
+            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
+            status, value = context.call_conv.call_function(
+                builder, builder.bitcast(address, kind), result, arguments, values
+            )
+            with cgutils.if_unlikely(builder, status.is_error):
+                context.call_conv.return_status_propagate(builder, status)
+            return value
+
+        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
+
+    return decorate
+
+
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others.
@@ -545,36 +620,67 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _serves(status, row):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    return status[row] != UNREACHABLE and status[row] < _LOST
+def _overshoot(joint, value):
+    """How far a joint value is beyond its limits, whole turns aside; negative if below them."""
+    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    if low <= value <= high:
+        return 0.0
+    gap, over = _TURN - (high - low), value - high
+    rest = over - _TURN * math.floor(over / _TURN)
+    off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
+    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
 
 @_inner
-def _attempt(pose, seed, lost, moved, q, status):
-    """Solves with the joint moved: 0 if the row is solved, else how far it is from that.
+def _beyond_limits(values):
+    """The same for all joints of a row."""
+    total = 0.0
+    for i in range(6):
+        total += abs(_overshoot(i, values[i]))
+    return total
 
-    The row and the joint that had been chosen are the two numbers of `lost`.
+
+@_inner
+def _serves(search, q, status):
+    """Whether a row was solved, as exactly as poses may be rounded."""
+    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
+        return False
+    return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
+
+
+@_inner
+def _shortfall(pose, row, q, status):
+    """How far a row is from a solution: 0 if it is solved.
     """
-    row, joint = lost
+    if status[row] >= _LOST:
+        return q[row, 0]
+    return -math.inf if status[row] == UNREACHABLE else 0.0
+
+
+@_inner
+def _attempt(pose, seed, search, moved, q, status):
+    """Solves with a joint moved: 0 if it serves, else less.
+
+    A search is a row, the joint that had been chosen, and whether limits count.
+    """
+    row, joint, within = search
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, seed, q, status)
     seed[joint] = kept
-    if status[row] >= _LOST:
-        return q[row, 0]
-    return -math.inf if status[row] == UNREACHABLE else 0.0
+    result = _shortfall(pose, row, q, status)
+    return -_beyond_limits(q[row]) if within and result == 0.0 else result
 
 
-@_part
-def _summit(pose, seed, lost, low, high, q, status):
+@_inner
+def _summit(pose, seed, search, low, high, q, status):
     """Golden section for a move between low and high that serves; NaN if there is none."""
     for _ in range(52):
         third = 0.3819660112501051 * (high - low)
-        left = _attempt(pose, seed, lost, low + third, q, status)
-        right = _attempt(pose, seed, lost, high - third, q, status)
+        left = _attempt(pose, seed, search, low + third, q, status)
+        right = _attempt(pose, seed, search, high - third, q, status)
         if left == 0.0 or right == 0.0:
             return low + third if left == 0.0 else high - third
         if left >= right:
@@ -583,37 +689,39 @@ def _summit(pose, seed, lost, low, high, q, status):
             low += third
     # beside a place where the branches meet, this one has no solution of its own
     for moved in (low - 1e-09, high + 1e-09):
-        if math.isinf(_attempt(pose, seed, lost, moved, q, status)):
+        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
             return math.nan
-    _attempt(pose, seed, lost, low, q, status)
-    return low if _serves(status, lost[0]) else math.nan
+    _attempt(pose, seed, search, low, q, status)
+    return low if _serves(search, q, status) else math.nan
 
 
-@_part
-def _serving(pose, seed, lost, q, status):
+@_inner
+def _serving(pose, seed, search, q, status):
     """How far the joint has to be moved from the seed's value until it serves; NaN if nowhere.
 
-    A fan of values shows where the branch is solved or nearly so, golden section finds what lies
-    between two of them, bisection the end that is nearest to the seed; of two that are equally near
-    the lower one.
+    A fan of values shows where it serves or nearly so, golden section finds what lies between two
+    of them, bisection the end that is nearest to the seed; of two that are equally near the lower
+    one.
     """
-    step, nearest = _TURN / 64, math.nan
-    here, after = -math.inf, _attempt(pose, seed, lost, -_TURN / 2.0, q, status)
+    if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
+        return 0.0
+    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
+    after = _attempt(pose, seed, search, -32.0 * step, q, status)
     for k in range(-32, 32 + 1):
         before, here = here, after
-        after = _attempt(pose, seed, lost, (k + 1) * step, q, status)
+        after = _attempt(pose, seed, search, (k + 1) * step, q, status)
         outer = k * step
         inner = outer - step if k > 0 else outer + step if k < 0 else 0.0
         if here < 0.0 and here >= before and here > after:
             low, high = outer - step, outer + step
-            outer = _summit(pose, seed, lost, low, high, q, status)
+            outer = _summit(pose, seed, search, low, high, q, status)
             if math.isnan(outer):
                 continue
         elif here < 0.0 or (before if k > 0 else after) == 0.0:
             continue
         for _ in range(52):
             middle = 0.5 * (inner + outer)
-            if _attempt(pose, seed, lost, middle, q, status) == 0.0:
+            if _attempt(pose, seed, search, middle, q, status) == 0.0:
                 outer = middle
             else:
                 inner = middle
@@ -622,8 +730,8 @@ def _serving(pose, seed, lost, q, status):
     return nearest
 
 
-@_part
-def _serving_digits(pose, seed, lost, q, status):
+@_inner
+def _serving_digits(pose, seed, search, q, status):
     """The same for a joint that is nearly free: its angle is known to few digits.
 
     As long as the angle is right up to rounding of what it was taken from, `_solve` takes it as it
@@ -631,33 +739,104 @@ def _serving_digits(pose, seed, lost, q, status):
     """
     moved = 1e-15
     while moved < 0.1:
-        if _attempt(pose, seed, lost, moved, q, status) == 0.0:
+        if _attempt(pose, seed, search, moved, q, status) == 0.0:
             return moved
-        if _attempt(pose, seed, lost, -moved, q, status) == 0.0:
+        if _attempt(pose, seed, search, -moved, q, status) == 0.0:
             return -moved
         moved *= 2.0
     return math.nan
 
 
-@_part
+@_inner
 def _choose_again(pose, given, row, q, status):
     """A free joint took the seed's value, and then the arm could not reach.
 
     The joint takes the nearest value that serves.
     """
     nearly = status[row] > _NEARLY
-    lost = row, status[row] - (_NEARLY if nearly else _LOST) - 1
+    search = row, status[row] - (_NEARLY if nearly else _LOST) - 1, False
     seed, trial, result = given.copy(), q.copy(), status.copy()
     if nearly:
-        seed[lost[1]] = q[row, 1]
-        moved = _serving_digits(pose, seed, lost, trial, result)
+        seed[search[1]] = q[row, 1]
+        moved = _serving_digits(pose, seed, search, trial, result)
     else:
-        moved = _serving(pose, seed, lost, trial, result)
-    _attempt(pose, seed, lost, moved, trial, result)
-    served = not math.isnan(moved) and _serves(result, row)
+        moved = _serving(pose, seed, search, trial, result)
+    _attempt(pose, seed, search, moved, trial, result)
+    served = not math.isnan(moved) and _serves(search, trial, result)
     status[row] = result[row] if served else UNREACHABLE
     for i in range(6):
         q[row, i] = trial[row, i] if served else math.nan
+
+
+_CHOOSABLE = (5, 1, 0,)  # joints, from 0, that may be free
+
+
+@_inner
+def _hopeless(pose, seed, search, q, status):
+    """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
+    row, joint, _ = search
+    _attempt(pose, seed, search, 0.0, q, status)
+    if _shortfall(pose, row, q, status) < 0.0:
+        return False
+    values = q[row].copy()
+    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
+    if _shortfall(pose, row, q, status) < 0.0:
+        return False
+    for i in range(6):
+        if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:
+            return True
+    return False
+
+
+@_inner
+def _keep_limits(pose, given, row, q, status):
+    """A free joint took the seed's value, and that puts one beyond its limits.
+
+    It takes the nearest value that keeps all of them, if there is one. Where several joints are
+    free the others take the seed's values as far as their limits allow.
+    """
+    seed, trial, result = given.copy(), q.copy(), status.copy()
+    for i in range(6):
+        seed[i] -= _overshoot(i, seed[i])
+    for joint in _CHOOSABLE:
+        inside, search = seed[joint], (row, joint, True)
+        seed[joint] = given[joint]
+        if not _hopeless(pose, seed, search, trial, result):
+            moved = _serving(pose, seed, search, trial, result)
+            if not math.isnan(moved):
+                _attempt(pose, seed, search, moved, trial, result)
+                q[row], status[row] = trial[row], result[row]
+                return
+        seed[joint] = inside
+
+
+@_apart("void(UniTuple(float64, 12), float64[::1], float64[:, ::1], uint8[::1])")
+def _other_choices(pose, seed, q, status):
+    """Other values for free joints, in rows that the seed's do not serve."""
+    for row in range(8):
+        if status[row] >= _LOST:
+            _choose_again(pose, seed, row, q, status)
+        if status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0:
+            _keep_limits(pose, seed, row, q, status)
+
+
+@_inner
+def _choose(pose, seed, q, status):
+    """The same where there is a row that needs it."""
+    served = True
+    for row in range(8):
+        served = served and status[row] < _LOST
+        served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
+    if served:
+        return
+    rows, kinds = q.copy(), np.empty(8, np.uint8)
+    for row in range(8):
+        kinds[row] = status[row]
+    _other_choices(pose, seed.copy(), rows, kinds)
+    for row in range(8):
+        status[row] = kinds[row]
+        for i in range(6):
+            q[row, i] = rows[row, i]
 
 
 @_jit
@@ -668,9 +847,7 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    for row in range(8):
-        if status[row] >= _LOST:
-            _choose_again(pose, seed, row, q, status)
+    _choose(pose, seed, q, status)
     count = 0
     for row in range(8):
         if status[row] == UNREACHABLE:
@@ -1520,6 +1697,8 @@ def warm_up():
     _unseeded(T, q, status)
     _nearest(q, status, _ZEROS, True, np.empty(6))
     ik_batch(T[np.newaxis])
+    for number in range(len(_APART)):
+        _address(number)
 
 
 def _results(out, count):

@@ -152,6 +152,11 @@ static const float highest[6] = {
     6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f, 6.2831855f,
     6.2831855f,
 };
+/* Of the values of a free joint that are tried, from one to the next. */
+static const float fan_step[6] = {
+    0.09817477f, 0.09817477f, 0.09817477f, 0.09817477f,
+    0.09817477f, 0.09817477f,
+};
 
 void ur5_f32_fk(const float q[6], float T[16])
 {
@@ -546,39 +551,71 @@ static void solve(
     }
 }
 
-/* A row that was lost after a joint had been chosen, and what solving again needs. */
+/* A row of which another value of a joint that had been chosen might be better, and what solving
+ * again needs. */
 struct search {
     const float *T;
     float seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
+    int within; /* whether limits count */
 };
 
-/* Solves with the joint moved from the seed's value: 0 if the row is solved, else how far it is. */
-static float attempt(struct search *lost, float moved)
+/* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
+static float overshoot(int joint, float value)
 {
-    lost->seed[lost->joint] = lost->start + moved;
+    const float low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0f;
+    const float gap = turn - (high - low), over = value - high;
+    const float rest = over - turn * floorf(over / turn);
+    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
+    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+}
+
+/* The same for all joints of a row. */
+static float beyond_limits(const float values[6])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 6; i++)
+        sum += fabsf(overshoot(i, values[i]));
+    return sum;
+}
+
+/* How far a row is from a solution: 0 if it is solved. */
+static float shortfall(const struct search *search)
+{
+    if (search->status[search->row] >= LOST)
+        return search->q[search->row][0];
+    return search->status[search->row] == UR5_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
+}
+
+/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+static float attempt(struct search *search, float moved)
+{
+    search->seed[search->joint] = search->start + moved;
     for (int i = 0; i < 8; i++)
-        lost->status[i] = UR5_F32_UNREACHABLE;
-    solve(lost->T, lost->seed, lost->q, lost->status);
-    if (lost->status[lost->row] >= LOST)
-        return lost->q[lost->row][0];
-    return lost->status[lost->row] == UR5_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
+        search->status[i] = UR5_F32_UNREACHABLE;
+    solve(search->T, search->seed, search->q, search->status);
+    const float result = shortfall(search);
+    return result == 0.0f && search->within ? -beyond_limits(search->q[search->row]) : result;
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *lost)
+static int serves(const struct search *search)
 {
-    const int status = lost->status[lost->row];
+    const int status = search->status[search->row];
+    if (search->within && beyond_limits(search->q[search->row]) > 0.0f)
+        return 0;
     return status != UR5_F32_UNREACHABLE && status < LOST;
 }
 
 /* Golden section for a move between low and high that serves; NaN if there is none. */
-static float summit(struct search *lost, float low, float high)
+static float summit(struct search *search, float low, float high)
 {
     for (int k = 0; k < 52; k++) {
         const float third = 0.38196602f * (high - low);
-        const float left = attempt(lost, low + third), right = attempt(lost, high - third);
+        const float left = attempt(search, low + third), right = attempt(search, high - third);
         if (left == 0.0f || right == 0.0f)
             return left == 0.0f ? low + third : high - third;
         if (left >= right)
@@ -587,34 +624,37 @@ static float summit(struct search *lost, float low, float high)
             low += third;
     }
     /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(lost, low - 1e-09f)) || isinf(attempt(lost, high + 1e-09f)))
+    if (isinf(attempt(search, low - 1e-09f)) || isinf(attempt(search, high + 1e-09f)))
         return NAN;
-    (void)attempt(lost, low);
-    return serves(lost) ? low : NAN;
+    (void)attempt(search, low);
+    return serves(search) ? low : NAN;
 }
 
-/* A free joint took the seed's value, and then the arm could not reach: takes the nearest value
- * that serves. A fan of values shows where the branch is solved or nearly so, golden section finds
- * what lies between two of them, bisection the end that is nearest to the seed; of two that are
- * equally near the lower one. */
-static float serving_value(struct search *lost)
+/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
+ * does.
+ * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
+ * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
+ * */
+static float serving_value(struct search *search)
 {
-    const float step = turn / 64.0f;
-    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(lost, -turn / 2.0f);
+    const float step = fan_step[search->joint];
+    if (attempt(search, 0.0f) == 0.0f)
+        return 0.0f;
+    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(search, -32.0f * step);
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(lost, (float)(k + 1) * step);
+        after = attempt(search, (float)(k + 1) * step);
         float outer = (float)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0f;
         if (here < 0.0f && here >= before && here > after)
-            outer = summit(lost, outer - step, outer + step);
+            outer = summit(search, outer - step, outer + step);
         else if (here < 0.0f || (k > 0 ? before : after) == 0.0f)
             continue;
         if (isnan(outer))
             continue;
         for (int i = 0; i < 52; i++) {
             const float middle = 0.5f * (inner + outer);
-            if (attempt(lost, middle) == 0.0f)
+            if (attempt(search, middle) == 0.0f)
                 outer = middle;
             else
                 inner = middle;
@@ -628,12 +668,12 @@ static float serving_value(struct search *lost)
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
-static float serving_digits(struct search *lost)
+static float serving_digits(struct search *search)
 {
     for (float moved = 1e-15f; moved < 0.1f; moved *= 2.0f) {
-        if (attempt(lost, moved) == 0.0f)
+        if (attempt(search, moved) == 0.0f)
             return moved;
-        if (attempt(lost, -moved) == 0.0f)
+        if (attempt(search, -moved) == 0.0f)
             return -moved;
     }
     return NAN;
@@ -655,6 +695,52 @@ static void choose_again(
     status[row] = served ? lost.status[row] : UR5_F32_UNREACHABLE;
     for (int i = 0; i < 6; i++)
         q[row][i] = served ? lost.q[row][i] : NAN;
+}
+
+/* Whether a joint beyond its limits stays where it is when the one that is searched moves. */
+static int hopeless(struct search *search)
+{
+    float values[6];
+    (void)attempt(search, 0.0f);
+    if (shortfall(search) < 0.0f)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        values[i] = search->q[search->row][i];
+    (void)attempt(search, fan_step[search->joint]);
+    if (shortfall(search) < 0.0f)
+        return 0;
+    for (int i = 0; i < 6; i++)
+        if (fabsf(values[i] - search->q[search->row][i]) < 1e-09f && overshoot(i, values[i]) !=
+            0.0f)
+            return 1;
+    return 0;
+}
+
+/* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
+ * that keeps all of them, if there is one. Where several joints are free the others take the seed's
+ * values as far as their limits allow. */
+static void keep_limits(
+    const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
+{
+    static const int choosable[] = { 5, 1, 0 };
+    struct search search = { .T = T, .row = row, .within = 1 };
+    for (int i = 0; i < 6; i++)
+        search.seed[i] = seed[i] - overshoot(i, seed[i]);
+    for (unsigned k = 0; k < sizeof choosable / sizeof *choosable; k++) {
+        const int joint = choosable[k];
+        const float inside = search.seed[joint];
+        search.joint = joint;
+        search.start = seed[joint];
+        const float nearest = hopeless(&search) ? NAN : serving_value(&search);
+        if (!isnan(nearest)) {
+            (void)attempt(&search, nearest);
+            status[row] = search.status[row];
+            for (int i = 0; i < 6; i++)
+                q[row][i] = search.q[row][i];
+            return;
+        }
+        search.seed[joint] = inside;
+    }
 }
 
 /* A joint value moved by whole turns, near to another value but inside its limits. */
@@ -694,6 +780,9 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
+    for (int row = 0; row < 8; row++)
+        if (status[row] == UR5_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
+            keep_limits(pose, seed, row, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == UR5_F32_UNREACHABLE)
             continue;

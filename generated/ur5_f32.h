@@ -28,7 +28,7 @@ enum {
     UR5_F32_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     UR5_F32_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     UR5_F32_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     UR5_F32_OUT_OF_LIMITS = 3,

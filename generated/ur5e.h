@@ -28,7 +28,7 @@ enum {
     UR5E_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     UR5E_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     UR5E_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     UR5E_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     WELDING_5R_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     WELDING_5R_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     WELDING_5R_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     WELDING_5R_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     WRIST_OBLIQUE_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     WRIST_OBLIQUE_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     WRIST_OBLIQUE_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     WRIST_OBLIQUE_OUT_OF_LIMITS = 3,

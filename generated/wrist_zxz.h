@@ -29,7 +29,7 @@ enum {
     WRIST_ZXZ_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     WRIST_ZXZ_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     WRIST_ZXZ_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     WRIST_ZXZ_OUT_OF_LIMITS = 3,

@@ -29,7 +29,7 @@ enum {
     WRIST_ZYZ_OK = 0,
     /* NaN: no solution in this branch, or one that a row before it holds */
     WRIST_ZYZ_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near */
     WRIST_ZYZ_FREE_JOINT = 2,
     /* joint values, of which one is beyond its limits */
     WRIST_ZYZ_OUT_OF_LIMITS = 3,

@@ -20,7 +20,8 @@ exactness gap_between is_new known leads solves count distance found given here 
 nearly residual serving_digits serving_value solve_regular ended inner j k last least left length
 lose lost low middle misfit miss missed_by moved n others named nearest off outer reached read_pose
 repeats result right serves sum tighten tightened values search served square start step straighten
-summit third towards valid value way why x xx xy y yy z zz zeros exact exactly
+summit third towards valid value way why x xx xy y yy z zz zeros exact exactly beyond_limits
+choosable fan_step gap hopeless inside keep_limits over overshoot shortfall within
 """
 
 _LANES = """

@@ -76,6 +76,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "highest": c_array(f"static const double highest[{dof}]", high),
         "revolute": c_array(f"static const int revolute[{dof}]", flags),
         "weight": c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
+        "fan_step": c_array(f"static const double fan_step[{dof}]", map(repr, module.fan_steps)),
         "finite": " && ".join(finite),
         "given_finite": " && ".join(given),
         "named_places": c_array(f"static const int named[{len(named)}]", named),
@@ -131,6 +132,11 @@ def _functions(module: SolverModule) -> dict[str, str]:
         ),
         "choose_prototype": call(
             "static void choose_again",
+            [pose, *free, f"const double seed[{dof}]", "int row", *table],
+            "",
+        ),
+        "keep_prototype": call(
+            "static void keep_limits",
             [pose, *free, f"const double seed[{dof}]", "int row", *table],
             "",
         ),

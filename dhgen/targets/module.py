@@ -17,6 +17,7 @@ from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
 from dhgen.targets.walk import (
     checks_again,
+    choosable,
     chooses_again,
     finds_roots,
     merged_constants,
@@ -38,6 +39,8 @@ MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
 TIE = 1e-9  # of two distances from the seed: only rounding tells them apart [rad or length]
+STILL = 1e-9  # a joint value that changes by less has not moved [rad or length]
+MET = 1e-6  # from where branches meet, to where both are told [rad or length]
 BESIDE = 1e-9  # how near branches that meet end a search [rad or length]
 
 
@@ -106,6 +109,22 @@ class SolverModule:
         return tuple(1.0 if kind == "R" else slide for kind in self.joint_types)
 
     @property
+    def fan_steps(self) -> tuple[float, ...]:
+        """From one value of a free joint that is tried to the next: half a fan is enough.
+
+        Angles are tried in a whole turn, slides to both sides as far as their stroke, or where that
+        is endless as in a turn of the arm.
+        """
+        lengths = (
+            joint.limits[1] - joint.limits[0] if joint.limits else math.pi * self.chain.size
+            for joint in self.chain.joints
+        )
+        return tuple(
+            2.0 * (math.pi if kind == "R" else length) / FAN
+            for kind, length in zip(self.joint_types, lengths, strict=True)
+        )
+
+    @property
     def position_entries(self) -> tuple[int, ...]:
         """Rows, from 0, of the translation that the task names."""
         task = self.chain.task
@@ -141,8 +160,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "given_fault": "the arm angle" if chain.arm_angle else "a free joint's value",
         "method": module.method,
         "solves_whole": whole_arm(module.solver) is not None,
-        "compiles_apart": whole_arm(module.solver) is not None
-        or module.solver.tightened is not None,
+        "compiles_apart": _compiles_apart(module),
         "uses_circle": finds_roots(module.solver),
         "unmoved": ", 0.0" if finds_roots(module.solver) else "",
         "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
@@ -150,7 +168,12 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "uses_seed": reads(module.solver, "seed"),
         "forward_uses_q": reads(module.forward, "q"),
         "jacobian_uses_q": reads(module.jacobian, "q"),
+        "searches": chooses_again(module.solver) or keeps_limits(module),
         "chooses_again": chooses_again(module.solver),
+        "keeps_limits": keeps_limits(module),
+        "choosable": ", ".join(str(joint - 1) for joint in choosable(module.solver)),
+        "still": STILL,
+        "met": MET,
         "checks_again": checks_again(module.solver),
         "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
         "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
@@ -159,7 +182,6 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "checks_last_row": kind is TaskKind.POSE,
         "tolerances": module.precision.tolerances,
         "turn": repr(2.0 * math.pi),
-        "fan": FAN,
         "half_fan": FAN // 2,
         "least_move": LEAST_MOVE,
         "most_move": MOST_MOVE,
@@ -168,6 +190,19 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "beside": BESIDE,
         "tie": TIE,
     }
+
+
+def keeps_limits(module: SolverModule) -> bool:
+    """Whether a joint that may be free can keep others, or itself, inside limits."""
+    limited = any(joint.limits for joint in module.chain.joints)
+    return limited and bool(choosable(module.solver))
+
+
+def _compiles_apart(module: SolverModule) -> bool:
+    """Whether there are functions that few poses need."""
+    solver = module.solver
+    rare = chooses_again(solver) or keeps_limits(module)
+    return rare or whole_arm(solver) is not None or solver.tightened is not None
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,6 +19,7 @@ from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
     constant_texts,
+    keeps_limits,
     made_text,
     module_values,
     named_entries,
@@ -77,6 +78,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "limits": [f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         "branches": module.branches,
         "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
+        "fan_steps": python_array("_FAN_STEP = np.array", map(repr, module.fan_steps)),
         "free_tuple": _free_tuple(module),
         "finite": " and ".join([*finite, *given]) or "True",
         "no_pose": _no_pose(module),
@@ -184,7 +186,7 @@ def _allocates(module: SolverModule) -> str:
     """Where memory is allocated."""
     if module.solver.tightened is not None:
         return "only where a pose is singular or rounded"
-    chosen = chooses_again(module.solver)
+    chosen = chooses_again(module.solver) or keeps_limits(module)
     return "only where a free joint can't keep the seed's value" if chosen else "nowhere"
 
 

@@ -67,6 +67,11 @@ def chooses_again(program: Program) -> bool:
     )
 
 
+def choosable(program: Program) -> tuple[int, ...]:
+    """The joints, from 1, that a branch may choose freely, the last first."""
+    return tuple(sorted({joint for joint, _ in program.free if joint}, reverse=True))
+
+
 def checks_again(program: Program) -> bool:
     """Whether the choice of a free joint decides on whether the arm can take the pose."""
     guards = (statement for statement in program.body if isinstance(statement, Guard))

@@ -32,8 +32,11 @@ def free_effect(context: StepContext) -> Prose:
     symbols = joined([say("{}", joint_symbol(joint)) for joint in joints])
     takes = "takes" if len(joints) == 1 else "take"
     value = "the seed's value (0 without a seed)"
-    if _decides(context, joints):
-        value += " or, where that leads to no solution, the nearest that serves"
+    troubles = ["leads to no solution"] if _decides(context, joints) else []
+    if any(joint.limits for joint in context.story.algebra.chain.joints):
+        troubles.append("puts a joint beyond its limits")
+    if troubles:
+        value += f" or, where that {' or '.join(troubles)}, the nearest that serves"
     parts = [say(f"{{}} {takes} {value}", symbols)]
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
