@@ -375,7 +375,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 546815870e726869"
+_KEY = "abb_irb4600 cbb431a5a775aa98"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -748,7 +748,10 @@ def _keep_limits(pose, given, row, q, status):
         seed[joint] = given[joint]
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
-            if not math.isnan(moved):
+            # next to where another row has the solution this one has none of its own
+            start = _attempt(pose, seed, search, 0.0, trial, result)
+            own = abs(moved) >= 1e-06 or not math.isinf(start)
+            if own and not math.isnan(moved):
                 _attempt(pose, seed, search, moved, trial, result)
                 q[row], status[row] = trial[row], result[row]
                 return

@@ -388,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 9d733165e2c7dcd2"
+_KEY = "abb_irb6640 480b3bb09bb69856"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -766,7 +766,10 @@ def _keep_limits(pose, given, row, q, status):
         seed[joint] = given[joint]
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
-            if not math.isnan(moved):
+            # next to where another row has the solution this one has none of its own
+            start = _attempt(pose, seed, search, 0.0, trial, result)
+            own = abs(moved) >= 1e-06 or not math.isinf(start)
+            if own and not math.isnan(moved):
                 _attempt(pose, seed, search, moved, trial, result)
                 q[row], status[row] = trial[row], result[row]
                 return

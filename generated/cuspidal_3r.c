@@ -616,6 +616,91 @@ static void both_sides(
 }
 
 
+/* Between which values starts lie, and what is added from start to start. */
+static const double span_low[3] = { -3.141592653589793, -3.141592653589793, -3.141592653589793 };
+static const double span_width[3] = { 6.283185307179586, 6.283185307179586, 6.283185307179586 };
+static const double stride[3] = { 0.8191725133961644, 0.6710436067037892, 0.5497004779019702 };
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[3])
+{
+    for (int j = 0; j < 3; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool: there a step that is
+ * right
+ * may be long, and what it leaves, half of its square, far more than was missed. */
+static double descend(struct descent *d, double u[3])
+{
+    double least = HUGE_VAL, little = 1e-13, best[3], step[3];
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int slow = d->length > fmax(0.5 * last, left);
+        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
+        if (slow && least <= 1e-06)
+            little = 1e-26;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, little, step);
+        shorten(step);
+        double way = 0.0;
+        for (int j = 0; j < 3; j++) {
+            u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = little < 1e-13 ? 0.5 * way * way : 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
+ * of
+ * their values serve. Steps of damped least squares from the seed and from evenly spread starts
+ * lead to
+ * some that do, if the arm can take the pose; exact ones come first. */
+static void seek(
+    const double T[16], const double seed[3], double q[3],
+    unsigned char *status)
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    for (int i = 0; i < 3; i++)
+        d.q[i] = seed[i];
+    for (int j = 0; j < 3; j++)
+        d.seed[j] = seed[solved[j]] / unit[j];
+    for (int k = 0; k < 12 && least; k++) {
+        double u[3], end[3], ahead;
+        start_of(&d, k, u);
+        if (descend(&d, u) > 1e-10)
+            continue;
+        for (int i = 0; i < 3; i++)
+            end[i] = d.q[i];
+        for (int j = 0; j < 3; j++)
+            end[solved[j]] = unit[j] * u[j];
+        const double miss = descended(&d, 72, exact, end, &ahead);
+        if (miss > 10.0 * exact)
+            continue;
+        const int fault = miss > exact;
+        if (fault >= least)
+            continue;
+        least = fault;
+        *status = CUSPIDAL_3R_FREE_JOINT;
+        for (int i = 0; i < 3; i++)
+            q[i] = end[i];
+    }
+}
+
+
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -646,8 +731,16 @@ int cuspidal_3r_ik(
     if (!valid)
         return -CUSPIDAL_3R_INVALID_POSE;
     solve(pose, seed, 0.0, q, status);
+    int begun = -1; /* the first row that was not simply out of reach */
+    for (int row = 4 - 1; row >= 0; row--)
+        begun = status[row] == CUSPIDAL_3R_UNREACHABLE ? begun : row;
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
+    int left = 0;
+    for (int row = 0; row < 4; row++)
+        left += status[row] != CUSPIDAL_3R_UNREACHABLE;
+    if (begun >= 0 && !left)
+        seek(pose, seed, q[begun], &status[begun]);
     for (int row = 0; row < 4; row++) {
         if (status[row] == CUSPIDAL_3R_UNREACHABLE)
             continue;

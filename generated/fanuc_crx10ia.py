@@ -60,7 +60,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "fanuc_crx10ia"
 METHOD = "general 6R"
 DOF = 6
@@ -96,7 +95,7 @@ MAX_SOLUTIONS = 16
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -332,7 +331,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 0608a83a4eb4c223"
+_KEY = "fanuc_crx10ia 3be9564f88d5598f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -595,6 +594,16 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -3.3161255787892263, -3.139847324337799, -1.239183768915974, -3.3161255787892263,
+    -3.139847324337799, -3.9269908169872414,
+])
+_MOST_U = np.array([
+    3.3161255787892263, 3.139847324337799, 4.380776422505767, 3.3161255787892263, 3.139847324337799,
+    3.9269908169872414,
+])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([
     -3.3161255787892263, -3.139847324337799, -1.239183768915974, -3.3161255787892263,
@@ -607,16 +616,6 @@ _SPAN_WIDTH = np.array([
 _STRIDE = np.array([
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
-])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([
-    -3.3161255787892263, -3.139847324337799, -1.239183768915974, -3.3161255787892263,
-    -3.139847324337799, -3.9269908169872414,
-])
-_MOST_U = np.array([
-    3.3161255787892263, 3.139847324337799, 4.380776422505767, 3.3161255787892263, 3.139847324337799,
-    3.9269908169872414,
 ])
 
 

@@ -253,10 +253,6 @@ static const double stride[6] = {
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 };
-static const double no_lowest[6] = {
-    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
-};
-static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[6])
@@ -264,6 +260,10 @@ static void start_of(const struct descent *d, int k, double u[6])
     for (int j = 0; j < 6; j++)
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
 }
+static const double no_lowest[6] = {
+    -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
+};
+static const double no_highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 
 static const double least_u[6] = {
     -INFINITY, -INFINITY, -0.34682080924855496, -INFINITY, -0.28901734104046245, -INFINITY,

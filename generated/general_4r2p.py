@@ -60,7 +60,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "general_4r2p"
 METHOD = "general 4R2P"
 DOF = 6
@@ -88,7 +87,7 @@ MAX_SOLUTIONS = 8
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -401,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 24d2fbe551b23a38"
+_KEY = "general_4r2p 54f0d9cc108ca4db"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -663,6 +662,14 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -math.inf, -math.inf, -0.34682080924855496, -math.inf, -0.28901734104046245, -math.inf,
+])
+_MOST_U = np.array([
+    math.inf, math.inf, 0.34682080924855496, math.inf, 0.28901734104046245, math.inf,
+])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([
     -3.141592653589793, -3.141592653589793, -0.34682080924855496, -3.141592653589793,
@@ -675,14 +682,6 @@ _SPAN_WIDTH = np.array([
 _STRIDE = np.array([
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
-])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([
-    -math.inf, -math.inf, -0.34682080924855496, -math.inf, -0.28901734104046245, -math.inf,
-])
-_MOST_U = np.array([
-    math.inf, math.inf, 0.34682080924855496, math.inf, 0.28901734104046245, math.inf,
 ])
 
 

@@ -61,7 +61,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "general_5r_pointing"
 METHOD = "general 6R"
 DOF = 5
@@ -96,7 +95,7 @@ MAX_SOLUTIONS = 16
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -409,7 +408,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 797db50997c7a5dd"
+_KEY = "general_5r_pointing 26c435db0019d7c1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -673,6 +672,15 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
+    -3.141592653589793,
+])
+_MOST_U = np.array([
+    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
+])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([
     -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
@@ -684,15 +692,6 @@ _SPAN_WIDTH = np.array([
 _STRIDE = np.array([
     0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
     0.5315553977157914,
-])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([
-    -2.9670597283903604, -2.0943951023931953, -2.443460952792061, -3.141592653589793,
-    -3.141592653589793,
-])
-_MOST_U = np.array([
-    2.9670597283903604, 2.0943951023931953, 2.443460952792061, 3.141592653589793, 3.141592653589793,
 ])
 
 

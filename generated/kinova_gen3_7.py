@@ -60,7 +60,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "kinova_gen3_7"
 METHOD = "general 6R"
 DOF = 7
@@ -98,7 +97,7 @@ FREE_JOINTS = (3,)  # from 1: the caller gives their values
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose, or a free joint's value is not finite
 
@@ -375,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 ff38f8e5b7db078e"
+_KEY = "kinova_gen3_7 4914f507b323c91e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -638,6 +637,10 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([-math.inf, -2.24, -2.57, -math.inf, -2.09, -math.inf])
+_MOST_U = np.array([math.inf, 2.24, 2.57, math.inf, 2.09, math.inf])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([
     -3.141592653589793, -2.24, -2.57, -3.141592653589793, -2.09, -3.141592653589793,
@@ -647,10 +650,6 @@ _STRIDE = np.array([
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 ])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([-math.inf, -2.24, -2.57, -math.inf, -2.09, -math.inf])
-_MOST_U = np.array([math.inf, 2.24, 2.57, math.inf, 2.09, math.inf])
 
 
 @_inner

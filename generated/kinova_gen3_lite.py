@@ -61,7 +61,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "kinova_gen3_lite"
 METHOD = "general 6R"
 DOF = 6
@@ -97,7 +96,7 @@ MAX_SOLUTIONS = 16
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -339,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite 73517a2e8e6994dd"
+_KEY = "kinova_gen3_lite b694c980cac21b40"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -602,6 +601,10 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([-2.76, -2.76, -2.76, -2.67, -2.67, -2.67])
+_MOST_U = np.array([2.76, 2.76, 2.76, 2.67, 2.67, 2.67])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([-2.76, -2.76, -2.76, -2.67, -2.67, -2.67])
 _SPAN_WIDTH = np.array([5.52, 5.52, 5.52, 5.34, 5.34, 5.34])
@@ -609,10 +612,6 @@ _STRIDE = np.array([
     0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
     0.5860866975779693, 0.5266889867007357,
 ])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([-2.76, -2.76, -2.76, -2.67, -2.67, -2.67])
-_MOST_U = np.array([2.76, 2.76, 2.76, 2.67, 2.67, 2.67])
 
 
 @_inner

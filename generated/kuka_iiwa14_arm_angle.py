@@ -471,7 +471,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 7f615c03ffb4f0f4"
+_KEY = "kuka_iiwa14_arm_angle 362e4cd0fbf42baa"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -887,7 +887,10 @@ def _keep_limits(pose, q_free, given, row, q, status):
         seed[joint] = given[joint]
         if not _hopeless(pose, q_free, seed, search, trial, result):
             moved = _serving(pose, q_free, seed, search, trial, result)
-            if not math.isnan(moved):
+            # next to where another row has the solution this one has none of its own
+            start = _attempt(pose, q_free, seed, search, 0.0, trial, result)
+            own = abs(moved) >= 1e-06 or not math.isinf(start)
+            if own and not math.isnan(moved):
                 _attempt(pose, q_free, seed, search, moved, trial, result)
                 q[row], status[row] = trial[row], result[row]
                 return

@@ -308,11 +308,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-<<<<<<< HEAD
-_KEY = "kuka_kr40pa 802339ff0b056ae7"
-=======
-_KEY = "kuka_kr40pa 2d2f3282597e7319"
->>>>>>> 2dd1b20 (wip)
+_KEY = "kuka_kr40pa faae66cfa3a4e07b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -989,6 +985,98 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+# Between which values starts lie, and what is added from start to start.
+_SPAN_LOW = np.array([
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586])
+_STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(4):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
+    that is right may be long, and what it leaves, half of its square, far more than was missed.
+    """
+    e, A = np.empty(6), np.empty((6, 4))
+    least, best, step, little = math.inf, u.copy(), np.empty(4), 1e-13
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        slow = length > max(0.5 * last, left)
+        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
+        if slow and least <= 1e-06:
+            little = 1e-26
+        if length < least:
+            least = length
+            _take(best, u)
+        if stalled:
+            break
+        _damped_step(A, e, length, little, step)
+        _shorten(step)
+        way = 0.0
+        for j in range(4):
+            u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
+    _take(u, best)
+    return least
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1], float64[::1])")
+def _sought(pose, seed, q):
+    """Joint values for a pose that was left without a row, into q; whether there are any.
+
+    Several joints may be free at once, and few of their values serve. Steps of damped least squares
+    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
+    exact ones come first.
+    """
+    T, exact, least = _upper_rows(pose), _exactness(pose), 4  # what is wrong with the values taken: nothing is 0
+    joints, near = seed.copy(), np.empty(4)
+    for j in range(4):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    u, end = np.empty(4), np.empty(4)
+    for k in range(12):
+        if least == 0:
+            break
+        _start_of(k, near, u)
+        if _descend(T, joints, u) > 1e-05:
+            continue
+        _take(end, joints)
+        for j in range(4):
+            end[_SOLVED[j]] = _UNIT[j] * u[j]
+        miss = _descended(T, 72, exact, end, np.empty(1))
+        if miss > 1e-05:
+            continue
+        fault = 1 * (miss > exact)
+        if fault < least:
+            least = fault
+            _take(q, end)
+    return least < 4
+
+
+@_inner
+def _seek(pose, seed, row, q, status):
+    """The same into a row, if there is none at all."""
+    for other in range(2):
+        if status[other] != UNREACHABLE:
+            return
+    found = np.empty(4)
+    if _sought(pose, seed.copy(), found):
+        status[row] = FREE_JOINT
+        for i in range(4):
+            q[row, i] = found[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -997,8 +1085,14 @@ def _whole(pose, seed, q, status):
         for i in range(4):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    begun = -1  # the first row that was not simply out of reach
+    for row in range(2):
+        if begun < 0 and status[row] != UNREACHABLE:
+            begun = row
     _choose(pose, seed, q, status)
     _tighten(pose, q, status)
+    if begun >= 0:
+        _seek(pose, seed, begun, q, status)
     count = 0
     for row in range(2):
         if status[row] == UNREACHABLE:

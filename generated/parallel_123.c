@@ -1012,6 +1012,100 @@ static void both_sides(
 }
 
 
+/* Between which values starts lie, and what is added from start to start. */
+static const double span_low[6] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[6] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+};
+static const double stride[6] = {
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+};
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[6])
+{
+    for (int j = 0; j < 6; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool: there a step that is
+ * right
+ * may be long, and what it leaves, half of its square, far more than was missed. */
+static double descend(struct descent *d, double u[6])
+{
+    double least = HUGE_VAL, little = 1e-13, best[6], step[6];
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int slow = d->length > fmax(0.5 * last, left);
+        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
+        if (slow && least <= 1e-06)
+            little = 1e-26;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, little, step);
+        shorten(step);
+        double way = 0.0;
+        for (int j = 0; j < 6; j++) {
+            u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = little < 1e-13 ? 0.5 * way * way : 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
+ * of
+ * their values serve. Steps of damped least squares from the seed and from evenly spread starts
+ * lead to
+ * some that do, if the arm can take the pose; exact ones come first. */
+static void seek(
+    const double T[16], const double seed[6], double q[6],
+    unsigned char *status)
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    for (int i = 0; i < 6; i++)
+        d.q[i] = seed[i];
+    for (int j = 0; j < 6; j++)
+        d.seed[j] = seed[solved[j]] / unit[j];
+    for (int k = 0; k < 12 && least; k++) {
+        double u[6], end[6], ahead;
+        start_of(&d, k, u);
+        if (descend(&d, u) > 1e-10)
+            continue;
+        for (int i = 0; i < 6; i++)
+            end[i] = d.q[i];
+        for (int j = 0; j < 6; j++)
+            end[solved[j]] = unit[j] * u[j];
+        const double miss = descended(&d, 72, exact, end, &ahead);
+        if (miss > 10.0 * exact)
+            continue;
+        const int fault = miss > exact;
+        if (fault >= least)
+            continue;
+        least = fault;
+        *status = PARALLEL_123_FREE_JOINT;
+        for (int i = 0; i < 6; i++)
+            q[i] = end[i];
+    }
+}
+
+
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -1042,11 +1136,19 @@ int parallel_123_ik(
     if (!valid)
         return -PARALLEL_123_INVALID_POSE;
     solve(pose, seed, 0.0, q, status);
+    int begun = -1; /* the first row that was not simply out of reach */
+    for (int row = 8 - 1; row >= 0; row--)
+        begun = status[row] == PARALLEL_123_UNREACHABLE ? begun : row;
     for (int row = 0; row < 8; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
+    int left = 0;
+    for (int row = 0; row < 8; row++)
+        left += status[row] != PARALLEL_123_UNREACHABLE;
+    if (begun >= 0 && !left)
+        seek(pose, seed, q[begun], &status[begun]);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PARALLEL_123_UNREACHABLE)
             continue;

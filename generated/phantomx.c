@@ -1047,6 +1047,97 @@ static void choose_again(
         q[row][i] = served ? lost.q[row][i] : NAN;
 }
 
+/* Between which values starts lie, and what is added from start to start. */
+static const double span_low[4] = {
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+};
+static const double span_width[4] = {
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+};
+static const double stride[4] = {
+    0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
+};
+
+/* Start number k; number 0 is the seed. */
+static void start_of(const struct descent *d, int k, double u[4])
+{
+    for (int j = 0; j < 4; j++)
+        u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
+}
+
+/* Takes u to where damped least squares lead; returns by how much that misses the pose. Near to it
+ * less damping than usual leads further, where joints hardly move the tool: there a step that is
+ * right
+ * may be long, and what it leaves, half of its square, far more than was missed. */
+static double descend(struct descent *d, double u[4])
+{
+    double least = HUGE_VAL, little = 1e-13, best[4], step[4];
+    double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
+    for (int k = 0; k <= 40; k++) {
+        look(d, u);
+        const int slow = d->length > fmax(0.5 * last, left);
+        const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
+        if (slow && least <= 1e-06)
+            little = 1e-26;
+        if (d->length < least) {
+            least = d->length;
+            copy(u, best);
+        }
+        if (stalled)
+            break;
+        damped_step(d, d->e, d->length, little, step);
+        shorten(step);
+        double way = 0.0;
+        for (int j = 0; j < 4; j++) {
+            u[j] += step[j];
+            way += fabs(step[j]);
+        }
+        last = d->length;
+        left = little < 1e-13 ? 0.5 * way * way : 0.0;
+    }
+    copy(best, u);
+    return least;
+}
+
+/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
+ * of
+ * their values serve. Steps of damped least squares from the seed and from evenly spread starts
+ * lead to
+ * some that do, if the arm can take the pose; exact ones come first. */
+static void seek(
+    const double T[16], const double seed[4], double q[4],
+    unsigned char *status)
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    for (int i = 0; i < 4; i++)
+        d.q[i] = seed[i];
+    for (int j = 0; j < 4; j++)
+        d.seed[j] = seed[solved[j]] / unit[j];
+    for (int k = 0; k < 12 && least; k++) {
+        double u[4], end[4], ahead;
+        start_of(&d, k, u);
+        if (descend(&d, u) > 1e-05)
+            continue;
+        for (int i = 0; i < 4; i++)
+            end[i] = d.q[i];
+        for (int j = 0; j < 4; j++)
+            end[solved[j]] = unit[j] * u[j];
+        const double miss = descended(&d, 72, exact, end, &ahead);
+        if (miss > 1e-05)
+            continue;
+        const int fault = miss > exact;
+        if (fault >= least)
+            continue;
+        least = fault;
+        *status = PHANTOMX_FREE_JOINT;
+        for (int i = 0; i < 4; i++)
+            q[i] = end[i];
+    }
+}
+
+
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -1081,10 +1172,18 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
     if (!valid)
         return -PHANTOMX_INVALID_POSE;
     solve(pose, seed, q, status);
+    int begun = -1; /* the first row that was not simply out of reach */
+    for (int row = 2 - 1; row >= 0; row--)
+        begun = status[row] == PHANTOMX_UNREACHABLE ? begun : row;
     for (int row = 0; row < 2; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     tighten(pose, q, status);
+    int left = 0;
+    for (int row = 0; row < 2; row++)
+        left += status[row] != PHANTOMX_UNREACHABLE;
+    if (begun >= 0 && !left)
+        seek(pose, seed, q[begun], &status[begun]);
     for (int row = 0; row < 2; row++) {
         if (status[row] == PHANTOMX_UNREACHABLE)
             continue;

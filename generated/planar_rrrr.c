@@ -192,8 +192,6 @@ static const double span_width[4] = {
 static const double stride[4] = {
     0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361,
 };
-static const double no_lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double no_highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[4])
@@ -201,6 +199,8 @@ static void start_of(const struct descent *d, int k, double u[4])
     for (int j = 0; j < 4; j++)
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
 }
+static const double no_lowest[4] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double no_highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 
 static const double least_u[4] = {
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,

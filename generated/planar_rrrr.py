@@ -213,11 +213,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-<<<<<<< HEAD
-_KEY = "planar_rrrr e84523621bf90404"
-=======
-_KEY = "planar_rrrr 55d18f9cac76e82b"
->>>>>>> 2dd1b20 (wip)
+_KEY = "planar_rrrr 59cf3050fa068376"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -420,6 +416,12 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([
+    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
+])
+_MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([
     -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
@@ -428,12 +430,6 @@ _SPAN_WIDTH = np.array([
     4.1887902047863905, 4.1887902047863905, 4.1887902047863905, 4.1887902047863905,
 ])
 _STRIDE = np.array([0.8566748838545029, 0.733891856627126, 0.6287067210378086, 0.53859725722361])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([
-    -2.0943951023931953, -2.0943951023931953, -2.0943951023931953, -2.0943951023931953,
-])
-_MOST_U = np.array([2.0943951023931953, 2.0943951023931953, 2.0943951023931953, 2.0943951023931953])
 
 
 @_inner

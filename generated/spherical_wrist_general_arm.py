@@ -540,11 +540,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-<<<<<<< HEAD
-_KEY = "spherical_wrist_general_arm 5ba3de8c147d9e36"
-=======
-_KEY = "spherical_wrist_general_arm 17d98abe09f91068"
->>>>>>> 2dd1b20 (wip)
+_KEY = "spherical_wrist_general_arm cb1e9087bb92efb0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1266,6 +1262,105 @@ def _both_sides(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+# Between which values starts lie, and what is added from start to start.
+_SPAN_LOW = np.array([
+    -3.141592653589793, -3.141592653589793, -3.141592653589793, -3.141592653589793,
+    -3.141592653589793, -3.141592653589793,
+])
+_SPAN_WIDTH = np.array([
+    6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586, 6.283185307179586,
+    6.283185307179586,
+])
+_STRIDE = np.array([
+    0.8986537126286992, 0.8075784952213447, 0.7257334129697597, 0.6521830259439715,
+    0.5860866975779693, 0.5266889867007357,
+])
+
+
+@_inner
+def _start_of(k, near, u):
+    """Start number k; number 0 is the seed."""
+    for j in range(6):
+        u[j] = near[j] if k == 0 else _SPAN_LOW[j] + _SPAN_WIDTH[j] * ((0.5 + k * _STRIDE[j]) % 1.0)
+
+
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _descend(T, q, u):
+    """Takes u to where damped least squares lead; returns by how much that misses the pose.
+
+    Near to it less damping than usual leads further, where joints hardly move the tool: there a step
+    that is right may be long, and what it leaves, half of its square, far more than was missed.
+    """
+    e, A = np.empty(6), np.empty((6, 6))
+    least, best, step, little = math.inf, u.copy(), np.empty(6), 1e-13
+    last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
+    for _ in range(40 + 1):
+        length = _look(T, q, u, e, A)
+        slow = length > max(0.5 * last, left)
+        stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
+        if slow and least <= 1e-06:
+            little = 1e-26
+        if length < least:
+            least = length
+            _take(best, u)
+        if stalled:
+            break
+        _damped_step(A, e, length, little, step)
+        _shorten(step)
+        way = 0.0
+        for j in range(6):
+            u[j] += step[j]
+            way += abs(step[j])
+        last, left = length, 0.5 * way * way if little < 1e-13 else 0.0
+    _take(u, best)
+    return least
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1], float64[::1])")
+def _sought(pose, seed, q):
+    """Joint values for a pose that was left without a row, into q; whether there are any.
+
+    Several joints may be free at once, and few of their values serve. Steps of damped least squares
+    from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
+    exact ones come first.
+    """
+    T, exact, least = _upper_rows(pose), _exactness(pose), 4  # what is wrong with the values taken: nothing is 0
+    joints, near = seed.copy(), np.empty(6)
+    for j in range(6):
+        near[j] = seed[_SOLVED[j]] / _UNIT[j]
+    u, end = np.empty(6), np.empty(6)
+    for k in range(12):
+        if least == 0:
+            break
+        _start_of(k, near, u)
+        if _descend(T, joints, u) > 1e-10:
+            continue
+        _take(end, joints)
+        for j in range(6):
+            end[_SOLVED[j]] = _UNIT[j] * u[j]
+        miss = _descended(T, 72, exact, end, np.empty(1))
+        if miss > 10.0 * exact:
+            continue
+        fault = 1 * (miss > exact)
+        if fault < least:
+            least = fault
+            _take(q, end)
+    return least < 4
+
+
+@_inner
+def _seek(pose, seed, row, q, status):
+    """The same into a row, if there is none at all."""
+    for other in range(8):
+        if status[other] != UNREACHABLE:
+            return
+    found = np.empty(6)
+    if _sought(pose, seed.copy(), found):
+        status[row] = FREE_JOINT
+        for i in range(6):
+            q[row, i] = found[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -1274,8 +1369,14 @@ def _whole(pose, seed, q, status):
         for i in range(6):
             q[row, i] = math.nan
     _solve(pose, seed, 0.0, q, status)
+    begun = -1  # the first row that was not simply out of reach
+    for row in range(8):
+        if begun < 0 and status[row] != UNREACHABLE:
+            begun = row
     _both_sides(pose, seed, q, status)
     _tighten(pose, q, status)
+    if begun >= 0:
+        _seek(pose, seed, begun, q, status)
     count = 0
     for row in range(8):
         if status[row] == UNREACHABLE:

@@ -732,7 +732,9 @@ static void keep_limits(
         search.joint = joint;
         search.start = seed[joint];
         const float nearest = hopeless(&search) ? NAN : serving_value(&search);
-        if (!isnan(nearest)) {
+        /* next to where another row has the solution this one has none of its own */
+        const int own = fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f));
+        if (own && !isnan(nearest)) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
             for (int i = 0; i < 6; i++)

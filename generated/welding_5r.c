@@ -249,8 +249,6 @@ static const double stride[5] = {
     0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
     0.5315553977157914,
 };
-static const double no_lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
-static const double no_highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 
 /* Start number k; number 0 is the seed. */
 static void start_of(const struct descent *d, int k, double u[5])
@@ -258,6 +256,8 @@ static void start_of(const struct descent *d, int k, double u[5])
     for (int j = 0; j < 5; j++)
         u[j] = k == 0 ? d->seed[j] : span_low[j] + span_width[j] * fmod(0.5 + k * stride[j], 1.0);
 }
+static const double no_lowest[5] = { -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY };
+static const double no_highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
 
 static const double least_u[5] = {
     -2.9670597283903604, -INFINITY, -INFINITY, -INFINITY, -INFINITY,

@@ -59,7 +59,6 @@ def _room(_, size):
 
     return types.CPointer(types.float64)(size), code
 
-
 NAME = "welding_5r"
 METHOD = "general 6R"
 DOF = 5
@@ -94,7 +93,7 @@ MAX_SOLUTIONS = 16
 # What a row of ik_all holds.
 OK = 0  # joint values
 UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
@@ -296,7 +295,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 63899646f1519a7f"
+_KEY = "welding_5r c5f4a03406e17717"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -557,6 +556,10 @@ def _pulled(T, q, u, near, low, high):
     return least
 
 
+_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
+_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
+_LEAST_U = np.array([-2.9670597283903604, -math.inf, -math.inf, -math.inf, -math.inf])
+_MOST_U = np.array([2.9670597283903604, math.inf, math.inf, math.inf, math.inf])
 # Between which values starts lie, and what is added from start to start.
 _SPAN_LOW = np.array([
     -2.9670597283903604, -3.141592653589793, -3.141592653589793, -3.141592653589793,
@@ -569,10 +572,6 @@ _STRIDE = np.array([
     0.8812714616335696, 0.7766393890897682, 0.6844301295853426, 0.6031687406857283,
     0.5315553977157914,
 ])
-_NO_LOWEST = np.array([-math.inf, -math.inf, -math.inf, -math.inf, -math.inf])
-_NO_HIGHEST = np.array([math.inf, math.inf, math.inf, math.inf, math.inf])
-_LEAST_U = np.array([-2.9670597283903604, -math.inf, -math.inf, -math.inf, -math.inf])
-_MOST_U = np.array([2.9670597283903604, math.inf, math.inf, math.inf, math.inf])
 
 
 @_inner

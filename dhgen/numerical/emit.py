@@ -63,6 +63,23 @@ def c_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, ob
     return render("c/both_sides.c.jinja", **values)
 
 
+def c_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+    """The static function `seek` in C99; it needs what tightens and, with limits, searches."""
+    values = shared | _texts(kernel) | {"enough": _enough(kernel)}
+    return render("c/seek.c.jinja", arrays=_c_arrays(kernel), **values)
+
+
+def python_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+    """The function `_seek` in Python; it needs what tightens and, with limits, searches."""
+    values = shared | _texts(kernel) | {"enough": _enough(kernel)}
+    return render("python/seek.py.jinja", arrays=_python_arrays(kernel), **values)
+
+
+def _enough(kernel: NumericalKernel) -> str:
+    """What a row may miss: a pose that is checked may have been rounded."""
+    return repr(kernel.residual) if kernel.checked else f"{constants.LOOSE!r} * exact"
+
+
 def python_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
     values = shared | _texts(kernel) | {"turning": turning_places(turning)}
@@ -140,6 +157,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "pointing": kernel.pointing,
         "redundant": kernel.redundant,
         "limited": kernel.limited,
+        "bounded": kernel.limited or kernel.redundant,
         "checked": kernel.checked,
         "size": repr(chain.size),
         "residual": repr(kernel.residual),
@@ -178,6 +196,7 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "pulled": constants.PULLED,
         "settled": repr(constants.SETTLED),
         "starts": starts,
+        "few_starts": constants.FEW_STARTS,
         "most_starts": constants.STARTS * constants.ROUNDS,
         "singular": repr(constants.SINGULAR),
         "feeler": repr(constants.FEELER),

@@ -21,7 +21,7 @@ nearly residual serving_digits serving_value solve_regular ended inner j k last 
 lose lost low middle misfit miss missed_by moved n others named nearest off outer reached read_pose
 repeats result right serves sum tighten tightened values search served square start step straighten
 summit third towards valid value way why x xx xy y yy z zz zeros exact exactly beyond_limits
-choosable fan_step gap hopeless inside keep_limits over overshoot shortfall within
+choosable fan_step gap hopeless inside keep_limits over overshoot shortfall within begun fault seek
 """
 
 _LANES = """

@@ -10,6 +10,7 @@ from dhgen.general.emit import python_rows, python_source
 from dhgen.numerical.emit import (
     python_both_sides,
     python_search,
+    python_seeking,
     python_tightening,
     python_tools,
 )
@@ -54,6 +55,8 @@ def python_files(module: SolverModule) -> dict[str, str]:
     values |= _flat(module, flat)
     if (kernel := parted(module.solver)) is not None:
         values["both_sides"] = python_both_sides(kernel, module.solver.turning, values)
+    if module.solver.tightened is not None:
+        values["seeking"] = python_seeking(module.solver.tightened, values)
     text = render("python/solver.py.jinja", **values, digest="")
     digest = sha256(text.encode()).hexdigest()[:16]
     return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}

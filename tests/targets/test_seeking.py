@@ -1,0 +1,42 @@
+"""Where several joints are free, and few of their values serve, a pose has a row all the same."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.targets.calling import HELD, LANGUAGES, Solver
+from tests.targets.made import poses_of, residual
+
+NAME = "two_free"
+COUNT = 40
+
+
+def upright() -> np.ndarray:
+    """The tool points along axis 1: it does not matter how joints 1 and 2 share their turn."""
+    q = np.random.default_rng(12).uniform(-3.0, 3.0, (COUNT, 4))
+    q[:, 2] = np.where(np.arange(COUNT) % 2, np.pi / 2, -np.pi / 2)
+    return q
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_pose_has_a_row_whatever_the_seed(language: str) -> None:
+    solver, q = Solver(NAME, language), upright()
+    source = np.random.default_rng(13)
+    for values, T in zip(q, poses_of(NAME, q), strict=True):
+        for seed in (values, np.zeros(4), source.uniform(-3.0, 3.0, 4)):
+            rows, status = solver.all(T, seed)
+            held = rows[np.isin(status, HELD)]
+            assert len(held), (values.tolist(), seed.tolist())
+            assert residual(NAME, held, T) < 1e-11
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_is_out_of_reach_stays_so(language: str) -> None:
+    solver, q = Solver(NAME, language), upright()
+    for T in poses_of(NAME, q)[:10]:
+        far = T.copy()
+        far[:3, 3] += [9.0, 0.0, 0.0]
+        rows, status = solver.all(far, np.zeros(4))
+        assert not np.isin(status, HELD).any()
+        assert np.isnan(rows).all()
