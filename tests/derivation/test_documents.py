@@ -8,7 +8,10 @@ from itertools import product
 
 import pytest
 
+from dhgen.kinematics.build import build_chain
+from dhgen.paul.derivation import derive
 from dhgen.paul.step import Kind
+from dhgen.program.lower import lower
 from dhgen.targets.derivation import (
     alternatives_text,
     derivation_document,
@@ -21,6 +24,7 @@ from dhgen.targets.derivation.types import PRINTERS
 from tests.derivation.golden import FOLDER, made, without_cost
 from tests.derivation.golden import NAMES as GOLDEN
 from tests.derivation.stories import ALL_WHOLE, NAMES, WITH_STEPS, document, story
+from tests.kinematics.values import table
 
 SECTIONS = [
     "The robot",
@@ -152,6 +156,25 @@ def test_alternatives_name_the_way_of_document_003() -> None:
 
 def test_every_type_has_a_printer() -> None:
     assert set(PRINTERS) == set(Kind)
+
+
+def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
+    """Where joint 4 is straight two values of joint 1 let this arm take the pose, not all."""
+    rows = (
+        "theta: q, d: 0.5",
+        "theta: 0, d: q, a: 0.15, alpha: -pi/2",
+        "theta: 0, d: q",
+        "theta: q, alpha: pi/2",
+        "theta: q, a: 0.2",
+    )
+    robot = table(*rows)
+    derivation = derive(build_chain(robot))
+    text = derivation_document(robot, derivation, lower(derivation), "robots/x.yaml")
+    assert r"every $\theta_1$ serves" not in text
+    told = r"this equation holds for every $\theta_1$, the others for all, a few or none of them"
+    assert told in text
+    assert "every $" in document("puma560")
+    assert "this equation holds for every" not in document("puma560")
 
 
 def test_texts_of_the_user_are_escaped() -> None:

@@ -11,7 +11,9 @@ from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
 from dhgen.paul.witness import build_witnesses
+from dhgen.program.ir import Failure, Guard
 from dhgen.targets.derivation.blocks import Given, say
+from dhgen.targets.derivation.effects import open_joints
 from dhgen.targets.derivation.formula import ZERO, Symbol, equal
 from dhgen.targets.derivation.names import single, theta
 from dhgen.targets.derivation.style import PLAIN, show
@@ -87,10 +89,16 @@ def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
             f"axes {first} and {last} are parallel, and only the sum or the difference of their "
             "angles is determined"
         )
+    serves = "every {} serves"
+    if _is_left_to_the_pose(context):
+        serves = (
+            "this equation holds for every {}, the others for all, a few or none of them; "
+            "a row tells one"
+        )
     if _is_about_first_axis(context):
-        text = "{} lies on axis 1, and every {} serves"
+        text = "{} lies on axis 1, and " + serves
         return say(text, point_name(context), theta(context.angle))
-    return say("every {} serves", theta(context.angle))
+    return say(serves, theta(context.angle))
 
 
 def meaning_of_root(context: StepContext) -> Prose:
@@ -99,6 +107,20 @@ def meaning_of_root(context: StepContext) -> Prose:
         text = "{} is as near to axis 1 as the offset of the arm lets it come"
         return say(text, point_name(context))
     return say("the arm is at the edge of its reach")
+
+
+def _is_left_to_the_pose(context: StepContext) -> bool:
+    """Whether rows are compared with the whole pose, which tells a value of this angle from others.
+
+    An arm of fewer joints than the pose has numbers may take it by some values only.
+    """
+    joints = open_joints(context)
+    return any(
+        isinstance(each, Guard)
+        and each.failure is Failure.INCONSISTENT
+        and any(choice.joint in joints for choice in each.chosen)
+        for each in context.story.program.body
+    )
 
 
 def _is_about_first_axis(context: StepContext) -> bool:
