@@ -329,7 +329,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 9eea6e006070830d"
+_KEY = "abb_gofa_5 5df9bcff41a854ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2108,9 +2108,10 @@ def abb_gofa_5_general(T, q, residual):
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; -1 - count when it is not certain that these are all: for want of a certificate,
-        or because roots met or the arm is singular at a solution, or nearly, so that steps did not
-        make it exact.
+        How many; -1 - count when it is not certain that these are all: for want of a certificate of
+        its own (where every polynomial vanishes identically there may be a continuum, which poses
+        close by do not have), or because roots met or the arm is singular at a solution, or nearly,
+        so that steps did not make it exact.
     """
     loop = _abb_gofa_5_close(T)
     P = loop[5]
@@ -2118,7 +2119,8 @@ def abb_gofa_5_general(T, q, residual):
         return 0
     found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
-    complete, count = _abb_gofa_5_try(loop, found, missing, singular, doubles_met)
+    certified, count = _abb_gofa_5_try(loop, found, missing, singular, doubles_met)
+    complete = certified
     if not complete:
         complete, count = _abb_gofa_5_from_nearby(loop, found, missing, singular, count)
     if not complete:
@@ -2148,7 +2150,7 @@ def abb_gofa_5_general(T, q, residual):
     regular = _abb_gofa_5_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
-    return count if complete and regular else -1 - count
+    return count if certified and regular else -1 - count
 
 
 _FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])

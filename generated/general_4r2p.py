@@ -400,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 54f0d9cc108ca4db"
+_KEY = "general_4r2p 4ba4ce6dc195a410"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1860,14 +1860,16 @@ def general_4r2p_general(T, q, residual):
         residual: (8,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; -1 - count when it is not certain that these are all: for want of a certificate,
-        or because roots met or the arm is singular at a solution, or nearly, so that steps did not
-        make it exact.
+        How many; -1 - count when it is not certain that these are all: for want of a certificate of
+        its own (where every polynomial vanishes identically there may be a continuum, which poses
+        close by do not have), or because roots met or the arm is singular at a solution, or nearly,
+        so that steps did not make it exact.
     """
     loop = _general_4r2p_close(T)
     found, missing, singular = np.empty((8, 6)), np.empty(8), np.zeros(8, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
-    complete, count = _general_4r2p_try(loop, found, missing, singular, doubles_met)
+    certified, count = _general_4r2p_try(loop, found, missing, singular, doubles_met)
+    complete = certified
     if not complete:
         complete, count = _general_4r2p_from_nearby(loop, found, missing, singular, count)
     if not complete:
@@ -1899,7 +1901,7 @@ def general_4r2p_general(T, q, residual):
     regular = _general_4r2p_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
-    return count if complete and regular else -1 - count
+    return count if certified and regular else -1 - count
 
 
 _FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])

@@ -423,7 +423,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p a997e7502f91bd8b"
+_KEY = "general_5r1p 148a991ab3ef69af"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2028,14 +2028,16 @@ def general_5r1p_general(T, q, residual):
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; -1 - count when it is not certain that these are all: for want of a certificate,
-        or because roots met or the arm is singular at a solution, or nearly, so that steps did not
-        make it exact.
+        How many; -1 - count when it is not certain that these are all: for want of a certificate of
+        its own (where every polynomial vanishes identically there may be a continuum, which poses
+        close by do not have), or because roots met or the arm is singular at a solution, or nearly,
+        so that steps did not make it exact.
     """
     loop = _general_5r1p_close(T)
     found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
-    complete, count = _general_5r1p_try(loop, found, missing, singular, doubles_met)
+    certified, count = _general_5r1p_try(loop, found, missing, singular, doubles_met)
+    complete = certified
     if not complete:
         complete, count = _general_5r1p_from_nearby(loop, found, missing, singular, count)
     if not complete:
@@ -2066,7 +2068,7 @@ def general_5r1p_general(T, q, residual):
     regular = _general_5r1p_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
-    return count if complete and regular else -1 - count
+    return count if certified and regular else -1 - count
 
 
 _FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])

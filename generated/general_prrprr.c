@@ -2989,22 +2989,23 @@ static int general_prrprr_before(const double a[6], const double b[6])
  * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
- * all: for want of a certificate, or because roots met or the arm is singular at a solution, or
- * nearly,
- * so that steps did not make it exact. */
+ * all: for want of a certificate of its own (where every polynomial vanishes identically there may
+ * be a
+ * continuum, which poses close by do not have), or because roots met or the arm is singular at a
+ * solution, or nearly, so that steps did not make it exact. */
 static int general_prrprr_general(const double T[16], double q[8][6],
                          double residual[8])
 {
     general_prrprr_found found;
     general_prrprr_loop whole;
     const general_prrprr_loop *const loop = &whole;
-    int order[8], complete, inexact = 0;
+    int order[8], certified, inexact = 0;
     general_prrprr_close(T, &whole);
     found.count = 0;
     found.singular = 0;
     found.doubles = 0;
-    complete = general_prrprr_try(loop, &found) || general_prrprr_from_nearby(loop, &found);
-    if (!complete) {
+    certified = general_prrprr_try(loop, &found);
+    if (!certified && !general_prrprr_from_nearby(loop, &found)) {
         general_prrprr_from_anywhere(loop, &found);
     }
     general_prrprr_merge(&found);
@@ -3024,7 +3025,7 @@ static int general_prrprr_general(const double T[16], double q[8][6],
         residual[i] = found.residual[order[i]];
         inexact |= residual[i] > 1e-12;
     }
-    return complete && !found.singular && !found.doubles && !inexact ? found.count : -1 -
+    return certified && !found.singular && !found.doubles && !inexact ? found.count : -1 -
         found.count;
 }
 

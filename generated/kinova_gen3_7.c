@@ -3210,16 +3210,17 @@ static int kinova_gen3_7_before(const double a[6], const double b[6])
  * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
- * all: for want of a certificate, or because roots met or the arm is singular at a solution, or
- * nearly,
- * so that steps did not make it exact. */
+ * all: for want of a certificate of its own (where every polynomial vanishes identically there may
+ * be a
+ * continuum, which poses close by do not have), or because roots met or the arm is singular at a
+ * solution, or nearly, so that steps did not make it exact. */
 static int kinova_gen3_7_general(const double T[16], const double free_joints[1], double q[16][6],
                          double residual[16])
 {
     kinova_gen3_7_found found;
     kinova_gen3_7_loop whole;
     const kinova_gen3_7_loop *const loop = &whole;
-    int order[16], complete, inexact = 0;
+    int order[16], certified, inexact = 0;
     kinova_gen3_7_close(T, free_joints, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3228,8 +3229,8 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.062224539232323) {
         return 0;
     }
-    complete = kinova_gen3_7_try(loop, &found) || kinova_gen3_7_from_nearby(loop, &found);
-    if (!complete) {
+    certified = kinova_gen3_7_try(loop, &found);
+    if (!certified && !kinova_gen3_7_from_nearby(loop, &found)) {
         kinova_gen3_7_from_anywhere(loop, &found);
     }
     kinova_gen3_7_merge(&found);
@@ -3247,7 +3248,7 @@ static int kinova_gen3_7_general(const double T[16], const double free_joints[1]
         residual[i] = found.residual[order[i]];
         inexact |= residual[i] > 1e-12;
     }
-    return complete && !found.singular && !found.doubles && !inexact ? found.count : -1 -
+    return certified && !found.singular && !found.doubles && !inexact ? found.count : -1 -
         found.count;
 }
 

@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "manseur_doty 83bf60bda52fb802"
+_KEY = "manseur_doty a790125bc5a0f8ac"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1879,9 +1879,10 @@ def manseur_doty_general(T, q, residual):
         residual: (16,), takes by how much the loop stays open, in radians and arm sizes.
 
     Returns:
-        How many; -1 - count when it is not certain that these are all: for want of a certificate,
-        or because roots met or the arm is singular at a solution, or nearly, so that steps did not
-        make it exact.
+        How many; -1 - count when it is not certain that these are all: for want of a certificate of
+        its own (where every polynomial vanishes identically there may be a continuum, which poses
+        close by do not have), or because roots met or the arm is singular at a solution, or nearly,
+        so that steps did not make it exact.
     """
     loop = _manseur_doty_close(T)
     P = loop[5]
@@ -1889,7 +1890,8 @@ def manseur_doty_general(T, q, residual):
         return 0
     found, missing, singular = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     doubles_met = np.zeros(1, dtype=np.int64)
-    complete, count = _manseur_doty_try(loop, found, missing, singular, doubles_met)
+    certified, count = _manseur_doty_try(loop, found, missing, singular, doubles_met)
+    complete = certified
     if not complete:
         complete, count = _manseur_doty_from_nearby(loop, found, missing, singular, count)
     if not complete:
@@ -1919,7 +1921,7 @@ def manseur_doty_general(T, q, residual):
     regular = _manseur_doty_marked(singular) == 0 and doubles_met[0] == 0
     for i in range(count):
         regular = regular and residual[i] <= 1e-12
-    return count if complete and regular else -1 - count
+    return count if certified and regular else -1 - count
 
 
 _FACING = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])

@@ -3161,16 +3161,17 @@ static int welding_5r_before(const double a[6], const double b[6])
  * q1 agree to 1e-09 in the order of q2, and so on. residual: by how much the loop stays
  * open, in radians and arm sizes. Returns how many; -1 - count when it is not certain that these
  * are
- * all: for want of a certificate, or because roots met or the arm is singular at a solution, or
- * nearly,
- * so that steps did not make it exact. */
+ * all: for want of a certificate of its own (where every polynomial vanishes identically there may
+ * be a
+ * continuum, which poses close by do not have), or because roots met or the arm is singular at a
+ * solution, or nearly, so that steps did not make it exact. */
 static int welding_5r_general(const double T[16], double q[16][6],
                          double residual[16])
 {
     welding_5r_found found;
     welding_5r_loop whole;
     const welding_5r_loop *const loop = &whole;
-    int order[16], complete, inexact = 0;
+    int order[16], certified, inexact = 0;
     welding_5r_close(T, &whole);
     found.count = 0;
     found.singular = 0;
@@ -3179,8 +3180,8 @@ static int welding_5r_general(const double T[16], double q[16][6],
     if (P[3] * P[3] + P[7] * P[7] + P[11] * P[11] > 4.000000004) {
         return 0;
     }
-    complete = welding_5r_try(loop, &found) || welding_5r_from_nearby(loop, &found);
-    if (!complete) {
+    certified = welding_5r_try(loop, &found);
+    if (!certified && !welding_5r_from_nearby(loop, &found)) {
         welding_5r_from_anywhere(loop, &found);
     }
     welding_5r_merge(&found);
@@ -3198,7 +3199,7 @@ static int welding_5r_general(const double T[16], double q[16][6],
         residual[i] = found.residual[order[i]];
         inexact |= residual[i] > 1e-12;
     }
-    return complete && !found.singular && !found.doubles && !inexact ? found.count : -1 -
+    return certified && !found.singular && !found.doubles && !inexact ? found.count : -1 -
         found.count;
 }
 

@@ -64,7 +64,8 @@ class Solved:
         residual: (k,), by how much the loop stays open [arm sizes, rad].
         complete: Whether a certificate says that there are no others.
         singular: Whether roots met, or the arm is singular at a solution, or steps did not make one
-            exact, as where it nearly is.
+            exact, as where it nearly is; or whether only poses close by tell that these are all:
+            where every polynomial vanishes identically there may be a continuum besides.
     """
 
     q: FloatArray
@@ -91,14 +92,14 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     links = tuple(np.array(K.at(held)) for K in loop.links)
     search = _Search(Target(links, P, loop.slides), kernel.rows)
-    complete = _attempt(kernel, search)
-    if not complete:
-        complete = _from_nearby(kernel, search)
+    certified = _attempt(kernel, search)
+    complete = certified or _from_nearby(kernel, search)
     if not complete:
         random = np.random.default_rng(0)
         for theta in random.uniform(-np.pi, np.pi, (STARTS, 6)):
             search.offer(theta, STEPS_FROM_AFAR)
-    return search.result(loop, complete=complete)
+    found = search.result(loop, complete=complete)
+    return found if certified else replace(found, singular=True)
 
 
 class _Search:

@@ -215,6 +215,19 @@ joints:
   - {theta: q, d: 0.15}
 tool: {xyz: [0.05, 0, 0.2], rpy: [0, 30 deg, 0]}
 """
+# A welding arm that points. Where its polynomials vanish identically poses close by have as many
+# solutions as it has beside a continuum.
+WELDING = """
+name: arm
+task: pointing
+joints:
+  - {theta: q, d: 0.3, a: 0.08, alpha: pi/2}
+  - {theta: q, a: 0.5}
+  - {theta: q, a: 0.45}
+  - {theta: q, d: 0.03, alpha: pi/2}
+  - {theta: q, d: 0.12, alpha: pi/2}
+tool: {xyz: [0.02, 0, 0.1]}
+"""
 # A Stanford arm with the last digits of a calibration. Stretched with a straight wrist, two joints
 # hardly move the tool, and the first polynomial is next to nothing all around.
 CALIBRATED = """
@@ -235,6 +248,7 @@ joints:
         (ROLLS, (np.pi, 0.0, np.pi / 2, -np.pi / 2, 0.0, np.pi / 2)),
         (INLINE, (0.0, -np.pi / 2, np.pi / 2, np.pi, np.pi / 2, -np.pi / 2)),
         (NEXT_TO_NOTHING, BESIDE),
+        (WELDING, (0.0, np.pi, 0.0, np.pi / 2, 0.0)),
         (POINTING, (np.pi, -2.709841362760041, np.pi, 0.12261522952881965, -np.pi / 2)),
         (LASER, (-np.pi / 2, 0.0, 0.0, -np.pi / 2, -np.pi / 2)),
         (HOLLOW, (0.0, 0.0, np.pi / 2, np.pi / 2, 0.0, np.pi)),
