@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
 
 SUFFIXES = {".py", ".c", ".h", ".md"}
+HEAD = 1000  # characters of a file in which it says where it comes from
+_SOURCE = re.compile(r"generated from (\S+)/\S+\.ya?ml", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +112,8 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     """Files of the output folder that neither these robot files nor their neighbours make.
 
     What a file makes that is refused isn't known: only those count that do (what all robots
-    share is among what any of them makes).
+    share is among what any of them makes). Files that say they are made from another folder are
+    not looked at.
     """
     folders = {path.resolve().parent for path in files}
     around = (each for folder in folders for each in folder.glob("*.yaml"))
@@ -124,7 +127,15 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
         if path.suffix in SUFFIXES
         and path.name not in expected
         and (path.stem in known or path.stem not in neighbours)
+        and _source_folder(path) in {None, *(folder.name for folder in folders)}
     )
+
+
+def _source_folder(path: Path) -> str | None:
+    """The folder of the robot file that a generated file names; None without any."""
+    head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
+    found = _SOURCE.search(" ".join(word for word in head.split() if word != "*"))
+    return found.group(1) if found else None
 
 
 def _stems(files: Iterable[Path]) -> set[str]:

@@ -152,6 +152,21 @@ def test_check_sees_what_is_missing_and_what_is_extra(
     )
 
 
+def test_check_leaves_alone_what_is_made_of_another_folder(
+    written: Path,
+    tmp_path: Path,
+    capfd: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(copy(written, tmp_path))
+    header = Path("generated/planar_rr.h").read_text()
+    for name, folder in ("theirs", "arms"), ("ours", "robots"):
+        Path(f"generated/{name}.h").write_text(header.replace("robots/", f"{folder}/"))
+    assert main(["--check", "robots/planar_rr.yaml"]) == 1
+    extra = [line for line in capfd.readouterr().err.splitlines() if "extra" in line]
+    assert [line.split(":")[0] for line in extra] == ["generated/ours.h"]
+
+
 def test_check_tells_all_refusals_and_what_is_stale_besides(
     written: Path,
     tmp_path: Path,
