@@ -1125,6 +1125,7 @@ static double descend(struct descent *d, double u[4])
 {
     double least = HUGE_VAL, little = 1e-13, best[4], step[4];
     double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
         const int slow = d->length > fmax(0.5 * last, left);
