@@ -811,14 +811,10 @@ static void solve(
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09;
-    const double high = highest[joint] + 1e-09;
-    double value = given;
-    value += turn * floor((towards - value) / turn + 0.5);
-    if (value > high)
-        value -= turn * ceil((value - high) / turn);
-    if (value < low)
-        value += turn * ceil((low - value) / turn);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    double value = given + turn * floor((towards - given) / turn + 0.5);
+    value -= turn * ceil(fmax(value - high, 0.0) / turn);
+    value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
 }
 

@@ -208,12 +208,12 @@ HELPER void transpose(wide x[LANES])
     ((none) ? (int)CARTESIAN_UNREACHABLE \
         : (outside) ? (int)CARTESIAN_OUT_OF_LIMITS : 0)
 #endif
-static const double low1 = -1e-09; /* lowest value of joint 1 */
-static const double high1 = 0.800000001; /* highest value of joint 1 */
-static const double low2 = -1e-09; /* lowest value of joint 2 */
-static const double high2 = 0.600000001; /* highest value of joint 2 */
-static const double low3 = -1e-09; /* lowest value of joint 3 */
-static const double high3 = 1.200000001; /* highest value of joint 3 */
+static const double low1 = -1e-09; /* least of joint 1 */
+static const double high1 = 0.800000001; /* most of joint 1 */
+static const double low2 = -1e-09; /* least of joint 2 */
+static const double high2 = 0.600000001; /* most of joint 2 */
+static const double low3 = -1e-09; /* least of joint 3 */
+static const double high3 = 1.200000001; /* most of joint 3 */
 
 const char *const cartesian_branches[1] = {
     "only",

@@ -77,12 +77,12 @@ FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's va
 OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
 INVALID_POSE = 4  # NaN: T is no pose
 
-low1 = -1e-09  # lowest value of joint 1
-high1 = 0.800000001  # highest value of joint 1
-low2 = -1e-09  # lowest value of joint 2
-high2 = 0.600000001  # highest value of joint 2
-low3 = -1e-09  # lowest value of joint 3
-high3 = 1.200000001  # highest value of joint 3
+low1 = -1e-09  # least of joint 1
+high1 = 0.800000001  # most of joint 1
+low2 = -1e-09  # least of joint 2
+high2 = 0.600000001  # most of joint 2
+low3 = -1e-09  # least of joint 3
+high3 = 1.200000001  # most of joint 3
 
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09

@@ -98,12 +98,12 @@ k1 = 0.08125  # a1^2 + a2^2 [m^2]
 k2 = 12.6984126984127  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 1.6000000000000003e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.303834613632515  # lowest value of joint 1
-high1 = 2.303834613632515  # highest value of joint 1
-low2 = -2.460914246312005  # lowest value of joint 2
-high2 = 2.460914246312005  # highest value of joint 2
-low3 = -0.150000001  # lowest value of joint 3
-high3 = 1e-09  # highest value of joint 3
+low1 = -2.303834613632515  # least of joint 1
+high1 = 2.303834613632515  # most of joint 1
+low2 = -2.460914246312005  # least of joint 2
+high2 = 2.460914246312005  # most of joint 2
+low3 = -0.150000001  # least of joint 3
+high3 = 1e-09  # most of joint 3
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 2.2222222222222223  # a coefficient of S1
 m3 = 0.04444444444444444  # a coefficient of S1
@@ -256,7 +256,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 e2d9ba8b1f35ea3a"
+_KEY = "epson_t3 1371959e1935bda7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -472,35 +472,19 @@ def _beyond_limits(values):
 
 
 @_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
-        return False
-    return status[search[0]] != UNREACHABLE
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(2):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if within and result == 0.0 else result
+    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
 
 
 @_inner
@@ -516,12 +500,7 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    return math.nan
 
 
 @_inner
@@ -565,13 +544,11 @@ _CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
-    _attempt(pose, seed, search, 0.0, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    row = search[0]
+    if math.isinf(_attempt(pose, seed, search, 0.0, q, status)):
         return False
     values = q[row].copy()
-    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    if math.isinf(_attempt(pose, seed, search, 0.1, q, status)):
         return False
     for i in range(4):
         if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:

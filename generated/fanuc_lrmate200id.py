@@ -116,15 +116,15 @@ k4 = 20.235205939761407  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.3456000000000003e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4666963886852973  # a constant angle [rad]
-low1 = -2.9670597293903604  # lowest value of joint 1
-high1 = 2.9670597293903604  # highest value of joint 1
+low1 = -2.9670597293903604  # least of joint 1
+high1 = 2.9670597293903604  # most of joint 1
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low2 = -1.7453292529943296  # lowest value of joint 2
-high2 = 2.530727416391778  # highest value of joint 2
-low3 = -1.2217304773960307  # lowest value of joint 3
-high3 = 3.5779249675883755  # highest value of joint 3
-low5 = -2.181661565992912  # lowest value of joint 5
-high5 = 2.181661565992912  # highest value of joint 5
+low2 = -1.7453292529943296  # least of joint 2
+high2 = 2.530727416391778  # most of joint 2
+low3 = -1.2217304773960307  # least of joint 3
+high3 = 3.5779249675883755  # most of joint 3
+low5 = -2.181661565992912  # least of joint 5
+high5 = 2.181661565992912  # most of joint 5
 m1 = 1.3456e-06  # doubt_limit1^2 [m^2]
 m3 = 1.5151515151515151  # a coefficient of Y1_2
 m4 = 0.006893939393939396  # a coefficient of Y1_2
@@ -142,11 +142,6 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# Of the values of a free joint that are tried, from one to the next.
-_FAN_STEP = np.array([
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103,
-])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
@@ -389,7 +384,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id 565f34c97580abd9"
+_KEY = "fanuc_lrmate200id f185d8c0bfcb052e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -645,35 +640,19 @@ def _beyond_limits(values):
 
 
 @_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
-        return False
-    return status[search[0]] != UNREACHABLE
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if within and result == 0.0 else result
+    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
 
 
 @_inner
@@ -689,12 +668,7 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    return math.nan
 
 
 @_inner
@@ -707,7 +681,7 @@ def _serving(pose, seed, search, q, status):
     """
     if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
         return 0.0
-    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
+    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
     after = _attempt(pose, seed, search, -32.0 * step, q, status)
     for k in range(-32, 32 + 1):
         before, here = here, after
@@ -738,13 +712,11 @@ _CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
-    _attempt(pose, seed, search, 0.0, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    row = search[0]
+    if math.isinf(_attempt(pose, seed, search, 0.0, q, status)):
         return False
     values = q[row].copy()
-    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    if math.isinf(_attempt(pose, seed, search, 0.1, q, status)):
         return False
     for i in range(6):
         if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:

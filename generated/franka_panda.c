@@ -288,21 +288,21 @@ static const double k5 = 15.193911990243306;
 static const double doubt_limit_squared2 = 1.940449e-06;
 static const double turn1 = 0.46700242365301164; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.897300001; /* lowest value of joint 1 */
-static const double high1 = 2.897300001; /* highest value of joint 1 */
+static const double low1 = -2.897300001; /* least of joint 1 */
+static const double high1 = 2.897300001; /* most of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double low2 = -1.762800001; /* lowest value of joint 2 */
-static const double high2 = 1.762800001; /* highest value of joint 2 */
-static const double low3 = -2.897300001; /* lowest value of joint 3 */
-static const double high3 = 2.897300001; /* highest value of joint 3 */
-static const double low4 = -3.071800001; /* lowest value of joint 4 */
-static const double high4 = -0.069799999; /* highest value of joint 4 */
-static const double low5 = -2.897300001; /* lowest value of joint 5 */
-static const double high5 = 2.897300001; /* highest value of joint 5 */
-static const double low6 = -0.017500001; /* lowest value of joint 6 */
-static const double high6 = 3.752500001; /* highest value of joint 6 */
-static const double low7 = -2.897300001; /* lowest value of joint 7 */
-static const double high7 = 2.897300001; /* highest value of joint 7 */
+static const double low2 = -1.762800001; /* least of joint 2 */
+static const double high2 = 1.762800001; /* most of joint 2 */
+static const double low3 = -2.897300001; /* least of joint 3 */
+static const double high3 = 2.897300001; /* most of joint 3 */
+static const double low4 = -3.071800001; /* least of joint 4 */
+static const double high4 = -0.069799999; /* most of joint 4 */
+static const double low5 = -2.897300001; /* least of joint 5 */
+static const double high5 = 2.897300001; /* most of joint 5 */
+static const double low6 = -0.017500001; /* least of joint 6 */
+static const double high6 = 3.752500001; /* most of joint 6 */
+static const double low7 = -2.897300001; /* least of joint 7 */
+static const double high7 = 2.897300001; /* most of joint 7 */
 static const double m1 = 1.754896834873102; /* a coefficient of c4 */
 static const double m2 = 3.4805529861209807; /* a coefficient of c4 */
 static const double m3 = 1.2446337324912609; /* a coefficient of v7 */
@@ -321,11 +321,6 @@ const char *const franka_panda_branches[8] = {
 
 static const double lowest[7] = { -2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973 };
 static const double highest[7] = { 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973 };
-/* Of the values of a free joint that are tried, from one to the next. */
-static const double fan_step[7] = {
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-};
 
 void franka_panda_fk(const double q[7], double T[16])
 {
@@ -992,15 +987,13 @@ static void solve(
     }
 }
 
-/* A row of which another value of a joint that had been chosen might be better, and what solving
- * again needs. */
+/* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
     const double *free_joints;
     double seed[7], start, q[8][7];
     unsigned char status[8];
     int joint, row;
-    int within; /* whether limits count */
 };
 
 /* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
@@ -1024,38 +1017,24 @@ static double beyond_limits(const double values[7])
     return sum;
 }
 
-/* How far a row is from a solution: 0 if it is solved. */
-static double shortfall(const struct search *search)
-{
-    return search->status[search->row] == FRANKA_PANDA_UNREACHABLE ? -HUGE_VAL : 0.0;
-}
-
 /* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
-static double attempt(struct search *search, double moved)
+static double attempt(struct search *s, double moved)
 {
-    search->seed[search->joint] = search->start + moved;
+    s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        search->status[i] = FRANKA_PANDA_UNREACHABLE;
-    solve(search->T, search->free_joints, search->seed, search->q, search->status);
-    const double result = shortfall(search);
-    return result == 0.0 && search->within ? -beyond_limits(search->q[search->row]) : result;
+        s->status[i] = FRANKA_PANDA_UNREACHABLE;
+    solve(s->T, s->free_joints, s->seed, s->q, s->status);
+    if (s->status[s->row] == FRANKA_PANDA_UNREACHABLE)
+        return -HUGE_VAL;
+    return -beyond_limits(s->q[s->row]);
 }
 
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *search)
-{
-    const int status = search->status[search->row];
-    if (search->within && beyond_limits(search->q[search->row]) > 0.0)
-        return 0;
-    return status != FRANKA_PANDA_UNREACHABLE;
-}
-
-/* Golden section for a move between low and high that serves; NaN if there is none. */
-static double summit(struct search *search, double low, double high)
+/* Golden section for a move between low and high that serves, or NaN. */
+static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
         const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(search, low + third), right = attempt(search, high - third);
+        const double left = attempt(s, low + third), right = attempt(s, high - third);
         if (left == 0.0 || right == 0.0)
             return left == 0.0 ? low + third : high - third;
         if (left >= right)
@@ -1063,38 +1042,32 @@ static double summit(struct search *search, double low, double high)
         else
             low += third;
     }
-    /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(search, low - 1e-09)) || isinf(attempt(search, high + 1e-09)))
-        return NAN;
-    (void)attempt(search, low);
-    return serves(search) ? low : NAN;
+    return NAN;
 }
 
-/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
- * does.
- * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
- * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
- * */
-static double serving_value(struct search *search)
+/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
+ * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
+ * of two equally near the lower one. */
+static double serving_value(struct search *s)
 {
-    const double step = fan_step[search->joint];
-    if (attempt(search, 0.0) == 0.0)
+    const double step = 0.09817477042468103;
+    if (attempt(s, 0.0) == 0.0)
         return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(search, -32.0 * step);
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(search, (double)(k + 1) * step);
+        after = attempt(s, (double)(k + 1) * step);
         double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
         if (here < 0.0 && here >= before && here > after)
-            outer = summit(search, outer - step, outer + step);
+            outer = summit(s, outer - step, outer + step);
         else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
             continue;
         if (isnan(outer))
             continue;
         for (int i = 0; i < 52; i++) {
             const double middle = 0.5 * (inner + outer);
-            if (attempt(search, middle) == 0.0)
+            if (attempt(s, middle) == 0.0)
                 outer = middle;
             else
                 inner = middle;
@@ -1105,45 +1078,37 @@ static double serving_value(struct search *search)
     return nearest;
 }
 
-/* Whether a joint beyond its limits stays where it is when the one that is searched moves. */
-static int hopeless(struct search *search)
+/* Whether a joint beyond its limits does not move with the one that is searched. */
+static int hopeless(struct search *s)
 {
-    double values[7];
-    (void)attempt(search, 0.0);
-    if (shortfall(search) < 0.0)
+    struct search other = *s;
+    if (isinf(attempt(s, 0.0)) || isinf(attempt(&other, 0.1)))
         return 0;
-    for (int i = 0; i < 7; i++)
-        values[i] = search->q[search->row][i];
-    (void)attempt(search, fan_step[search->joint]);
-    if (shortfall(search) < 0.0)
-        return 0;
-    for (int i = 0; i < 7; i++)
-        if (fabs(values[i] - search->q[search->row][i]) < 1e-09 && overshoot(i, values[i]) != 0.0)
+    for (int i = 0; i < 7; i++) {
+        const double value = s->q[s->row][i], moved = fabs(value - other.q[s->row][i]);
+        if (moved < 1e-09 && fabs(overshoot(i, value)) > 0.0)
             return 1;
+    }
     return 0;
 }
 
 /* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
- * that keeps all of them, if there is one. Where several joints are free the others take the seed's
- * values as far as their limits allow. */
+ * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
 static void keep_limits(
     const double T[16], const double free_joints[1], const double seed[7], int row, double q[8][7],
     unsigned char status[8])
 {
-    static const int choosable[] = { 5, 4, 0 };
-    struct search search = { .T = T, .row = row, .within = 1 };
-    search.free_joints = free_joints;
+    static const int choosable[3] = { 5, 4, 0 };
+    struct search search = { .T = T, .row = row, .free_joints = free_joints };
     for (int i = 0; i < 7; i++)
         search.seed[i] = seed[i] - overshoot(i, seed[i]);
-    for (unsigned k = 0; k < sizeof choosable / sizeof *choosable; k++) {
-        const int joint = choosable[k];
+    for (int k = 0; k < 3; k++) {
+        const int joint = search.joint = choosable[k];
         const double inside = search.seed[joint];
-        search.joint = joint;
         search.start = seed[joint];
         const double nearest = hopeless(&search) ? NAN : serving_value(&search);
         /* next to where another row has the solution this one has none of its own */
-        const int own = fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0));
-        if (own && !isnan(nearest)) {
+        if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
             for (int i = 0; i < 7; i++)
@@ -1157,14 +1122,10 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09;
-    const double high = highest[joint] + 1e-09;
-    double value = given;
-    value += turn * floor((towards - value) / turn + 0.5);
-    if (value > high)
-        value -= turn * ceil((value - high) / turn);
-    if (value < low)
-        value += turn * ceil((low - value) / turn);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    double value = given + turn * floor((towards - given) / turn + 0.5);
+    value -= turn * ceil(fmax(value - high, 0.0) / turn);
+    value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
 }
 

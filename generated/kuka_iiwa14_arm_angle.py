@@ -113,20 +113,20 @@ k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604  # lowest value of joint 1
-high1 = 2.9670597293903604  # highest value of joint 1
-low2 = -2.0943951033931953  # lowest value of joint 2
-high2 = 2.0943951033931953  # highest value of joint 2
-low3 = -2.9670597293903604  # lowest value of joint 3
-high3 = 2.9670597293903604  # highest value of joint 3
-low4 = -2.0943951033931953  # lowest value of joint 4
-high4 = 2.0943951033931953  # highest value of joint 4
-low5 = -2.9670597293903604  # lowest value of joint 5
-high5 = 2.9670597293903604  # highest value of joint 5
-low6 = -2.0943951033931953  # lowest value of joint 6
-high6 = 2.0943951033931953  # highest value of joint 6
-low7 = -3.054326191990077  # lowest value of joint 7
-high7 = 3.054326191990077  # highest value of joint 7
+low1 = -2.9670597293903604  # least of joint 1
+high1 = 2.9670597293903604  # most of joint 1
+low2 = -2.0943951033931953  # least of joint 2
+high2 = 2.0943951033931953  # most of joint 2
+low3 = -2.9670597293903604  # least of joint 3
+high3 = 2.9670597293903604  # most of joint 3
+low4 = -2.0943951033931953  # least of joint 4
+high4 = 2.0943951033931953  # most of joint 4
+low5 = -2.9670597293903604  # least of joint 5
+high5 = 2.9670597293903604  # most of joint 5
+low6 = -2.0943951033931953  # least of joint 6
+high6 = 2.0943951033931953  # most of joint 6
+low7 = -3.054326191990077  # least of joint 7
+high7 = 3.054326191990077  # most of joint 7
 m1 = 1e-24  # free_limit^2
 m2 = 1e-06  # doubt_limit^2
 m4 = 6.283185307179586  # 2 * half_turn
@@ -138,11 +138,6 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# Of the values of a free joint that are tried, from one to the next.
-_FAN_STEP = np.array([
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
@@ -471,7 +466,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 362e4cd0fbf42baa"
+_KEY = "kuka_iiwa14_arm_angle e397fa4589b44357"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -765,35 +760,19 @@ def _beyond_limits(values):
 
 
 @_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
-        return False
-    return status[search[0]] != UNREACHABLE
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
 def _attempt(pose, q_free, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, q_free, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if within and result == 0.0 else result
+    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
 
 
 @_inner
@@ -809,12 +788,7 @@ def _summit(pose, q_free, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
-        if math.isinf(_attempt(pose, q_free, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, q_free, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    return math.nan
 
 
 @_inner
@@ -827,7 +801,7 @@ def _serving(pose, q_free, seed, search, q, status):
     """
     if _attempt(pose, q_free, seed, search, 0.0, q, status) == 0.0:
         return 0.0
-    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
+    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
     after = _attempt(pose, q_free, seed, search, -32.0 * step, q, status)
     for k in range(-32, 32 + 1):
         before, here = here, after
@@ -858,13 +832,11 @@ _CHOOSABLE = (4, 0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, q_free, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
-    _attempt(pose, q_free, seed, search, 0.0, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    row = search[0]
+    if math.isinf(_attempt(pose, q_free, seed, search, 0.0, q, status)):
         return False
     values = q[row].copy()
-    _attempt(pose, q_free, seed, search, _FAN_STEP[joint], q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    if math.isinf(_attempt(pose, q_free, seed, search, 0.1, q, status)):
         return False
     for i in range(7):
         if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:

@@ -294,7 +294,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr b005eef773305f9e"
+_KEY = "olson_pprrrr bec0d815c0ec02b5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -541,15 +541,14 @@ def _attempt(pose, seed, search, moved, q, status):
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(4):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return result
+    return _shortfall(pose, row, q, status)
 
 
 @_inner

@@ -462,11 +462,6 @@ static const double lowest[6] = {
     -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY, -INFINITY,
 };
 static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY };
-/* Of the values of a free joint that are tried, from one to the next. */
-static const double fan_step[6] = {
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103,
-};
 
 void parallel_123_fk(const double q[6], double T[16])
 {
@@ -767,8 +762,7 @@ static void solve(
     }
 }
 
-/* A row of which another value of a joint that had been chosen might be better, and what solving
- * again needs. */
+/* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
     double seed[6], start, q[8][6];
@@ -777,37 +771,36 @@ struct search {
 };
 
 /* How far a row is from a solution: 0 if it is solved. */
-static double shortfall(const struct search *search)
+static double shortfall(const struct search *s)
 {
-    if (search->status[search->row] >= LOST)
-        return search->q[search->row][0];
-    return search->status[search->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
+    if (s->status[s->row] >= LOST)
+        return s->q[s->row][0];
+    return s->status[s->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
 /* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
-static double attempt(struct search *search, double moved)
+static double attempt(struct search *s, double moved)
 {
-    search->seed[search->joint] = search->start + moved;
+    s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        search->status[i] = PARALLEL_123_UNREACHABLE;
-    solve(search->T, search->seed, 0.0, search->q, search->status);
-    const double result = shortfall(search);
-    return result;
+        s->status[i] = PARALLEL_123_UNREACHABLE;
+    solve(s->T, s->seed, 0.0, s->q, s->status);
+    return shortfall(s);
 }
 
 /* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *search)
+static int serves(const struct search *s)
 {
-    const int status = search->status[search->row];
+    const int status = s->status[s->row];
     return status != PARALLEL_123_UNREACHABLE && status < LOST;
 }
 
-/* Golden section for a move between low and high that serves; NaN if there is none. */
-static double summit(struct search *search, double low, double high)
+/* Golden section for a move between low and high that serves, or NaN. */
+static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
         const double third = 0.3819660112501051 * (high - low);
-        const double left = attempt(search, low + third), right = attempt(search, high - third);
+        const double left = attempt(s, low + third), right = attempt(s, high - third);
         if (left == 0.0 || right == 0.0)
             return left == 0.0 ? low + third : high - third;
         if (left >= right)
@@ -816,37 +809,35 @@ static double summit(struct search *search, double low, double high)
             low += third;
     }
     /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(search, low - 1e-09)) || isinf(attempt(search, high + 1e-09)))
+    if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
-    (void)attempt(search, low);
-    return serves(search) ? low : NAN;
+    (void)attempt(s, low);
+    return serves(s) ? low : NAN;
 }
 
-/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
- * does.
- * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
- * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
- * */
-static double serving_value(struct search *search)
+/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
+ * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
+ * of two equally near the lower one. */
+static double serving_value(struct search *s)
 {
-    const double step = fan_step[search->joint];
-    if (attempt(search, 0.0) == 0.0)
+    const double step = 0.09817477042468103;
+    if (attempt(s, 0.0) == 0.0)
         return 0.0;
-    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(search, -32.0 * step);
+    double nearest = NAN, before, here = -HUGE_VAL, after = attempt(s, -32.0 * step);
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(search, (double)(k + 1) * step);
+        after = attempt(s, (double)(k + 1) * step);
         double outer = (double)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0;
         if (here < 0.0 && here >= before && here > after)
-            outer = summit(search, outer - step, outer + step);
+            outer = summit(s, outer - step, outer + step);
         else if (here < 0.0 || (k > 0 ? before : after) == 0.0)
             continue;
         if (isnan(outer))
             continue;
         for (int i = 0; i < 52; i++) {
             const double middle = 0.5 * (inner + outer);
-            if (attempt(search, middle) == 0.0)
+            if (attempt(s, middle) == 0.0)
                 outer = middle;
             else
                 inner = middle;
@@ -860,12 +851,12 @@ static double serving_value(struct search *search)
 /* A joint was nearly free: its angle was known to few digits, and the arm could not reach. Takes
  * the nearest angle that serves; as long as the angle is right up to rounding of what it was taken
  * from, `solve` takes it as it would take its own. */
-static double serving_digits(struct search *search)
+static double serving_digits(struct search *s)
 {
     for (double moved = 1e-15; moved < 0.1; moved *= 2.0) {
-        if (attempt(search, moved) == 0.0)
+        if (attempt(s, moved) == 0.0)
             return moved;
-        if (attempt(search, -moved) == 0.0)
+        if (attempt(s, -moved) == 0.0)
             return -moved;
     }
     return NAN;
@@ -1110,14 +1101,10 @@ static void seek(
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
-    const double low = lowest[joint] - 1e-09;
-    const double high = highest[joint] + 1e-09;
-    double value = given;
-    value += turn * floor((towards - value) / turn + 0.5);
-    if (value > high)
-        value -= turn * ceil((value - high) / turn);
-    if (value < low)
-        value += turn * ceil((low - value) / turn);
+    const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
+    double value = given + turn * floor((towards - given) / turn + 0.5);
+    value -= turn * ceil(fmax(value - high, 0.0) / turn);
+    value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
 }
 

@@ -83,8 +83,8 @@ INVALID_POSE = 4  # NaN: T is no pose
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low2 = -1e-09  # lowest value of joint 2
-high2 = 1.000000001  # highest value of joint 2
+low2 = -1e-09  # least of joint 2
+high2 = 1.000000001  # most of joint 2
 m1 = 1e-06  # doubt_limit1^2 [m^2]
 m3 = 6.283185307179586  # 2 * half_turn
 h1 = 1.0  # 2 * m2
@@ -214,7 +214,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 0b3b27beb8e960b4"
+_KEY = "planar_rp 9169533f102ca7a7"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -351,35 +351,19 @@ def _beyond_limits(values):
 
 
 @_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
-        return False
-    return status[search[0]] != UNREACHABLE
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(2):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if within and result == 0.0 else result
+    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
 
 
 @_inner
@@ -395,12 +379,7 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    return math.nan
 
 
 @_inner
@@ -444,13 +423,11 @@ _CHOOSABLE = (0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
-    _attempt(pose, seed, search, 0.0, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    row = search[0]
+    if math.isinf(_attempt(pose, seed, search, 0.0, q, status)):
         return False
     values = q[row].copy()
-    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    if math.isinf(_attempt(pose, seed, search, 0.1, q, status)):
         return False
     for i in range(2):
         if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:

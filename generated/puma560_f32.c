@@ -124,14 +124,14 @@ static const float k7 = 7.175475f; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m
 static const float doubt_limit_squared2 = 2.9096855e-06f;
 static const float turn1 = 1.5238184f; /* a constant angle [rad] */
 static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float low1 = -2.7925289f; /* lowest value of joint 1 */
-static const float high1 = 2.7925289f; /* highest value of joint 1 */
-static const float low2 = -1.9198642f; /* lowest value of joint 2 */
-static const float high2 = 1.9198642f; /* highest value of joint 2 */
-static const float low3 = -2.3561964f; /* lowest value of joint 3 */
-static const float high3 = 2.3561964f; /* highest value of joint 3 */
-static const float low5 = -1.7453313f; /* lowest value of joint 5 */
-static const float high5 = 1.7453313f; /* highest value of joint 5 */
+static const float low1 = -2.7925289f; /* least of joint 1 */
+static const float high1 = 2.7925289f; /* most of joint 1 */
+static const float low2 = -1.9198642f; /* least of joint 2 */
+static const float high2 = 1.9198642f; /* most of joint 2 */
+static const float low3 = -2.3561964f; /* least of joint 3 */
+static const float high3 = 2.3561964f; /* most of joint 3 */
+static const float low5 = -1.7453313f; /* least of joint 5 */
+static const float high5 = 1.7453313f; /* most of joint 5 */
 static const float m1 = 0.12579383f; /* a coefficient of s3 */
 static const float m2 = 0.9988974f; /* a coefficient of s3 */
 static const float m3 = 2.6757524f; /* a coefficient of s3 */
@@ -154,11 +154,6 @@ static const float lowest[6] = {
 static const float highest[6] = {
     2.7925267f, 1.9198622f, 2.3561945f, 4.6425757f, 1.7453293f,
     4.6425757f,
-};
-/* Of the values of a free joint that are tried, from one to the next. */
-static const float fan_step[6] = {
-    0.09817477f, 0.09817477f, 0.09817477f, 0.09817477f,
-    0.09817477f, 0.09817477f,
 };
 
 void puma560_f32_fk(const float q[6], float T[16])
@@ -515,14 +510,12 @@ static void solve(
     }
 }
 
-/* A row of which another value of a joint that had been chosen might be better, and what solving
- * again needs. */
+/* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const float *T;
     float seed[6], start, q[8][6];
     unsigned char status[8];
     int joint, row;
-    int within; /* whether limits count */
 };
 
 /* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
@@ -546,38 +539,24 @@ static float beyond_limits(const float values[6])
     return sum;
 }
 
-/* How far a row is from a solution: 0 if it is solved. */
-static float shortfall(const struct search *search)
-{
-    return search->status[search->row] == PUMA560_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
-}
-
 /* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
-static float attempt(struct search *search, float moved)
+static float attempt(struct search *s, float moved)
 {
-    search->seed[search->joint] = search->start + moved;
+    s->seed[s->joint] = s->start + moved;
     for (int i = 0; i < 8; i++)
-        search->status[i] = PUMA560_F32_UNREACHABLE;
-    solve(search->T, search->seed, search->q, search->status);
-    const float result = shortfall(search);
-    return result == 0.0f && search->within ? -beyond_limits(search->q[search->row]) : result;
+        s->status[i] = PUMA560_F32_UNREACHABLE;
+    solve(s->T, s->seed, s->q, s->status);
+    if (s->status[s->row] == PUMA560_F32_UNREACHABLE)
+        return -HUGE_VALF;
+    return -beyond_limits(s->q[s->row]);
 }
 
-/* Whether the row was solved, as exactly as poses may be rounded. */
-static int serves(const struct search *search)
-{
-    const int status = search->status[search->row];
-    if (search->within && beyond_limits(search->q[search->row]) > 0.0f)
-        return 0;
-    return status != PUMA560_F32_UNREACHABLE;
-}
-
-/* Golden section for a move between low and high that serves; NaN if there is none. */
-static float summit(struct search *search, float low, float high)
+/* Golden section for a move between low and high that serves, or NaN. */
+static float summit(struct search *s, float low, float high)
 {
     for (int k = 0; k < 52; k++) {
         const float third = 0.38196602f * (high - low);
-        const float left = attempt(search, low + third), right = attempt(search, high - third);
+        const float left = attempt(s, low + third), right = attempt(s, high - third);
         if (left == 0.0f || right == 0.0f)
             return left == 0.0f ? low + third : high - third;
         if (left >= right)
@@ -585,38 +564,32 @@ static float summit(struct search *search, float low, float high)
         else
             low += third;
     }
-    /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(search, low - 1e-09f)) || isinf(attempt(search, high + 1e-09f)))
-        return NAN;
-    (void)attempt(search, low);
-    return serves(search) ? low : NAN;
+    return NAN;
 }
 
-/* How far a free joint has to be moved from the seed's value until it serves; NaN if it nowhere
- * does.
- * A fan of values shows where it serves or nearly so, golden section finds what lies between two of
- * them, bisection the end that is nearest to the seed; of two that are equally near the lower one.
- * */
-static float serving_value(struct search *search)
+/* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
+ * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
+ * of two equally near the lower one. */
+static float serving_value(struct search *s)
 {
-    const float step = fan_step[search->joint];
-    if (attempt(search, 0.0f) == 0.0f)
+    const float step = 0.09817477f;
+    if (attempt(s, 0.0f) == 0.0f)
         return 0.0f;
-    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(search, -32.0f * step);
+    float nearest = NAN, before, here = -HUGE_VALF, after = attempt(s, -32.0f * step);
     for (int k = -32; k <= 32; k++) {
         before = here;
         here = after;
-        after = attempt(search, (float)(k + 1) * step);
+        after = attempt(s, (float)(k + 1) * step);
         float outer = (float)k * step, inner = k > 0 ? outer - step : k < 0 ? outer + step : 0.0f;
         if (here < 0.0f && here >= before && here > after)
-            outer = summit(search, outer - step, outer + step);
+            outer = summit(s, outer - step, outer + step);
         else if (here < 0.0f || (k > 0 ? before : after) == 0.0f)
             continue;
         if (isnan(outer))
             continue;
         for (int i = 0; i < 52; i++) {
             const float middle = 0.5f * (inner + outer);
-            if (attempt(search, middle) == 0.0f)
+            if (attempt(s, middle) == 0.0f)
                 outer = middle;
             else
                 inner = middle;
@@ -627,44 +600,36 @@ static float serving_value(struct search *search)
     return nearest;
 }
 
-/* Whether a joint beyond its limits stays where it is when the one that is searched moves. */
-static int hopeless(struct search *search)
+/* Whether a joint beyond its limits does not move with the one that is searched. */
+static int hopeless(struct search *s)
 {
-    float values[6];
-    (void)attempt(search, 0.0f);
-    if (shortfall(search) < 0.0f)
+    struct search other = *s;
+    if (isinf(attempt(s, 0.0f)) || isinf(attempt(&other, 0.1f)))
         return 0;
-    for (int i = 0; i < 6; i++)
-        values[i] = search->q[search->row][i];
-    (void)attempt(search, fan_step[search->joint]);
-    if (shortfall(search) < 0.0f)
-        return 0;
-    for (int i = 0; i < 6; i++)
-        if (fabsf(values[i] - search->q[search->row][i]) < 1e-09f && overshoot(i, values[i]) !=
-            0.0f)
+    for (int i = 0; i < 6; i++) {
+        const float value = s->q[s->row][i], moved = fabsf(value - other.q[s->row][i]);
+        if (moved < 1e-09f && fabsf(overshoot(i, value)) > 0.0f)
             return 1;
+    }
     return 0;
 }
 
 /* A free joint took the seed's value, and that puts one beyond its limits: takes the nearest value
- * that keeps all of them, if there is one. Where several joints are free the others take the seed's
- * values as far as their limits allow. */
+ * that keeps all, if there is one; other free joints the seed's, as far as their limits allow. */
 static void keep_limits(
     const float T[16], const float seed[6], int row, float q[8][6], unsigned char status[8])
 {
-    static const int choosable[] = { 3, 1, 0 };
-    struct search search = { .T = T, .row = row, .within = 1 };
+    static const int choosable[3] = { 3, 1, 0 };
+    struct search search = { .T = T, .row = row };
     for (int i = 0; i < 6; i++)
         search.seed[i] = seed[i] - overshoot(i, seed[i]);
-    for (unsigned k = 0; k < sizeof choosable / sizeof *choosable; k++) {
-        const int joint = choosable[k];
+    for (int k = 0; k < 3; k++) {
+        const int joint = search.joint = choosable[k];
         const float inside = search.seed[joint];
-        search.joint = joint;
         search.start = seed[joint];
         const float nearest = hopeless(&search) ? NAN : serving_value(&search);
         /* next to where another row has the solution this one has none of its own */
-        const int own = fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f));
-        if (own && !isnan(nearest)) {
+        if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
             for (int i = 0; i < 6; i++)
@@ -678,14 +643,10 @@ static void keep_limits(
 /* A joint value moved by whole turns, near to another value but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
-    const float low = lowest[joint] - 2e-06f;
-    const float high = highest[joint] + 2e-06f;
-    float value = given;
-    value += turn * floorf((towards - value) / turn + 0.5f);
-    if (value > high)
-        value -= turn * ceilf((value - high) / turn);
-    if (value < low)
-        value += turn * ceilf((low - value) / turn);
+    const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
+    float value = given + turn * floorf((towards - given) / turn + 0.5f);
+    value -= turn * ceilf(fmaxf(value - high, 0.0f) / turn);
+    value += turn * ceilf(fmaxf(low - value, 0.0f) / turn);
     return value <= high ? value : given;
 }
 

@@ -126,11 +126,6 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
-# Of the values of a free joint that are tried, from one to the next.
-_FAN_STEP = np.array([
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103,
-])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
@@ -343,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing a29573b51e9cc5c8"
+_KEY = "scorbot_pointing de49af5f18d40922"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -882,15 +877,14 @@ def _attempt(pose, q_free, seed, search, moved, q, status):
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(4):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, q_free, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return result
+    return _shortfall(pose, row, q, status)
 
 
 @_inner
@@ -924,7 +918,7 @@ def _serving(pose, q_free, seed, search, q, status):
     """
     if _attempt(pose, q_free, seed, search, 0.0, q, status) == 0.0:
         return 0.0
-    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
+    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
     after = _attempt(pose, q_free, seed, search, -32.0 * step, q, status)
     for k in range(-32, 32 + 1):
         before, here = here, after

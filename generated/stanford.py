@@ -102,18 +102,18 @@ k3 = 1.5677662000003437e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^
 k4 = 1.5677662000000342e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
 doubt_limit_squared2 = 3.437476899999999e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604  # lowest value of joint 1
-high1 = 2.9670597293903604  # highest value of joint 1
-low2 = -2.9670597293903604  # lowest value of joint 2
-high2 = 2.9670597293903604  # highest value of joint 2
-low3 = 0.304799999  # lowest value of joint 3
-high3 = 1.270000001  # highest value of joint 3
-low4 = -2.9670597293903604  # lowest value of joint 4
-high4 = 2.9670597293903604  # highest value of joint 4
-low5 = -1.5707963277948966  # lowest value of joint 5
-high5 = 1.5707963277948966  # highest value of joint 5
-low6 = -2.9670597293903604  # lowest value of joint 6
-high6 = 2.9670597293903604  # highest value of joint 6
+low1 = -2.9670597293903604  # least of joint 1
+high1 = 2.9670597293903604  # most of joint 1
+low2 = -2.9670597293903604  # least of joint 2
+high2 = 2.9670597293903604  # most of joint 2
+low3 = 0.304799999  # least of joint 3
+high3 = 1.270000001  # most of joint 3
+low4 = -2.9670597293903604  # least of joint 4
+high4 = 2.9670597293903604  # most of joint 4
+low5 = -1.5707963277948966  # least of joint 5
+high5 = 1.5707963277948966  # most of joint 5
+low6 = -2.9670597293903604  # least of joint 6
+high6 = 2.9670597293903604  # most of joint 6
 m1 = 3.4374768999999987e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m2
@@ -307,7 +307,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford f30f5f1f1451bde0"
+_KEY = "stanford 94c11e834150a531"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -545,35 +545,19 @@ def _beyond_limits(values):
 
 
 @_inner
-def _serves(search, q, status):
-    """Whether a row was solved, as exactly as poses may be rounded."""
-    if search[2] and _beyond_limits(q[search[0]]) > 0.0:
-        return False
-    return status[search[0]] != UNREACHABLE
-
-
-@_inner
-def _shortfall(pose, row, q, status):
-    """How far a row is from a solution: 0 if it is solved.
-    """
-    return -math.inf if status[row] == UNREACHABLE else 0.0
-
-
-@_inner
 def _attempt(pose, seed, search, moved, q, status):
     """Solves with a joint moved: 0 if it serves, else less.
 
     A search is a row, the joint that had been chosen, and whether limits count.
     """
-    row, joint, within = search
+    row, joint, _ = search
     for i in range(8):
         status[i] = UNREACHABLE
     kept = seed[joint]
     seed[joint] = kept + moved
     _solve(pose, seed, q, status)
     seed[joint] = kept
-    result = _shortfall(pose, row, q, status)
-    return -_beyond_limits(q[row]) if within and result == 0.0 else result
+    return -math.inf if status[row] == UNREACHABLE else -_beyond_limits(q[row])
 
 
 @_inner
@@ -589,12 +573,7 @@ def _summit(pose, seed, search, low, high, q, status):
             high -= third
         else:
             low += third
-    # beside a place where the branches meet, this one has no solution of its own
-    for moved in (low - 1e-09, high + 1e-09):
-        if math.isinf(_attempt(pose, seed, search, moved, q, status)):
-            return math.nan
-    _attempt(pose, seed, search, low, q, status)
-    return low if _serves(search, q, status) else math.nan
+    return math.nan
 
 
 @_inner
@@ -638,13 +617,11 @@ _CHOOSABLE = (3, 1, 0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
-    _attempt(pose, seed, search, 0.0, q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    row = search[0]
+    if math.isinf(_attempt(pose, seed, search, 0.0, q, status)):
         return False
     values = q[row].copy()
-    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
-    if _shortfall(pose, row, q, status) < 0.0:
+    if math.isinf(_attempt(pose, seed, search, 0.1, q, status)):
         return False
     for i in range(6):
         if abs(values[i] - q[row, i]) < 1e-09 and _overshoot(i, values[i]) != 0.0:

@@ -118,8 +118,8 @@ k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 1.7613271225000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low3 = -2.705260341591211  # lowest value of joint 3
-high3 = 2.705260341591211  # highest value of joint 3
+low3 = -2.705260341591211  # least of joint 3
+high3 = 2.705260341591211  # most of joint 3
 m1 = 1e-06  # doubt_limit^2
 m3 = 1.1655011655011656  # a coefficient of S2
 m4 = 0.017143065268065267  # a coefficient of S2
@@ -132,11 +132,6 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# Of the values of a free joint that are tried, from one to the next.
-_FAN_STEP = np.array([
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103,
-])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
@@ -382,7 +377,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 609daf398ccade14"
+_KEY = "techman_tm5_900 ce35cbb8bdf7b575"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -725,7 +720,7 @@ def _serving(pose, seed, search, q, status):
     """
     if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
         return 0.0
-    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
+    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
     after = _attempt(pose, seed, search, -32.0 * step, q, status)
     for k in range(-32, 32 + 1):
         before, here = here, after
@@ -794,12 +789,12 @@ _CHOOSABLE = (5, 1, 0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
+    row = search[0]
     _attempt(pose, seed, search, 0.0, q, status)
     if _shortfall(pose, row, q, status) < 0.0:
         return False
     values = q[row].copy()
-    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
+    _attempt(pose, seed, search, 0.1, q, status)
     if _shortfall(pose, row, q, status) < 0.0:
         return False
     for i in range(6):

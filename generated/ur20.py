@@ -126,11 +126,6 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
 _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
-# Of the values of a free joint that are tried, from one to the next.
-_FAN_STEP = np.array([
-    0.09817477042468103, 0.09817477042468103, 0.09817477042468103, 0.09817477042468103,
-    0.09817477042468103, 0.09817477042468103,
-])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
@@ -369,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur20 fa50f0da4a571606"
+_KEY = "ur20 db1666ce47ddeca1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -705,7 +700,7 @@ def _serving(pose, seed, search, q, status):
     """
     if _attempt(pose, seed, search, 0.0, q, status) == 0.0:
         return 0.0
-    step, nearest, here = _FAN_STEP[search[1]], math.nan, -math.inf
+    step, nearest, here = 0.09817477042468103, math.nan, -math.inf
     after = _attempt(pose, seed, search, -32.0 * step, q, status)
     for k in range(-32, 32 + 1):
         before, here = here, after
@@ -774,12 +769,12 @@ _CHOOSABLE = (5, 1, 0,)  # joints, from 0, that may be free
 @_inner
 def _hopeless(pose, seed, search, q, status):
     """Whether a joint beyond its limits stays where it is when the one that is searched moves."""
-    row, joint, _ = search
+    row = search[0]
     _attempt(pose, seed, search, 0.0, q, status)
     if _shortfall(pose, row, q, status) < 0.0:
         return False
     values = q[row].copy()
-    _attempt(pose, seed, search, _FAN_STEP[joint], q, status)
+    _attempt(pose, seed, search, 0.1, q, status)
     if _shortfall(pose, row, q, status) < 0.0:
         return False
     for i in range(6):

@@ -46,8 +46,8 @@ class Limiting:
         if limits is None or (limits.turns and limits.low <= -math.pi and limits.high >= math.pi):
             return value
         builder = self._builder
-        low = builder.constant(f"low{joint}", limits.low, f"lowest value of joint {joint}")
-        high = builder.constant(f"high{joint}", limits.high, f"highest value of joint {joint}")
+        low = builder.constant(f"low{joint}", limits.low, f"least of joint {joint}")
+        high = builder.constant(f"high{joint}", limits.high, f"most of joint {joint}")
         moved = value
         if limits.turns:
             turn = builder.constant("whole_turn", 2 * math.pi, "2 pi [rad]")

@@ -142,6 +142,7 @@ def _functions(module: SolverModule) -> dict[str, str]:
             [pose, *free, f"const double seed[{dof}]", "int row", *table],
             "",
         ),
+        "search_given": ", .free_joints = free_joints" if count else "",
         "batch_call": call(f"(void){name}_ik", one("k"), ";", INDENT * 2),
         "tile_call": call("solve_tile", tile("k"), ""),
         "tile_again": call(f"(void){name}_ik", one("i"), ";", INDENT * 4),

@@ -39,6 +39,7 @@ MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
 TIE = 1e-9  # of two distances from the seed: only rounding tells them apart [rad or length]
+ELSEWHERE = 0.1  # how far a joint is moved to see which others move with it [rad or length]
 STILL = 1e-9  # a joint value that changes by less has not moved [rad or length]
 MET = 1e-6  # from where branches meet, to where both are told [rad or length]
 BESIDE = 1e-9  # how near branches that meet end a search [rad or length]
@@ -168,12 +169,6 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "uses_seed": reads(module.solver, "seed"),
         "forward_uses_q": reads(module.forward, "q"),
         "jacobian_uses_q": reads(module.jacobian, "q"),
-        "searches": chooses_again(module.solver) or keeps_limits(module),
-        "chooses_again": chooses_again(module.solver),
-        "keeps_limits": keeps_limits(module),
-        "choosable": ", ".join(str(joint - 1) for joint in choosable(module.solver)),
-        "still": STILL,
-        "met": MET,
         "checks_again": checks_again(module.solver),
         "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
         "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
@@ -182,12 +177,30 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "checks_last_row": kind is TaskKind.POSE,
         "tolerances": module.precision.tolerances,
         "turn": repr(2.0 * math.pi),
+    } | _searches(module)
+
+
+def _searches(module: SolverModule) -> dict[str, object]:
+    """What looks for other values of free joints, and its constants."""
+    again, within = chooses_again(module.solver), keeps_limits(module)
+    return {
+        "searches": again or within,
+        "chooses_again": again,
+        "keeps_limits": within,
+        "both_searches": again and within,
+        "searches_slides": (again or within) and "P" in module.joint_types,
+        "choosable": ", ".join(str(joint - 1) for joint in choosable(module.solver)),
+        "choices": len(choosable(module.solver)),
+        "turn_step": repr(2.0 * math.pi / FAN),
         "half_fan": FAN // 2,
         "least_move": LEAST_MOVE,
         "most_move": MOST_MOVE,
         "halvings": HALVINGS,
         "cuts": GOLDEN_CUTS if checks_again(module.solver) else HALVINGS,
         "beside": BESIDE,
+        "met": MET,
+        "still": STILL,
+        "elsewhere": ELSEWHERE,
         "tie": TIE,
     }
 

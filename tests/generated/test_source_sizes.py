@@ -7,7 +7,7 @@ import re
 from tests.robots.cases import ROBOTS
 
 GENERATED = ROBOTS.parent / "generated"
-MOST = 57_000  # bytes; 60 000 are promised for any arm
+MOST = 60_000  # bytes: what is promised for any arm
 
 
 def test_c_of_closed_forms() -> None:
