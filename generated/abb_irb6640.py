@@ -383,7 +383,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 d2e33133eb3ddf0e"
+_KEY = "abb_irb6640 16e886ffeb5a2c0c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -619,7 +619,7 @@ def _turned(joint, given, towards):
 
 @_inner
 def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative if below them."""
+    """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0

@@ -384,7 +384,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_lrmate200id f185d8c0bfcb052e"
+_KEY = "fanuc_lrmate200id c09ce0ff978f2cae"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -620,7 +620,7 @@ def _turned(joint, given, towards):
 
 @_inner
 def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative if below them."""
+    """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0

@@ -867,7 +867,7 @@ struct search {
     int joint, row;
 };
 
-/* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
 static double overshoot(int joint, double value)
 {
     const double low = lowest[joint], high = highest[joint];

@@ -466,7 +466,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle e397fa4589b44357"
+_KEY = "kuka_iiwa14_arm_angle 35e66c77990a57a0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -740,7 +740,7 @@ def _turned(joint, given, towards):
 
 @_inner
 def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative if below them."""
+    """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0

@@ -518,7 +518,7 @@ struct search {
     int joint, row;
 };
 
-/* How far a joint value is beyond its limits, whole turns aside; negative if it is below them. */
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
 static float overshoot(int joint, float value)
 {
     const float low = lowest[joint], high = highest[joint];

@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5 9bb899ebd8a41f08"
+_KEY = "ur5 fa74f04398a4868f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -616,7 +616,7 @@ def _turned(joint, given, towards):
 
 @_inner
 def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative if below them."""
+    """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
