@@ -383,7 +383,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 16e886ffeb5a2c0c"
+_KEY = "abb_irb6640 5d8101e09b3f4be1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -609,7 +609,9 @@ def _read(T):
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -631,7 +633,7 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same for all joints of a row."""
+    """The same of a row."""
     total = 0.0
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
@@ -1194,6 +1196,8 @@ def _near(joint, value, towards, limits):
     """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
+    if not abs(towards) < 100000.0:
+        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 
 

@@ -256,7 +256,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 636434e5655283a4"
+_KEY = "epson_t3 4e18f5b57d81de14"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -440,7 +440,9 @@ def _turned(joint, given, towards):
     if not _REVOLUTE[joint]:
         return given
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -464,7 +466,7 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same for all joints of a row."""
+    """The same of a row."""
     total = 0.0
     for i in range(4):
         total += abs(_overshoot(i, values[i]))
@@ -810,6 +812,8 @@ def _near(joint, value, towards, limits):
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:
+        return value
+    if not abs(towards) < 100000.0:
         return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 

@@ -400,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 4ba4ce6dc195a410"
+_KEY = "general_4r2p afcfdd4e4036a008"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2027,7 +2027,9 @@ def _turned(joint, given, towards):
     if not _REVOLUTE[joint]:
         return given
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -2152,6 +2154,8 @@ def _near(joint, value, towards, limits):
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:
+        return value
+    if not abs(towards) < 100000.0:
         return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 

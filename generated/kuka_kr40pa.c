@@ -937,7 +937,7 @@ static double shortfall(const struct search *s)
     return s->status[s->row] == KUKA_KR40PA_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -954,7 +954,7 @@ static int serves(const struct search *s)
     return status != KUKA_KR40PA_UNREACHABLE && status < LOST;
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
@@ -971,7 +971,7 @@ static double summit(struct search *s, double low, double high)
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     (void)attempt(s, low);
-    return serves(s) ? low : NAN;
+    return serves(s) ? low : (double)NAN;
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
@@ -1036,7 +1036,7 @@ static void choose_again(
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : KUKA_KR40PA_UNREACHABLE;
     for (int i = 0; i < 4; i++)
-        q[row][i] = served ? lost.q[row][i] : NAN;
+        q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
 
 /* Between which values starts lie, and what is added from start to start. */
@@ -1092,18 +1092,32 @@ static double descend(struct descent *d, double u[4])
     return least;
 }
 
-/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
- * of
- * their values serve. Steps of damped least squares from the seed and from evenly spread starts
- * lead to
- * some that do, if the arm can take the pose; exact ones come first. */
+/* A pose was left without a row after a joint had been chosen, or with rows that fit it only as one
+ * that
+ * has been rounded: several may be free at once, and few of their values serve. Steps of damped
+ * least
+ * squares from the seed and from evenly spread starts lead to some that do, if the arm can take the
+ * pose;
+ * exact ones come first. */
 static void seek(
-    const double T[16], const double seed[4], double q[4],
-    unsigned char *status)
+    const double T[16], const double seed[4], int begun, double q[2][4],
+    unsigned char status[2])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
-    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    double found[4] = { 0.0 };
+    int least = 4; /* what is wrong with the values found: nothing is 0 */
+    int left = 0, chosen = 0;
+    for (int row = 0; row < 2; row++) {
+        if (status[row] == KUKA_KR40PA_UNREACHABLE)
+            continue;
+        if (missed_by(T, q[row]) <= exact)
+            return;
+        left = 1;
+        chosen = chosen || status[row] == KUKA_KR40PA_FREE_JOINT;
+    }
+    if (left && !chosen)
+        return;
     for (int i = 0; i < 4; i++)
         d.q[i] = seed[i];
     for (int j = 0; j < 4; j++)
@@ -1120,22 +1134,30 @@ static void seek(
         const double miss = descended(&d, 72, exact, end, &ahead);
         if (miss > 1e-05)
             continue;
-        const int fault = miss > exact;
+        const int fault = 2 * (miss > exact);
         if (fault >= least)
             continue;
         least = fault;
-        *status = KUKA_KR40PA_FREE_JOINT;
         for (int i = 0; i < 4; i++)
-            q[i] = end[i];
+            found[i] = end[i];
+    }
+    if (least == 4 || (left && least > 1))
+        return;
+    for (int row = 0; row < 2; row++) {
+        status[row] = row == begun ? KUKA_KR40PA_FREE_JOINT : KUKA_KR40PA_UNREACHABLE;
+        for (int i = 0; i < 4; i++)
+            q[row][i] = row == begun ? found[i] : (double)NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
@@ -1161,18 +1183,14 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
     if (!valid)
         return -KUKA_KR40PA_INVALID_POSE;
     solve(pose, seed, q, status);
-    int begun = -1; /* the first row that was not simply out of reach */
+    int begun = 0; /* the first row that was not simply out of reach: at regular poses all may be */
     for (int row = 2 - 1; row >= 0; row--)
         begun = status[row] == KUKA_KR40PA_UNREACHABLE ? begun : row;
     for (int row = 0; row < 2; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     tighten(pose, q, status);
-    int left = 0;
-    for (int row = 0; row < 2; row++)
-        left += status[row] != KUKA_KR40PA_UNREACHABLE;
-    if (begun >= 0 && !left)
-        seek(pose, seed, q[begun], &status[begun]);
+    seek(pose, seed, begun, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == KUKA_KR40PA_UNREACHABLE)
             continue;

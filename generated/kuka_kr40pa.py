@@ -304,7 +304,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 6fb3d3ef5f4f9ed9"
+_KEY = "kuka_kr40pa 223721d4bc841310"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -821,7 +821,9 @@ def _read(T):
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -1027,15 +1029,15 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("boolean(UniTuple(float64, 12), float64[::1], float64[::1])")
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1])")
 def _sought(pose, seed, q):
-    """Joint values for a pose that was left without a row, into q; whether there are any.
+    """Joint values that serve, into q, and what is wrong with them: nothing is 0, 4 that there are none.
 
     Several joints may be free at once, and few of their values serve. Steps of damped least squares
     from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
     exact ones come first.
     """
-    T, exact, least = _upper_rows(pose), _exactness(pose), 4  # what is wrong with the values taken: nothing is 0
+    T, exact, least = _upper_rows(pose), _exactness(pose), 4
     joints, near = seed.copy(), np.empty(4)
     for j in range(4):
         near[j] = seed[_SOLVED[j]] / _UNIT[j]
@@ -1052,24 +1054,32 @@ def _sought(pose, seed, q):
         miss = _descended(T, 72, exact, end, np.empty(1))
         if miss > 1e-05:
             continue
-        fault = 1 * (miss > exact)
+        fault = 2 * (miss > exact)
         if fault < least:
             least = fault
             _take(q, end)
-    return least < 4
+    return least
 
 
 @_inner
-def _seek(pose, seed, row, q, status):
-    """The same into a row, if there is none at all."""
-    for other in range(2):
-        if status[other] != UNREACHABLE:
-            return
+def _seek(pose, seed, begun, q, status):
+    """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
+    left, chosen, exact = False, False, _exactness(pose)
+    for row in range(2):
+        if status[row] != UNREACHABLE:
+            if _missed_by(pose, q[row]) <= exact:
+                return
+            left, chosen = True, chosen or status[row] == FREE_JOINT
+    if left and not chosen:
+        return
     found = np.empty(4)
-    if _sought(pose, seed.copy(), found):
-        status[row] = FREE_JOINT
+    fault = _sought(pose, seed.copy(), found)
+    if fault == 4 or (left and fault > 1):
+        return
+    for row in range(2):
+        status[row] = FREE_JOINT if row == begun else UNREACHABLE
         for i in range(4):
-            q[row, i] = found[i]
+            q[row, i] = found[i] if row == begun else math.nan
 
 
 @_jit
@@ -1080,14 +1090,13 @@ def _whole(pose, seed, q, status):
         for i in range(4):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    begun = -1  # the first row that was not simply out of reach
-    for row in range(2):
-        if begun < 0 and status[row] != UNREACHABLE:
+    begun = 0  # the first row that was not simply out of reach: at regular poses all may be
+    for row in range(2 - 1, -1, -1):
+        if status[row] != UNREACHABLE:
             begun = row
     _choose(pose, seed, q, status)
     _tighten(pose, q, status)
-    if begun >= 0:
-        _seek(pose, seed, begun, q, status)
+    _seek(pose, seed, begun, q, status)
     count = 0
     for row in range(2):
         if status[row] == UNREACHABLE:
@@ -1317,6 +1326,8 @@ def _near(joint, value, towards, limits):
     """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
+    if not abs(towards) < 100000.0:
+        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 
 

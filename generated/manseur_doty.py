@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "manseur_doty a790125bc5a0f8ac"
+_KEY = "manseur_doty 36c812e24edd2ef4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2045,7 +2045,9 @@ def _read(T):
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -2169,6 +2171,8 @@ def _near(joint, value, towards, limits):
     """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
+    if not abs(towards) < 100000.0:
+        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 
 

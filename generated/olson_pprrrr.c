@@ -686,7 +686,7 @@ static double shortfall(const struct search *s)
     return s->status[s->row] == OLSON_PPRRRR_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -703,7 +703,7 @@ static int serves(const struct search *s)
     return status != OLSON_PPRRRR_UNREACHABLE && status < LOST;
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
@@ -720,7 +720,7 @@ static double summit(struct search *s, double low, double high)
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     (void)attempt(s, low);
-    return serves(s) ? low : NAN;
+    return serves(s) ? low : (double)NAN;
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
@@ -785,16 +785,18 @@ static void choose_again(
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : OLSON_PPRRRR_UNREACHABLE;
     for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : NAN;
+        q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;

@@ -778,7 +778,7 @@ static double shortfall(const struct search *s)
     return s->status[s->row] == PARALLEL_123_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -795,7 +795,7 @@ static int serves(const struct search *s)
     return status != PARALLEL_123_UNREACHABLE && status < LOST;
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
@@ -812,7 +812,7 @@ static double summit(struct search *s, double low, double high)
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     (void)attempt(s, low);
-    return serves(s) ? low : NAN;
+    return serves(s) ? low : (double)NAN;
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
@@ -877,7 +877,7 @@ static void choose_again(
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : PARALLEL_123_UNREACHABLE;
     for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : NAN;
+        q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
 
 /* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
@@ -997,7 +997,7 @@ static void both_sides(
         if (next < count)
             status[row] = PARALLEL_123_OK;
         for (int i = 0; i < 6; i++)
-            q[row][i] = next < count ? known[next][i] : NAN;
+            q[row][i] = next < count ? known[next][i] : (double)NAN;
         next++;
     }
 }
@@ -1063,14 +1063,18 @@ static double descend(struct descent *d, double u[6])
  * of
  * their values serve. Steps of damped least squares from the seed and from evenly spread starts
  * lead to
- * some that do, if the arm can take the pose; exact ones come first. */
+ * some that do, if the arm can take the pose. */
 static void seek(
-    const double T[16], const double seed[6], double q[6],
-    unsigned char *status)
+    const double T[16], const double seed[6], int begun, double q[8][6],
+    unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
-    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    double found[6] = { 0.0 };
+    int least = 4; /* what is wrong with the values found: nothing is 0 */
+    for (int row = 0; row < 8; row++)
+        if (status[row] != PARALLEL_123_UNREACHABLE)
+            return;
     for (int i = 0; i < 6; i++)
         d.q[i] = seed[i];
     for (int j = 0; j < 6; j++)
@@ -1087,22 +1091,30 @@ static void seek(
         const double miss = descended(&d, 72, exact, end, &ahead);
         if (miss > 10.0 * exact)
             continue;
-        const int fault = miss > exact;
+        const int fault = 2 * (miss > exact);
         if (fault >= least)
             continue;
         least = fault;
-        *status = PARALLEL_123_FREE_JOINT;
         for (int i = 0; i < 6; i++)
-            q[i] = end[i];
+            found[i] = end[i];
+    }
+    if (least == 4)
+        return;
+    for (int row = 0; row < 8; row++) {
+        status[row] = row == begun ? PARALLEL_123_FREE_JOINT : PARALLEL_123_UNREACHABLE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = row == begun ? found[i] : (double)NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
@@ -1132,11 +1144,8 @@ int parallel_123_ik(
             choose_again(pose, seed, row, q, status);
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
-    int left = 0;
-    for (int row = 0; row < 8; row++)
-        left += status[row] != PARALLEL_123_UNREACHABLE;
-    if (begun >= 0 && !left)
-        seek(pose, seed, q[begun], &status[begun]);
+    if (begun >= 0)
+        seek(pose, seed, begun, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PARALLEL_123_UNREACHABLE)
             continue;

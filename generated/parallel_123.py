@@ -520,7 +520,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 efb527cebde8997b"
+_KEY = "parallel_123 04a454b3b772a84c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1161,7 +1161,9 @@ def _read(T):
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -1485,15 +1487,15 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("boolean(UniTuple(float64, 12), float64[::1], float64[::1])")
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1])")
 def _sought(pose, seed, q):
-    """Joint values for a pose that was left without a row, into q; whether there are any.
+    """Joint values that serve, into q, and what is wrong with them: nothing is 0, 4 that there are none.
 
     Several joints may be free at once, and few of their values serve. Steps of damped least squares
     from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
     exact ones come first.
     """
-    T, exact, least = _upper_rows(pose), _exactness(pose), 4  # what is wrong with the values taken: nothing is 0
+    T, exact, least = _upper_rows(pose), _exactness(pose), 4
     joints, near = seed.copy(), np.empty(6)
     for j in range(6):
         near[j] = seed[_SOLVED[j]] / _UNIT[j]
@@ -1510,24 +1512,27 @@ def _sought(pose, seed, q):
         miss = _descended(T, 72, exact, end, np.empty(1))
         if miss > 10.0 * exact:
             continue
-        fault = 1 * (miss > exact)
+        fault = 2 * (miss > exact)
         if fault < least:
             least = fault
             _take(q, end)
-    return least < 4
+    return least
 
 
 @_inner
-def _seek(pose, seed, row, q, status):
-    """The same into a row, if there is none at all."""
-    for other in range(8):
-        if status[other] != UNREACHABLE:
+def _seek(pose, seed, begun, q, status):
+    """The same into a row, if there is none."""
+    for row in range(8):
+        if status[row] != UNREACHABLE:
             return
     found = np.empty(6)
-    if _sought(pose, seed.copy(), found):
-        status[row] = FREE_JOINT
+    fault = _sought(pose, seed.copy(), found)
+    if fault == 4:
+        return
+    for row in range(8):
+        status[row] = FREE_JOINT if row == begun else UNREACHABLE
         for i in range(6):
-            q[row, i] = found[i]
+            q[row, i] = found[i] if row == begun else math.nan
 
 
 @_jit
@@ -1539,8 +1544,8 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, 0.0, q, status)
     begun = -1  # the first row that was not simply out of reach
-    for row in range(8):
-        if begun < 0 and status[row] != UNREACHABLE:
+    for row in range(8 - 1, -1, -1):
+        if status[row] != UNREACHABLE:
             begun = row
     _choose(pose, seed, q, status)
     _both_sides(pose, seed, q, status)
@@ -1655,6 +1660,8 @@ def _near(joint, value, towards, limits):
     """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
+    if not abs(towards) < 100000.0:
+        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 
 

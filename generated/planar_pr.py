@@ -254,7 +254,9 @@ def _turned(joint, given, towards):
     if not _REVOLUTE[joint]:
         return given
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -432,6 +434,8 @@ def _near(joint, value, towards, limits):
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:
+        return value
+    if not abs(towards) < 100000.0:
         return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 

@@ -427,7 +427,7 @@ static double overshoot(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* The same for all joints of a row. */
+/* The same of a row. */
 static double beyond_limits(const double values[2])
 {
     double sum = 0.0;
@@ -436,7 +436,7 @@ static double beyond_limits(const double values[2])
     return sum;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -448,7 +448,7 @@ static double attempt(struct search *s, double moved)
     return -beyond_limits(s->q[s->row]);
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
@@ -524,7 +524,7 @@ static void keep_limits(
         const int joint = search.joint = choosable[k];
         const double inside = search.seed[joint];
         search.start = revolute[joint] ? seed[joint] : inside;
-        const double nearest = hopeless(&search) ? NAN : serving_value(&search);
+        const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* next to where another row has the solution this one has none of its own */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
@@ -537,13 +537,15 @@ static void keep_limits(
     }
 }
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;

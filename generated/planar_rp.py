@@ -214,7 +214,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp eb5e26de0e3b7642"
+_KEY = "planar_rp d280faa5dbc449d6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -319,7 +319,9 @@ def _turned(joint, given, towards):
     if not _REVOLUTE[joint]:
         return given
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -343,7 +345,7 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same for all joints of a row."""
+    """The same of a row."""
     total = 0.0
     for i in range(2):
         total += abs(_overshoot(i, values[i]))
@@ -645,6 +647,8 @@ def _near(joint, value, towards, limits):
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:
+        return value
+    if not abs(towards) < 100000.0:
         return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 

@@ -936,18 +936,32 @@ static double descend(struct descent *d, double u[5])
     return least;
 }
 
-/* A pose was left without a row after a joint had been chosen: several may be free at once, and few
- * of
- * their values serve. Steps of damped least squares from the seed and from evenly spread starts
- * lead to
- * some that do, if the arm can take the pose; exact ones come first. */
+/* A pose was left without a row after a joint had been chosen, or with rows that fit it only as one
+ * that
+ * has been rounded: several may be free at once, and few of their values serve. Steps of damped
+ * least
+ * squares from the seed and from evenly spread starts lead to some that do, if the arm can take the
+ * pose;
+ * exact ones come first. */
 static void seek(
-    const double T[16], const double seed[5], double q[5],
-    unsigned char *status)
+    const double T[16], const double seed[5], int begun, double q[2][5],
+    unsigned char status[2])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
-    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    double found[5] = { 0.0 };
+    int least = 4; /* what is wrong with the values found: nothing is 0 */
+    int left = 0, chosen = 0;
+    for (int row = 0; row < 2; row++) {
+        if (status[row] == RAIL_5DOF_UNREACHABLE)
+            continue;
+        if (missed_by(T, q[row]) <= exact)
+            return;
+        left = 1;
+        chosen = chosen || status[row] == RAIL_5DOF_FREE_JOINT;
+    }
+    if (left && !chosen)
+        return;
     for (int i = 0; i < 5; i++)
         d.q[i] = seed[i];
     for (int j = 0; j < 5; j++)
@@ -964,24 +978,32 @@ static void seek(
         const double miss = descended(&d, 72, exact, end, &ahead);
         if (miss > 1e-05)
             continue;
-        const int fault = miss > exact;
+        const int fault = 2 * (miss > exact);
         if (fault >= least)
             continue;
         least = fault;
-        *status = RAIL_5DOF_FREE_JOINT;
         for (int i = 0; i < 5; i++)
-            q[i] = end[i];
+            found[i] = end[i];
+    }
+    if (least == 4 || (left && least > 1))
+        return;
+    for (int row = 0; row < 2; row++) {
+        status[row] = row == begun ? RAIL_5DOF_FREE_JOINT : RAIL_5DOF_UNREACHABLE;
+        for (int i = 0; i < 5; i++)
+            q[row][i] = row == begun ? found[i] : (double)NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
     if (!revolute[joint])
         return given;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
@@ -1007,15 +1029,11 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5],
     if (!valid)
         return -RAIL_5DOF_INVALID_POSE;
     solve(pose, seed, q, status);
-    int begun = -1; /* the first row that was not simply out of reach */
+    int begun = 0; /* the first row that was not simply out of reach: at regular poses all may be */
     for (int row = 2 - 1; row >= 0; row--)
         begun = status[row] == RAIL_5DOF_UNREACHABLE ? begun : row;
     tighten(pose, q, status);
-    int left = 0;
-    for (int row = 0; row < 2; row++)
-        left += status[row] != RAIL_5DOF_UNREACHABLE;
-    if (begun >= 0 && !left)
-        seek(pose, seed, q[begun], &status[begun]);
+    seek(pose, seed, begun, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == RAIL_5DOF_UNREACHABLE)
             continue;

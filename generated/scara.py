@@ -263,7 +263,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 31e250583572254d"
+_KEY = "scara 52956d981c326df8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -451,7 +451,9 @@ def _turned(joint, given, towards):
     if not _REVOLUTE[joint]:
         return given
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -475,7 +477,7 @@ def _overshoot(joint, value):
 
 @_inner
 def _beyond_limits(values):
-    """The same for all joints of a row."""
+    """The same of a row."""
     total = 0.0
     for i in range(4):
         total += abs(_overshoot(i, values[i]))
@@ -824,6 +826,8 @@ def _near(joint, value, towards, limits):
     if limits:
         return _turned(joint, value, towards)
     if not _REVOLUTE[joint]:
+        return value
+    if not abs(towards) < 100000.0:
         return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 

@@ -393,7 +393,7 @@ static float overshoot(int joint, float value)
     return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
 }
 
-/* The same for all joints of a row. */
+/* The same of a row. */
 static float beyond_limits(const float values[4])
 {
     float sum = 0.0f;
@@ -402,7 +402,7 @@ static float beyond_limits(const float values[4])
     return sum;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static float attempt(struct search *s, float moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -414,7 +414,7 @@ static float attempt(struct search *s, float moved)
     return -beyond_limits(s->q[s->row]);
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static float summit(struct search *s, float low, float high)
 {
     for (int k = 0; k < 52; k++) {
@@ -490,7 +490,7 @@ static void keep_limits(
         const int joint = search.joint = choosable[k];
         const float inside = search.seed[joint];
         search.start = revolute[joint] ? seed[joint] : inside;
-        const float nearest = hopeless(&search) ? NAN : serving_value(&search);
+        const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* next to where another row has the solution this one has none of its own */
         if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
@@ -503,13 +503,15 @@ static void keep_limits(
     }
 }
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
     const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
     if (!revolute[joint])
         return given;
-    float value = given + turn * floorf((towards - given) / turn + 0.5f);
+    float value = given;
+    if (fabsf(towards) < 100.0f)
+        value += turn * floorf((towards - given) / turn + 0.5f);
     value -= turn * ceilf(fmaxf(value - high, 0.0f) / turn);
     value += turn * ceilf(fmaxf(low - value, 0.0f) / turn);
     return value <= high ? value : given;

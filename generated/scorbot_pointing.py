@@ -338,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing de49af5f18d40922"
+_KEY = "scorbot_pointing 3183abb91ff1ee1e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -848,7 +848,9 @@ def _read(T, q_free):
 def _turned(joint, given, towards):
     """A joint value moved by whole turns, near to another value but inside its limits."""
     low, high = _LOWEST[joint], _HIGHEST[joint]
-    value = given + _TURN * math.floor((towards - given) / _TURN + 0.5)
+    value = given
+    if abs(towards) < 100000.0:
+        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
     if value > high:
         value -= _TURN * math.ceil((value - high) / _TURN)
     if value < low:
@@ -1054,15 +1056,15 @@ def _descend(T, q, u):
     return least
 
 
-@_apart("boolean(UniTuple(float64, 12), float64[::1], float64[::1], float64[::1])")
+@_apart("int64(UniTuple(float64, 12), float64[::1], float64[::1], float64[::1])")
 def _sought(pose, q_free, seed, q):
-    """Joint values for a pose that was left without a row, into q; whether there are any.
+    """Joint values that serve, into q, and what is wrong with them: nothing is 0, 4 that there are none.
 
     Several joints may be free at once, and few of their values serve. Steps of damped least squares
     from the seed and from evenly spread starts lead to some that do, if the arm can take the pose;
     exact ones come first.
     """
-    T, exact, least = _upper_rows(pose), _exactness(pose), 4  # what is wrong with the values taken: nothing is 0
+    T, exact, least = _upper_rows(pose), _exactness(pose), 4
     joints, near = seed.copy(), np.empty(4)
     joints[4] = q_free[0]
     for j in range(4):
@@ -1080,24 +1082,32 @@ def _sought(pose, q_free, seed, q):
         miss = _descended(T, 72, exact, end, np.empty(1))
         if miss > 1e-05:
             continue
-        fault = 1 * (miss > exact)
+        fault = 2 * (miss > exact)
         if fault < least:
             least = fault
             _take(q, end)
-    return least < 4
+    return least
 
 
 @_inner
-def _seek(pose, q_free, seed, row, q, status):
-    """The same into a row, if there is none at all."""
-    for other in range(4):
-        if status[other] != UNREACHABLE:
-            return
+def _seek(pose, q_free, seed, begun, q, status):
+    """The same into a row, if there is none, or only such as fit a pose that has been rounded."""
+    left, chosen, exact = False, False, _exactness(pose)
+    for row in range(4):
+        if status[row] != UNREACHABLE:
+            if _missed_by(pose, q[row]) <= exact:
+                return
+            left, chosen = True, chosen or status[row] == FREE_JOINT
+    if left and not chosen:
+        return
     found = np.empty(5)
-    if _sought(pose, q_free.copy(), seed.copy(), found):
-        status[row] = FREE_JOINT
+    fault = _sought(pose, q_free.copy(), seed.copy(), found)
+    if fault == 4 or (left and fault > 1):
+        return
+    for row in range(4):
+        status[row] = FREE_JOINT if row == begun else UNREACHABLE
         for i in range(5):
-            q[row, i] = found[i]
+            q[row, i] = found[i] if row == begun else math.nan
 
 
 @_jit
@@ -1108,14 +1118,13 @@ def _whole(pose, q_free, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, q_free, seed, q, status)
-    begun = -1  # the first row that was not simply out of reach
-    for row in range(4):
-        if begun < 0 and status[row] != UNREACHABLE:
+    begun = 0  # the first row that was not simply out of reach: at regular poses all may be
+    for row in range(4 - 1, -1, -1):
+        if status[row] != UNREACHABLE:
             begun = row
     _choose(pose, q_free, seed, q, status)
     _tighten(pose, q, status)
-    if begun >= 0:
-        _seek(pose, q_free, seed, begun, q, status)
+    _seek(pose, q_free, seed, begun, q, status)
     count = 0
     for row in range(4):
         if status[row] == UNREACHABLE:
@@ -1463,6 +1472,8 @@ def _near(joint, value, towards, limits):
     """A joint value moved by whole turns near to another, if limits count inside its own."""
     if limits:
         return _turned(joint, value, towards)
+    if not abs(towards) < 100000.0:
+        return value
     return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
 
 

@@ -848,7 +848,7 @@ static void both_sides(
         if (next < count)
             status[row] = SPHERICAL_WRIST_GENERAL_ARM_OK;
         for (int i = 0; i < 6; i++)
-            q[row][i] = next < count ? known[next][i] : NAN;
+            q[row][i] = next < count ? known[next][i] : (double)NAN;
         next++;
     }
 }
@@ -914,14 +914,18 @@ static double descend(struct descent *d, double u[6])
  * of
  * their values serve. Steps of damped least squares from the seed and from evenly spread starts
  * lead to
- * some that do, if the arm can take the pose; exact ones come first. */
+ * some that do, if the arm can take the pose. */
 static void seek(
-    const double T[16], const double seed[6], double q[6],
-    unsigned char *status)
+    const double T[16], const double seed[6], int begun, double q[8][6],
+    unsigned char status[8])
 {
     struct descent d = { .T = T };
     const double exact = exactness(T);
-    int least = 4; /* what is wrong with the values taken: nothing is 0 */
+    double found[6] = { 0.0 };
+    int least = 4; /* what is wrong with the values found: nothing is 0 */
+    for (int row = 0; row < 8; row++)
+        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
+            return;
     for (int i = 0; i < 6; i++)
         d.q[i] = seed[i];
     for (int j = 0; j < 6; j++)
@@ -938,22 +942,31 @@ static void seek(
         const double miss = descended(&d, 72, exact, end, &ahead);
         if (miss > 10.0 * exact)
             continue;
-        const int fault = miss > exact;
+        const int fault = 2 * (miss > exact);
         if (fault >= least)
             continue;
         least = fault;
-        *status = SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT;
         for (int i = 0; i < 6; i++)
-            q[i] = end[i];
+            found[i] = end[i];
+    }
+    if (least == 4)
+        return;
+    for (int row = 0; row < 8; row++) {
+        status[row] = row == begun ? SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT :
+            SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = row == begun ? found[i] : (double)NAN;
     }
 }
 
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
@@ -981,11 +994,8 @@ int spherical_wrist_general_arm_ik(
         begun = status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE ? begun : row;
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
-    int left = 0;
-    for (int row = 0; row < 8; row++)
-        left += status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
-    if (begun >= 0 && !left)
-        seek(pose, seed, q[begun], &status[begun]);
+    if (begun >= 0)
+        seek(pose, seed, begun, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE)
             continue;

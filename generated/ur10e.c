@@ -829,7 +829,7 @@ static double overshoot(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* The same for all joints of a row. */
+/* The same of a row. */
 static double beyond_limits(const double values[6])
 {
     double sum = 0.0;
@@ -846,7 +846,7 @@ static double shortfall(const struct search *s)
     return s->status[s->row] == UR10E_UNREACHABLE ? -HUGE_VAL : 0.0;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -866,7 +866,7 @@ static int serves(const struct search *s)
     return status != UR10E_UNREACHABLE && status < LOST;
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static double summit(struct search *s, double low, double high)
 {
     for (int k = 0; k < 52; k++) {
@@ -883,7 +883,7 @@ static double summit(struct search *s, double low, double high)
     if (isinf(attempt(s, low - 1e-09)) || isinf(attempt(s, high + 1e-09)))
         return NAN;
     (void)attempt(s, low);
-    return serves(s) ? low : NAN;
+    return serves(s) ? low : (double)NAN;
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
@@ -948,7 +948,7 @@ static void choose_again(
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : UR10E_UNREACHABLE;
     for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : NAN;
+        q[row][i] = served ? lost.q[row][i] : (double)NAN;
 }
 
 /* Whether a joint beyond its limits does not move with the one that is searched. */
@@ -981,7 +981,7 @@ static void keep_limits(
         const int joint = search.joint = choosable[k];
         const double inside = search.seed[joint];
         search.start = seed[joint];
-        const double nearest = hopeless(&search) ? NAN : serving_value(&search);
+        const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
         /* next to where another row has the solution this one has none of its own */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
@@ -994,11 +994,13 @@ static void keep_limits(
     }
 }
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
     const double low = lowest[joint] - 1e-09, high = highest[joint] + 1e-09;
-    double value = given + turn * floor((towards - given) / turn + 0.5);
+    double value = given;
+    if (fabs(towards) < 100000.0)
+        value += turn * floor((towards - given) / turn + 0.5);
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;

@@ -567,7 +567,7 @@ static float overshoot(int joint, float value)
     return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
 }
 
-/* The same for all joints of a row. */
+/* The same of a row. */
 static float beyond_limits(const float values[6])
 {
     float sum = 0.0f;
@@ -584,7 +584,7 @@ static float shortfall(const struct search *s)
     return s->status[s->row] == UR5_F32_UNREACHABLE ? -HUGE_VALF : 0.0f;
 }
 
-/* Solves with the joint moved from the seed's value: 0 if it serves, else less. */
+/* Solves with the joint moved: 0 if it serves, else less. */
 static float attempt(struct search *s, float moved)
 {
     s->seed[s->joint] = s->start + moved;
@@ -604,7 +604,7 @@ static int serves(const struct search *s)
     return status != UR5_F32_UNREACHABLE && status < LOST;
 }
 
-/* Golden section for a move between low and high that serves, or NaN. */
+/* Golden section for a move that serves, or NaN. */
 static float summit(struct search *s, float low, float high)
 {
     for (int k = 0; k < 52; k++) {
@@ -621,7 +621,7 @@ static float summit(struct search *s, float low, float high)
     if (isinf(attempt(s, low - 1e-09f)) || isinf(attempt(s, high + 1e-09f)))
         return NAN;
     (void)attempt(s, low);
-    return serves(s) ? low : NAN;
+    return serves(s) ? low : (float)NAN;
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
@@ -686,7 +686,7 @@ static void choose_again(
     const int served = !isnan(nearest) && serves(&lost);
     status[row] = served ? lost.status[row] : UR5_F32_UNREACHABLE;
     for (int i = 0; i < 6; i++)
-        q[row][i] = served ? lost.q[row][i] : NAN;
+        q[row][i] = served ? lost.q[row][i] : (float)NAN;
 }
 
 /* Whether a joint beyond its limits does not move with the one that is searched. */
@@ -719,7 +719,7 @@ static void keep_limits(
         const int joint = search.joint = choosable[k];
         const float inside = search.seed[joint];
         search.start = seed[joint];
-        const float nearest = hopeless(&search) ? NAN : serving_value(&search);
+        const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* next to where another row has the solution this one has none of its own */
         if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
@@ -732,11 +732,13 @@ static void keep_limits(
     }
 }
 
-/* A joint value moved by whole turns, near to another value but inside its limits. */
+/* A joint value moved by whole turns, near to another but inside its limits. */
 static float turned(int joint, float given, float towards)
 {
     const float low = lowest[joint] - 2e-06f, high = highest[joint] + 2e-06f;
-    float value = given + turn * floorf((towards - given) / turn + 0.5f);
+    float value = given;
+    if (fabsf(towards) < 100.0f)
+        value += turn * floorf((towards - given) / turn + 0.5f);
     value -= turn * ceilf(fmaxf(value - high, 0.0f) / turn);
     value += turn * ceilf(fmaxf(low - value, 0.0f) / turn);
     return value <= high ? value : given;

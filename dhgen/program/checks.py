@@ -76,21 +76,26 @@ def checks_needed(
     if not tolerances.tell_rounding or chain.arm_angle:
         return checks  # exact rows can't be told, or the task doesn't say all of a row
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
-    inexact = _may_be_inexact(derivation, program) or _is_inexact(chain, program, enough)
+    inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, enough)
     return replace(checks, tightened=inexact)
 
 
-def _may_be_inexact(derivation: Derivation, program: Program) -> bool:
+def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) -> bool:
     """Whether there are poses of few digits that those which are tried don't show.
 
     Roots that nearly meet are good to few digits, and so is what a slide from its square points to
     where it is drawn in. A twist beside a right angle fixes by little what that would leave free.
+    A slide that is a quotient has no digits where its factor nearly vanishes, and a value that is
+    chosen for it may nearly fit then.
     """
     rooted = any(isinstance(statement, Roots) for statement in program.body)
     drawn_in = any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
     constants = derivation.problem.algebra.chain.constants
     slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in constants)
-    return rooted or drawn_in or slight
+    quotients = (step for step in derivation.steps if step.kind is Kind.LENGTH)
+    is_constant = derivation.problem.algebra.is_constant
+    divided = any(not is_constant(step.coefficient("X")) for step in quotients)
+    return rooted or drawn_in or slight or (checks.again and divided)
 
 
 def _everywhere(chain: Chain) -> FloatArray:

@@ -44,6 +44,8 @@ class Tolerances:
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
             its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
+        far: An angle of the seed that is not below this has no copy of another near to it that
+            keeps its digits: it is not moved there.
         polished: A candidate that was polished on the whole pose is a solution if it misses that
             by no more [arm sizes, rad]: far above rounding, far below where a near miss ends.
         double: An extremum of a polynomial this near to zero, relative to its coefficients, is a
@@ -68,6 +70,7 @@ class Tolerances:
     doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9
+    far: float = 1e5
     polished: float = 1e-10
     double: float = 1e-13
     simple: float = 1e-4
@@ -114,5 +117,6 @@ SINGLE = Precision(
         nothing=5e-7,
         exact=5e-5,
         limit=2e-6,
+        far=1e2,
     ),
 )

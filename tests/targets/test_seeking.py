@@ -40,3 +40,18 @@ def test_what_is_out_of_reach_stays_so(language: str) -> None:
         rows, status = solver.all(far, np.zeros(4))
         assert not np.isin(status, HELD).any()
         assert np.isnan(rows).all()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_free_turn_before_a_slide_that_it_leaves_open(language: str) -> None:
+    """At q5 = +-90 degrees zero would do for joint 3, but leaves no length for the telescope."""
+    q = np.random.default_rng(14).choice([-np.pi / 2, 0.0, np.pi / 2, np.pi], (COUNT, 6))
+    q[:, [0, 3]] = np.random.default_rng(15).choice([-1.0, 0.5, 1.0], (COUNT, 2))
+    q[:, 4] = np.where(np.arange(COUNT) % 2, np.pi / 2, -np.pi / 2)
+    solver = Solver("telescope", language)
+    for values, T in zip(q, poses_of("telescope", q), strict=True):
+        for seed in (values, np.zeros(6)):
+            rows, status = solver.all(T, seed)
+            held = rows[np.isin(status, HELD)]
+            assert len(held), (values.tolist(), seed.tolist())
+            assert residual("telescope", held, T) < 1e-11
