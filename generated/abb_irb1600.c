@@ -884,7 +884,7 @@ int abb_irb1600_ik_nearest(const double T[16], const double q_seed[6], double q[
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

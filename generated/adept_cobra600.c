@@ -659,7 +659,7 @@ int adept_cobra600_ik_nearest(const double T[16], const double q_seed[4], double
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 4; i++)

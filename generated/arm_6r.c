@@ -801,7 +801,7 @@ int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

@@ -315,7 +315,7 @@ def _nearest(rows, status, seed, limits, q):
         for i in range(3):
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(3):
         q[i] = rows[nearest, i]

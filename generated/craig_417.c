@@ -763,7 +763,7 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 4; i++)

@@ -654,7 +654,7 @@ int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

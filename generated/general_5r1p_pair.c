@@ -150,7 +150,7 @@ static double descend(struct descent *d, double u[6])
     copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int slow = d->length > fmax(0.5 * last, left);
+        const int slow = d->length >= fmax(0.5 * last, left);
         const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
         if (slow && least <= 1e-06)
             little = 1e-26;
@@ -3632,7 +3632,7 @@ int general_5r1p_pair_ik_nearest(const double T[16], const double q_seed[6], dou
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

@@ -408,7 +408,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing e4fa2597cc2d16b1"
+_KEY = "general_5r_pointing c35463fa3a47384d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -597,7 +597,7 @@ def _descend(T, q, u):
     last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(40 + 1):
         length = _look(T, q, u, e, A)
-        slow = length > max(0.5 * last, left)
+        slow = length >= max(0.5 * last, left)
         stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
         if slow and least <= 1e-06:
             little = 1e-26
@@ -2276,7 +2276,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(5):
         q[i] = rows[nearest, i]

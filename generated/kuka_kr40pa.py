@@ -304,7 +304,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 223721d4bc841310"
+_KEY = "kuka_kr40pa 176c34c574e69798"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -948,6 +948,7 @@ def _choose_again(pose, given, row, q, status):
         seed[search[1]] = q[row, 1]
         moved = _serving_digits(pose, seed, search, trial, result)
     else:
+        seed[search[1]] = math.fmod(seed[search[1]], _TURN)
         moved = _serving(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
@@ -972,10 +973,13 @@ def _choose(pose, seed, q, status):
         served = served and status[row] < _LOST
     if served:
         return
-    rows, kinds = q.copy(), np.empty(2, np.uint8)
+    # arrays of the caller may have any layout
+    values, rows, kinds = np.empty(4), np.empty((2, 4)), np.empty(2, np.uint8)
     for row in range(2):
         kinds[row] = status[row]
-    _other_choices(pose, seed.copy(), rows, kinds)
+        for i in range(4):
+            values[i], rows[row, i] = seed[i], q[row, i]
+    _other_choices(pose, values, rows, kinds)
     for row in range(2):
         status[row] = kinds[row]
         for i in range(4):
@@ -1009,7 +1013,7 @@ def _descend(T, q, u):
     last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(40 + 1):
         length = _look(T, q, u, e, A)
-        slow = length > max(0.5 * last, left)
+        slow = length >= max(0.5 * last, left)
         stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
         if slow and least <= 1e-06:
             little = 1e-26
@@ -1090,7 +1094,7 @@ def _whole(pose, seed, q, status):
         for i in range(4):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    begun = 0  # the first row that was not simply out of reach: at regular poses all may be
+    begun = 0  # the first row that was not out of reach: here equations may have ended all
     for row in range(2 - 1, -1, -1):
         if status[row] != UNREACHABLE:
             begun = row
@@ -1343,7 +1347,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(4):
         q[i] = rows[nearest, i]

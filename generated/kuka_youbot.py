@@ -339,7 +339,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 6ffbe1b6f92444c9"
+_KEY = "kuka_youbot cb6332cdb04d27cb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -709,6 +709,7 @@ def _choose_again(pose, given, row, q, status):
         seed[search[1]] = q[row, 1]
         moved = _serving_digits(pose, seed, search, trial, result)
     else:
+        seed[search[1]] = math.fmod(seed[search[1]], _TURN)
         moved = _serving(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
@@ -733,10 +734,13 @@ def _choose(pose, seed, q, status):
         served = served and status[row] < _LOST
     if served:
         return
-    rows, kinds = q.copy(), np.empty(4, np.uint8)
+    # arrays of the caller may have any layout
+    values, rows, kinds = np.empty(5), np.empty((4, 5)), np.empty(4, np.uint8)
     for row in range(4):
         kinds[row] = status[row]
-    _other_choices(pose, seed.copy(), rows, kinds)
+        for i in range(5):
+            values[i], rows[row, i] = seed[i], q[row, i]
+    _other_choices(pose, values, rows, kinds)
     for row in range(4):
         status[row] = kinds[row]
         for i in range(5):
@@ -1127,7 +1131,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(5):
         q[i] = rows[nearest, i]

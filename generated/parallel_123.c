@@ -872,6 +872,7 @@ static void choose_again(
     for (int i = 0; i < 6; i++)
         lost.seed[i] = seed[i];
     lost.start = nearly ? q[row][1] : seed[lost.joint];
+    lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
@@ -1035,7 +1036,7 @@ static double descend(struct descent *d, double u[6])
     copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int slow = d->length > fmax(0.5 * last, left);
+        const int slow = d->length >= fmax(0.5 * last, left);
         const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
         if (slow && least <= 1e-06)
             little = 1e-26;
@@ -1183,7 +1184,7 @@ int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

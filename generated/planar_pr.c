@@ -473,7 +473,7 @@ int planar_pr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 2; i++)

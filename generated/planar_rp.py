@@ -214,7 +214,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp d280faa5dbc449d6"
+_KEY = "planar_rp 5c5688a699136dc8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -449,10 +449,10 @@ def _keep_limits(pose, given, row, q, status):
         seed[i] -= _overshoot(i, seed[i])
     for joint in _CHOOSABLE:
         inside, search = seed[joint], (row, joint, True)
-        seed[joint] = given[joint] if _REVOLUTE[joint] else inside
+        seed[joint] = math.fmod(given[joint], _TURN) if _REVOLUTE[joint] else inside
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
-            # next to where another row has the solution this one has none of its own
+            # beside the solution of another row this one has none
             start = _attempt(pose, seed, search, 0.0, trial, result)
             own = abs(moved) >= 1e-06 or not math.isinf(start)
             if own and not math.isnan(moved):
@@ -478,10 +478,13 @@ def _choose(pose, seed, q, status):
         served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
     if served:
         return
-    rows, kinds = q.copy(), np.empty(2, np.uint8)
+    # arrays of the caller may have any layout
+    values, rows, kinds = np.empty(2), np.empty((2, 2)), np.empty(2, np.uint8)
     for row in range(2):
         kinds[row] = status[row]
-    _other_choices(pose, seed.copy(), rows, kinds)
+        for i in range(2):
+            values[i], rows[row, i] = seed[i], q[row, i]
+    _other_choices(pose, values, rows, kinds)
     for row in range(2):
         status[row] = kinds[row]
         for i in range(2):
@@ -665,7 +668,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(2):
         q[i] = rows[nearest, i]

@@ -726,6 +726,7 @@ static void choose_again(
     for (int i = 0; i < 3; i++)
         lost.seed[i] = seed[i];
     lost.start = nearly ? q[row][1] : seed[lost.joint];
+    lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
@@ -813,7 +814,7 @@ int planar_rrr_ik_nearest(const double T[16], const double q_seed[3], double q[3
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 3; i++)

@@ -213,7 +213,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 430775bcd9178043"
+_KEY = "planar_rrrr 9e5e9abb58a75e01"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -667,7 +667,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(4):
         q[i] = rows[nearest, i]

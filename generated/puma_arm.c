@@ -579,7 +579,7 @@ int puma_arm_ik_nearest(const double T[16], const double q_seed[3], double q[3])
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 3; i++)

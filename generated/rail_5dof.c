@@ -912,7 +912,7 @@ static double descend(struct descent *d, double u[5])
     copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int slow = d->length > fmax(0.5 * last, left);
+        const int slow = d->length >= fmax(0.5 * last, left);
         const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
         if (slow && least <= 1e-06)
             little = 1e-26;
@@ -1029,7 +1029,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5],
     if (!valid)
         return -RAIL_5DOF_INVALID_POSE;
     solve(pose, seed, q, status);
-    int begun = 0; /* the first row that was not simply out of reach: at regular poses all may be */
+    int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 2 - 1; row >= 0; row--)
         begun = status[row] == RAIL_5DOF_UNREACHABLE ? begun : row;
     tighten(pose, q, status);
@@ -1077,7 +1077,7 @@ int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 5; i++)

@@ -272,7 +272,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof aff155f8d8e6c87e"
+_KEY = "rail_5dof 17e82e637f553232"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -817,7 +817,7 @@ def _descend(T, q, u):
     last, left = math.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(40 + 1):
         length = _look(T, q, u, e, A)
-        slow = length > max(0.5 * last, left)
+        slow = length >= max(0.5 * last, left)
         stalled = slow and least <= (1e-10 if little < 1e-13 else 1e-12)
         if slow and least <= 1e-06:
             little = 1e-26
@@ -898,7 +898,7 @@ def _whole(pose, seed, q, status):
         for i in range(5):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
-    begun = 0  # the first row that was not simply out of reach: at regular poses all may be
+    begun = 0  # the first row that was not out of reach: here equations may have ended all
     for row in range(2 - 1, -1, -1):
         if status[row] != UNREACHABLE:
             begun = row
@@ -1144,7 +1144,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(5):
         q[i] = rows[nearest, i]

@@ -700,7 +700,7 @@ int rrprrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

@@ -489,9 +489,9 @@ static void keep_limits(
     for (int k = 0; k < 3; k++) {
         const int joint = search.joint = choosable[k];
         const float inside = search.seed[joint];
-        search.start = revolute[joint] ? seed[joint] : inside;
+        search.start = revolute[joint] ? fmodf(seed[joint], turn) : inside;
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
-        /* next to where another row has the solution this one has none of its own */
+        /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
@@ -583,7 +583,7 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
             const float moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 4; i++)

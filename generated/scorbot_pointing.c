@@ -1081,6 +1081,7 @@ static void choose_again(
     for (int i = 0; i < 5; i++)
         lost.seed[i] = seed[i];
     lost.start = nearly ? q[row][1] : seed[lost.joint];
+    lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
@@ -1118,7 +1119,7 @@ static double descend(struct descent *d, double u[4])
     copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int slow = d->length > fmax(0.5 * last, left);
+        const int slow = d->length >= fmax(0.5 * last, left);
         const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
         if (slow && least <= 1e-06)
             little = 1e-26;
@@ -1236,7 +1237,7 @@ APART int ik_carefully(
     if (!valid)
         return -SCORBOT_POINTING_INVALID_POSE;
     solve(pose, free_joints, seed, q, status);
-    int begun = 0; /* the first row that was not simply out of reach: at regular poses all may be */
+    int begun = 0; /* the first row that was not out of reach: here equations may have ended all */
     for (int row = 4 - 1; row >= 0; row--)
         begun = status[row] == SCORBOT_POINTING_UNREACHABLE ? begun : row;
     for (int row = 0; row < 4; row++)
@@ -1290,7 +1291,7 @@ int scorbot_pointing_ik_nearest(
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 5; i++)

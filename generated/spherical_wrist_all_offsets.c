@@ -855,7 +855,7 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

@@ -835,9 +835,9 @@ static void keep_limits(
     for (int k = 0; k < 3; k++) {
         const int joint = search.joint = choosable[k];
         const double inside = search.seed[joint];
-        search.start = revolute[joint] ? seed[joint] : inside;
+        search.start = revolute[joint] ? fmod(seed[joint], turn) : inside;
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
-        /* next to where another row has the solution this one has none of its own */
+        /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
@@ -929,7 +929,7 @@ int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])
             const double moved = all[row][i] - q_seed[i];
             distance += weight[i] * moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

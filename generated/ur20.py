@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur20 3723aee932e18368"
+_KEY = "ur20 c42348a2659b416a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -757,6 +757,7 @@ def _choose_again(pose, given, row, q, status):
         seed[search[1]] = q[row, 1]
         moved = _serving_digits(pose, seed, search, trial, result)
     else:
+        seed[search[1]] = math.fmod(seed[search[1]], _TURN)
         moved = _serving(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
@@ -797,10 +798,10 @@ def _keep_limits(pose, given, row, q, status):
         seed[i] -= _overshoot(i, seed[i])
     for joint in _CHOOSABLE:
         inside, search = seed[joint], (row, joint, True)
-        seed[joint] = given[joint]
+        seed[joint] = math.fmod(given[joint], _TURN)
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
-            # next to where another row has the solution this one has none of its own
+            # beside the solution of another row this one has none
             start = _attempt(pose, seed, search, 0.0, trial, result)
             own = abs(moved) >= 1e-06 or not math.isinf(start)
             if own and not math.isnan(moved):
@@ -829,10 +830,13 @@ def _choose(pose, seed, q, status):
         served = served and not (status[row] == FREE_JOINT and _beyond_limits(q[row]) > 0.0)
     if served:
         return
-    rows, kinds = q.copy(), np.empty(8, np.uint8)
+    # arrays of the caller may have any layout
+    values, rows, kinds = np.empty(6), np.empty((8, 6)), np.empty(8, np.uint8)
     for row in range(8):
         kinds[row] = status[row]
-    _other_choices(pose, seed.copy(), rows, kinds)
+        for i in range(6):
+            values[i], rows[row, i] = seed[i], q[row, i]
+    _other_choices(pose, values, rows, kinds)
     for row in range(8):
         status[row] = kinds[row]
         for i in range(6):
@@ -1258,7 +1262,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(6):
         q[i] = rows[nearest, i]

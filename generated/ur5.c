@@ -943,6 +943,7 @@ static void choose_again(
     for (int i = 0; i < 6; i++)
         lost.seed[i] = seed[i];
     lost.start = nearly ? q[row][1] : seed[lost.joint];
+    lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0 : nearest);
     const int served = !isnan(nearest) && serves(&lost);
@@ -980,9 +981,9 @@ static void keep_limits(
     for (int k = 0; k < 3; k++) {
         const int joint = search.joint = choosable[k];
         const double inside = search.seed[joint];
-        search.start = seed[joint];
+        search.start = fmod(seed[joint], turn);
         const double nearest = hopeless(&search) ? (double)NAN : serving_value(&search);
-        /* next to where another row has the solution this one has none of its own */
+        /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
@@ -1075,7 +1076,7 @@ int ur5_ik_nearest(const double T[16], const double q_seed[6], double q[6])
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

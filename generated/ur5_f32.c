@@ -681,6 +681,7 @@ static void choose_again(
     for (int i = 0; i < 6; i++)
         lost.seed[i] = seed[i];
     lost.start = nearly ? q[row][1] : seed[lost.joint];
+    lost.start = fmodf(lost.start, turn);
     const float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
     (void)attempt(&lost, isnan(nearest) ? 0.0f : nearest);
     const int served = !isnan(nearest) && serves(&lost);
@@ -718,9 +719,9 @@ static void keep_limits(
     for (int k = 0; k < 3; k++) {
         const int joint = search.joint = choosable[k];
         const float inside = search.seed[joint];
-        search.start = seed[joint];
+        search.start = fmodf(seed[joint], turn);
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
-        /* next to where another row has the solution this one has none of its own */
+        /* beside the solution of another row this one has none */
         if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
@@ -813,7 +814,7 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
             const float moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 6; i++)

@@ -485,7 +485,7 @@ def _nearest(rows, status, seed, limits, q):
             rows[row, i] = _near(i, rows[row, i], seed[i], limits)
             moved = rows[row, i] - seed[i]
             distance += _WEIGHT[i] * moved * moved
-        if distance < least:
+        if nearest < 0 or distance < least:
             nearest, least = row, distance
     for i in range(3):
         q[i] = rows[nearest, i]

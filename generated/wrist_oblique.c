@@ -728,7 +728,7 @@ int wrist_oblique_ik_nearest(const double T[16], const double q_seed[3], double 
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 3; i++)

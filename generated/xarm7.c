@@ -149,7 +149,7 @@ static double descend(struct descent *d, double u[6])
     copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 0; k <= 40; k++) {
         look(d, u);
-        const int slow = d->length > fmax(0.5 * last, left);
+        const int slow = d->length >= fmax(0.5 * last, left);
         const int stalled = slow && least <= (little < 1e-13 ? 1e-10 : 1e-12);
         if (slow && least <= 1e-06)
             little = 1e-26;
@@ -3455,7 +3455,7 @@ int xarm7_ik_nearest(
             const double moved = all[row][i] - q_seed[i];
             distance += moved * moved;
         }
-        if (distance < least) {
+        if (distance < least || result < 0) {
             least = distance;
             result = status[row];
             for (int i = 0; i < 7; i++)

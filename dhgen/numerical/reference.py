@@ -235,7 +235,7 @@ class Arm:
         running = np.ones(len(u), dtype=bool)
         for _ in range(constants.STEPS + 1):
             e, length, A = self.miss(u)
-            slow = length > np.maximum(0.5 * last, left)
+            slow = length >= np.maximum(0.5 * last, left)
             fine = floor < constants.FLOOR
             stalled = slow & (least <= np.where(fine, TOLERANCES.polished, TOLERANCES.exact))
             floor[slow & (least <= constants.NEARLY)] = constants.FINE

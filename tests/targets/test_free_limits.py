@@ -32,7 +32,7 @@ def seeds(name: str) -> list[np.ndarray]:
     """Anywhere, inside the limits or not."""
     source = np.random.default_rng(7)
     q: np.ndarray = source.uniform(-4.0, 4.0, (COUNT, len(robot(name).joints)))
-    return [np.zeros(q.shape[1]), *q]
+    return [np.zeros(q.shape[1]), np.full(q.shape[1], 1e9), *q]
 
 
 def turned(angle: np.ndarray) -> np.ndarray:

@@ -197,11 +197,12 @@ def test_nearest_uses_whole_turns_inside_the_limits(language: str, degrees: floa
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("far", [1e9, 1e16, -1e100])
+@pytest.mark.parametrize("far", [1e9, 1e16, -1e300])
 def test_a_seed_of_many_turns_costs_no_digits(language: str, far: float) -> None:
     q = np.array([0.3, -0.9, -1.1, 0.4, 0.7, 0.2])
     T = poses_of("ur5", q)
-    result, nearest = Solver("ur5", language).nearest(T, np.full(6, far))
+    with np.errstate(over="ignore"):  # of the distance, in Python without numba
+        result, nearest = Solver("ur5", language).nearest(T, np.full(6, far))
     assert result == OK
     assert residual("ur5", nearest[None], T) < 1e-12
 

@@ -119,9 +119,9 @@ def test_every_fifth_sign_of_c(
         ("math.isfinite(px)", "True"),
         ("valid = valid and miss <= ", "valid = valid and miss <= 1e9 + "),
         ("status[row] = OUT_OF_LIMITS", "pass"),
-        ("= given + _TURN * math.floor", "= given - _TURN * math.floor"),
+        ("value += _TURN * math.floor((t", "value -= _TURN * math.floor((t"),
         ("moved = rows[row, i] - seed[i]", "moved = rows[row, i] + seed[i]"),
-        ("if distance < least:", "if distance > least or nearest < 0:"),
+        ("or distance < least:", "or distance > least:"),
         ("else OK\n", "else FREE_JOINT\n"),
     ],
 )
