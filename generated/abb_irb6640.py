@@ -383,7 +383,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 57f19042078d8383"
+_KEY = "abb_irb6640 bfe91e2cb269f52c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -620,6 +620,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
+
+
+@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -737,7 +743,7 @@ def _keep_limits(pose, given, row, q, status):
         seed[i] -= _overshoot(i, seed[i])
     for joint in _CHOOSABLE:
         inside, search = seed[joint], (row, joint, True)
-        seed[joint] = math.fmod(given[joint], _TURN)
+        seed[joint] = _without_turns(given[joint])
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
             # beside the solution of another row this one has none

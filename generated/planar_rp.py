@@ -214,7 +214,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 5c5688a699136dc8"
+_KEY = "planar_rp 3849dc698517cd86"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -327,6 +327,12 @@ def _turned(joint, given, towards):
     if value < low:
         value += _TURN * math.ceil((low - value) / _TURN)
     return value if value <= high else given
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -449,7 +455,7 @@ def _keep_limits(pose, given, row, q, status):
         seed[i] -= _overshoot(i, seed[i])
     for joint in _CHOOSABLE:
         inside, search = seed[joint], (row, joint, True)
-        seed[joint] = math.fmod(given[joint], _TURN) if _REVOLUTE[joint] else inside
+        seed[joint] = _without_turns(given[joint]) if _REVOLUTE[joint] else inside
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
             # beside the solution of another row this one has none

@@ -338,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing b36a9ec079875583"
+_KEY = "scorbot_pointing 317f079c119dcf89"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -859,6 +859,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
+
+
+@_inner
 def _serves(search, q, status):
     """Whether a row was solved, as exactly as poses may be rounded."""
     return status[search[0]] != UNREACHABLE and status[search[0]] < _LOST
@@ -975,7 +981,7 @@ def _choose_again(pose, q_free, given, row, q, status):
         seed[search[1]] = q[row, 1]
         moved = _serving_digits(pose, q_free, seed, search, trial, result)
     else:
-        seed[search[1]] = math.fmod(seed[search[1]], _TURN)
+        seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, q_free, seed, search, trial, result)
     _attempt(pose, q_free, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)

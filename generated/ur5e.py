@@ -364,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5e ebcb06bff1d3e56a"
+_KEY = "ur5e ab8e152cf3bc6848"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -617,6 +617,12 @@ def _turned(joint, given, towards):
 
 
 @_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
+
+
+@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -757,7 +763,7 @@ def _choose_again(pose, given, row, q, status):
         seed[search[1]] = q[row, 1]
         moved = _serving_digits(pose, seed, search, trial, result)
     else:
-        seed[search[1]] = math.fmod(seed[search[1]], _TURN)
+        seed[search[1]] = _without_turns(seed[search[1]])
         moved = _serving(pose, seed, search, trial, result)
     _attempt(pose, seed, search, moved, trial, result)
     served = not math.isnan(moved) and _serves(search, trial, result)
@@ -798,7 +804,7 @@ def _keep_limits(pose, given, row, q, status):
         seed[i] -= _overshoot(i, seed[i])
     for joint in _CHOOSABLE:
         inside, search = seed[joint], (row, joint, True)
-        seed[joint] = math.fmod(given[joint], _TURN)
+        seed[joint] = _without_turns(given[joint])
         if not _hopeless(pose, seed, search, trial, result):
             moved = _serving(pose, seed, search, trial, result)
             # beside the solution of another row this one has none
