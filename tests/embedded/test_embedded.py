@@ -25,7 +25,7 @@ SMALL = [name for name in NAMES if robot(name).float32]
 BOARDS = {"Cortex-M4": CORTEX_M4, "Cortex-M7": CORTEX_M7}
 # Of the arm's size: what rows may miss a pose by, and what the generating joints may be off by.
 ENOUGH: dict[type, tuple[float, float]] = {np.float64: (1e-11, 1e-6), np.float32: (5e-5, 1e-2)}
-LIBM = {"atan2", "ceil", "cos", "fabs", "floor", "fmax", "fmin", "hypot", "sin", "sqrt"}
+LIBM = {"atan2", "ceil", "cos", "fabs", "floor", "fmod", "fmax", "fmin", "hypot", "sin", "sqrt"}
 COPYING = {"memcpy", "memset"}  # a compiler may call these for any assignment
 STATIC = {".data", ".bss", ".tdata", ".tbss", "COMMON"}
 
