@@ -131,7 +131,7 @@ def _arrays(kernel: NumericalKernel, infinity: str, truths: tuple[str, str]) -> 
     if kernel.position:
         arrays["measure"] = numbers(unit / size for unit in kernel.units)
         arrays["coordinate"] = tuple(map(str, kernel.position))
-    if kernel.limited or kernel.redundant:
+    if kernel.bounded:
         arrays |= {"least_u": numbers(kernel.lowest), "most_u": numbers(kernel.highest)}
     return arrays
 
@@ -157,7 +157,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "pointing": kernel.pointing,
         "redundant": kernel.redundant,
         "limited": kernel.limited,
-        "bounded": kernel.limited or kernel.redundant,
+        "bounded": kernel.bounded,
         "checked": kernel.checked,
         "size": repr(chain.size),
         "residual": repr(kernel.residual),

@@ -105,6 +105,11 @@ class NumericalKernel:
         return max(self.lowest) > -inf or min(self.highest) < inf
 
     @property
+    def bounded(self) -> bool:
+        """Whether solutions are looked for between the lowest and highest values."""
+        return self.limited or self.redundant
+
+    @property
     def rows(self) -> int:
         """How many solutions are kept: of infinitely many the one nearest to the seed."""
         return 1 if self.redundant else self.most

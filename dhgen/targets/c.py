@@ -112,6 +112,7 @@ def _functions(module: SolverModule) -> dict[str, str]:
     batch = ["size_t n", "const double *T", *batch_free, "double *q", "unsigned char *status"]
     seed = f"const double q_seed[{dof}]"
     inputs = [pose, *free, "const double *q_seed", *table]
+    of_a_row = [pose, *free, f"const double seed[{dof}]", "int row", *table]
 
     def one(k: str) -> list[str]:
         inputs = [f"T + 16 * {k}", *(f"{each} + {count} * {k}" for each in given), "NULL"]
@@ -132,16 +133,8 @@ def _functions(module: SolverModule) -> dict[str, str]:
         "solve_prototype": call(
             "static void solve", [pose, *free, f"const double seed[{dof}]", *moved, *table], ""
         ),
-        "choose_prototype": call(
-            "static void choose_again",
-            [pose, *free, f"const double seed[{dof}]", "int row", *table],
-            "",
-        ),
-        "keep_prototype": call(
-            "static void keep_limits",
-            [pose, *free, f"const double seed[{dof}]", "int row", *table],
-            "",
-        ),
+        "choose_prototype": call("static void choose_again", of_a_row, ""),
+        "keep_prototype": call("static void keep_limits", of_a_row, ""),
         "search_given": ", .free_joints = free_joints" if count else "",
         "batch_call": call(f"(void){name}_ik", one("k"), ";", INDENT * 2),
         "tile_call": call("solve_tile", tile("k"), ""),

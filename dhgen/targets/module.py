@@ -184,11 +184,11 @@ def _searches(module: SolverModule) -> dict[str, object]:
     """What looks for other values of free joints, and its constants."""
     again, within = chooses_again(module.solver), keeps_limits(module)
     return {
-        "searches": again or within,
+        "searches": searches(module),
         "chooses_again": again,
         "keeps_limits": within,
         "both_searches": again and within,
-        "searches_slides": (again or within) and "P" in module.joint_types,
+        "searches_slides": searches(module) and "P" in module.joint_types,
         "choosable": ", ".join(str(joint - 1) for joint in choosable(module.solver)),
         "choices": len(choosable(module.solver)),
         "turn_step": repr(2.0 * math.pi / FAN),
@@ -211,11 +211,15 @@ def keeps_limits(module: SolverModule) -> bool:
     return limited and bool(choosable(module.solver))
 
 
+def searches(module: SolverModule) -> bool:
+    """Whether other values than the seed's are looked for where a joint is free."""
+    return chooses_again(module.solver) or keeps_limits(module)
+
+
 def _compiles_apart(module: SolverModule) -> bool:
     """Whether there are functions that few poses need."""
     solver = module.solver
-    rare = chooses_again(solver) or keeps_limits(module)
-    return rare or whole_arm(solver) is not None or solver.tightened is not None
+    return searches(module) or whole_arm(solver) is not None or solver.tightened is not None
 
 
 @dataclass(frozen=True, slots=True)

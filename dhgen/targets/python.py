@@ -20,11 +20,11 @@ from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
     constant_texts,
-    keeps_limits,
     made_text,
     module_values,
     named_entries,
     regular_solver,
+    searches,
 )
 from dhgen.targets.python_flat import TILE, regular_values
 from dhgen.targets.python_language import Python
@@ -37,7 +37,7 @@ from dhgen.targets.scalar import (
     straight_lines,
 )
 from dhgen.targets.templates import render
-from dhgen.targets.walk import chooses_again, parted, uses, whole_arm
+from dhgen.targets.walk import parted, uses, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.flatten import Flat
@@ -189,8 +189,9 @@ def _allocates(module: SolverModule) -> str:
     """Where memory is allocated."""
     if module.solver.tightened is not None:
         return "only where a pose is singular or rounded"
-    chosen = chooses_again(module.solver) or keeps_limits(module)
-    return "only where a free joint can't keep the seed's value" if chosen else "nowhere"
+    if searches(module):
+        return "only where a free joint can't keep the seed's value"
+    return "nowhere"
 
 
 def _no_pose(module: SolverModule) -> str:
