@@ -803,14 +803,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-_UNSOLVED = 255  # the first status of a pose that is still to be solved
-
-
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        if status[k, 0] == _UNSOLVED:
-            _unseeded(T[k], q[k], status[k])
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -826,7 +822,7 @@ def _in_tiles(T, q, status):
     """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer stay unsolved.
+    _regular; poses that it does not answer are solved one by one.
     """
     work = np.empty(704)
     work[:] = 0.0  # the last tile may be half full
@@ -1049,13 +1045,14 @@ def _in_tiles(T, q, status):
             work[672 + k] = UNREACHABLE if _544 != _544 else OK
             work[688 + k] = UNREACHABLE if _608 != _608 else OK
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
-        for k in range(count):
-            if work[256 + k] != 0.0:
+        for k in range(first, first + count):
+            if work[256 + k - first] != 0.0:
+                _unseeded(T[k], q[k], status[k])
                 continue
             for row in range(2):
-                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
                 for i in range(4):
-                    q[first + k, row, i] = work[_PLACES[row, i] + k]
+                    q[k, row, i] = work[_PLACES[row, i] + k - first]
 
 
 def ik_batch(T, *, cores=None, out=None):
@@ -1079,11 +1076,7 @@ def ik_batch(T, *, cores=None, out=None):
     if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
-    status[:, 0] = _UNSOLVED
-    if _COMPILED:
-        _share(_in_tiles, cores, T, q, status)
-    if _UNSOLVED in status[:, 0]:
-        _share(_one_by_one, cores, T, q, status)
+    _share(_in_tiles if _COMPILED else _one_by_one, cores, T, q, status)
     return q, status
 
 
@@ -1114,7 +1107,9 @@ def _results(out, count):
 
 def _share(solve, cores, *arrays):
     """Solves the rows of arrays, shared among threads."""
-    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    shares = len(arrays[0]) // 2048
+    if shares > 1:  # asking for the cores takes longer than some poses
+        shares = min(cores or os.cpu_count() or 1, shares)
     if shares > 1:
         with ThreadPoolExecutor(shares) as threads:
             list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))

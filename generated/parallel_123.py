@@ -520,7 +520,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 4831dd921a1ce2d2"
+_KEY = "parallel_123 7a0d6430a4a6d49b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1725,14 +1725,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-_UNSOLVED = 255  # the first status of a pose that is still to be solved
-
-
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        if status[k, 0] == _UNSOLVED:
-            _unseeded(T[k], q[k], status[k])
+        _unseeded(T[k], q[k], status[k])
 
 
 def ik_batch(T, *, cores=None, out=None):
@@ -1756,9 +1752,7 @@ def ik_batch(T, *, cores=None, out=None):
     if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
-    status[:, 0] = _UNSOLVED
-    if _UNSOLVED in status[:, 0]:
-        _share(_one_by_one, cores, T, q, status)
+    _share(_one_by_one, cores, T, q, status)
     return q, status
 
 
@@ -1791,7 +1785,9 @@ def _results(out, count):
 
 def _share(solve, cores, *arrays):
     """Solves the rows of arrays, shared among threads."""
-    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    shares = len(arrays[0]) // 2048
+    if shares > 1:  # asking for the cores takes longer than some poses
+        shares = min(cores or os.cpu_count() or 1, shares)
     if shares > 1:
         with ThreadPoolExecutor(shares) as threads:
             list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))

@@ -301,7 +301,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx cd8a299e6f13fd88"
+_KEY = "phantomx 3ddc4e312c22d089"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1390,14 +1390,10 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     raise Unreachable(why + where)
 
 
-_UNSOLVED = 255  # the first status of a pose that is still to be solved
-
-
 @njit(nogil=True, **_OPTIONS)
 def _one_by_one(T, q, status):
     for k in range(len(T)):
-        if status[k, 0] == _UNSOLVED:
-            _unseeded(T[k], q[k], status[k])
+        _unseeded(T[k], q[k], status[k])
 
 
 # Where in a tile the rows' values and statuses begin.
@@ -1413,7 +1409,7 @@ def _in_tiles(T, q, status):
     """16 poses at a time, side by side: work[place + k] is a value of pose k.
 
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
-    _regular; poses that it does not answer stay unsolved.
+    _regular; poses that it does not answer are solved one by one.
     """
     work = np.empty(656)
     work[:] = 0.0  # the last tile may be half full
@@ -1554,13 +1550,14 @@ def _in_tiles(T, q, status):
             work[624 + k] = UNREACHABLE if _496 != _496 else OK
             work[640 + k] = UNREACHABLE if _560 != _560 else OK
             work[256 + k] = 1.0 if doubt1 else work[256 + k]
-        for k in range(count):
-            if work[256 + k] != 0.0:
+        for k in range(first, first + count):
+            if work[256 + k - first] != 0.0:
+                _unseeded(T[k], q[k], status[k])
                 continue
             for row in range(2):
-                status[first + k, row] = np.uint8(work[_KINDS[row] + k])
+                status[k, row] = np.uint8(work[_KINDS[row] + k - first])
                 for i in range(4):
-                    q[first + k, row, i] = work[_PLACES[row, i] + k]
+                    q[k, row, i] = work[_PLACES[row, i] + k - first]
 
 
 def ik_batch(T, *, cores=None, out=None):
@@ -1584,11 +1581,7 @@ def ik_batch(T, *, cores=None, out=None):
     if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
-    status[:, 0] = _UNSOLVED
-    if _COMPILED:
-        _share(_in_tiles, cores, T, q, status)
-    if _UNSOLVED in status[:, 0]:
-        _share(_one_by_one, cores, T, q, status)
+    _share(_in_tiles if _COMPILED else _one_by_one, cores, T, q, status)
     return q, status
 
 
@@ -1621,7 +1614,9 @@ def _results(out, count):
 
 def _share(solve, cores, *arrays):
     """Solves the rows of arrays, shared among threads."""
-    shares = min(cores or os.cpu_count() or 1, len(arrays[0]) // 2048)
+    shares = len(arrays[0]) // 2048
+    if shares > 1:  # asking for the cores takes longer than some poses
+        shares = min(cores or os.cpu_count() or 1, shares)
     if shares > 1:
         with ThreadPoolExecutor(shares) as threads:
             list(threads.map(solve, *(np.array_split(array, shares) for array in arrays)))
