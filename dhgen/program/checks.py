@@ -85,17 +85,13 @@ def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) ->
 
     Roots that nearly meet are good to few digits, and so is what a slide from its square points to
     where it is drawn in. A twist beside a right angle fixes by little what that would leave free.
-    A slide that is a quotient has no digits where its factor nearly vanishes, and a value that is
-    chosen for it may nearly fit then.
+    Where not every value of a free joint serves, one beside those that do nearly does.
     """
     rooted = any(isinstance(statement, Roots) for statement in program.body)
     drawn_in = any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
     constants = derivation.problem.algebra.chain.constants
     slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in constants)
-    quotients = (step for step in derivation.steps if step.kind is Kind.LENGTH)
-    is_constant = derivation.problem.algebra.is_constant
-    divided = any(not is_constant(step.coefficient("X")) for step in quotients)
-    return rooted or drawn_in or slight or (checks.again and divided)
+    return rooted or drawn_in or slight or checks.again
 
 
 def _everywhere(chain: Chain) -> FloatArray:

@@ -11,8 +11,12 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import NumericalKernel, numerical_kernel
 from dhgen.numerical.tighten import tighten
+from dhgen.paul.derivation import derive
+from dhgen.program.interpret import interpret
+from dhgen.program.lower import lower
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
+from tests.kinematics.values import table
 from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
@@ -84,3 +88,22 @@ def test_far_away_rounding_is_more() -> None:
     T = arm.arm.pose(q)
     near = q + np.array([0.0, 0.0, 0.0, 1e-9, 0.0])
     assert (tighten(arm, T, near[None]) == near).all()
+
+
+# Where axis 4 is parallel to axes 1 and 2 the sum of joints 1 and 2 is free but for the position.
+FREE_BUT_FOR_THE_POSITION = (
+    "theta: q, d: 0.07, a: 0.42",
+    "theta: q, a: 0.4, alpha: -pi/2",
+    "theta: q, d: 0.24, a: 0.37, alpha: pi/2",
+    "theta: q, alpha: -pi/2",
+)
+
+
+def test_a_seed_beside_what_serves_is_left_for_it() -> None:
+    """It fits the pose as it would a rounded one, but this one was not rounded."""
+    chain = build_chain(table(*FREE_BUT_FOR_THE_POSITION))
+    arm = numerical_kernel(chain, redundant=False)
+    T = arm.arm.pose(np.array([0.0, -1e-6, np.pi, 0.0]))
+    rows = interpret(lower(derive(chain)), T[None], np.zeros((1, 4)))
+    assert rows.solved.any()
+    assert misses(arm, T, rows.q[rows.solved]).max() <= TOLERANCES.exact

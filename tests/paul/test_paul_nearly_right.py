@@ -100,3 +100,29 @@ def test_what_only_noise_says_is_not_divided_by(tmp_path: Path, joints: tuple[st
     rows_found = interpret(lower(derive(chain)), arm.pose(q), q, np.empty((POSES, 0)))
     away = np.abs(np.remainder(rows_found.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
     assert np.where(rows_found.solved, away, np.inf).min(axis=1).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        (
+            "theta: q, d: 0.57, a: -1e-7, alpha: 1.5707964",
+            "theta: q, d: 0.48, a: 0.56, alpha: -4.6e-7",
+            "theta: q, a: 0.49",
+        ),
+        (
+            "theta: q, a: 0.44, alpha: 1.5707963",
+            "theta: q, d: 0.26, a: 0.45, alpha: 1.57079635",
+            "theta: 0, d: q",
+        ),
+    ],
+)
+def test_roots_that_a_calibration_parts_are_roots(tmp_path: Path, joints: tuple[str, ...]) -> None:
+    """The quartic's would be double ones of the arm that was drawn, which is not this one."""
+    rows = "".join(f"  - {{{joint}}}\n" for joint in joints)
+    (tmp_path / "arm.yaml").write_text(f"name: arm\ntask: position\njoints:\n{rows}", "utf-8")
+    chain = build_chain(load(tmp_path / "arm.yaml"))
+    q = np.random.default_rng(5).uniform(-2.0, 2.0, (POSES, 3))
+    rows_found = interpret(lower(derive(chain)), numeric_arm(chain).pose(q), q)
+    away = np.abs(np.remainder(rows_found.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
+    assert np.where(rows_found.solved, away, np.inf).min(axis=1).max() < 1e-6

@@ -42,9 +42,9 @@ if TYPE_CHECKING:
 PENALTY = 500
 ROOTS = 4
 SAME = 1e-9  # of two products that are one by the arm's geometry
-FLAT = 1e-6  # of the polynomial's size: a slope this small is that of a double root
-STEP = 1e-4  # to both sides of the true angle, for the slope there [rad]
-TURNS = np.array([*np.linspace(0.0, 6.0, 13), STEP, -STEP])  # from the true angle [rad]
+FLAT = 1e-11  # of the polynomial's size: a slope this small is that of a double root
+TURNS = np.arange(8) * (np.pi / 4.0)  # from the true angle [rad]
+SLOPE = (np.sin(TURNS) + 2.0 * np.sin(2.0 * TURNS)) / 4.0  # there, of degree 2, by its values
 
 R, P, Q = range(3)  # rows: without the angle that is eliminated, with c_i, with s_i
 ROWS = {"P": P, "Q": Q, "R": R}
@@ -221,9 +221,7 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     if _says_it_twice(first[:, 0], second[:, 0]):
         return False
     values = _polynomial(first, second, ratio)
-    *around, after, before = values
-    slopes = (after - before) / (2.0 * STEP)
-    return bool(np.all(np.abs(slopes) > FLAT * np.max(np.abs(around), axis=0)))
+    return bool(np.all(np.abs(SLOPE @ values) > FLAT * np.max(np.abs(values), axis=0)))
 
 
 def _says_it_twice(first: Values, second: Values) -> bool:
