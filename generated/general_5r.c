@@ -315,24 +315,32 @@ struct kept {
     int count, singular[16], chosen[16];
 };
 
+/* What others may miss beside a solution: an exact one is left for exact ones only. */
+static double enough_beside(struct descent *d, const double u[5])
+{
+    look(d, u);
+    return d->length <= 1e-10 ? 1e-10 : 1e-05;
+}
+
 /* Whether solutions lie all along the way from one to another: where many roots meet, joint values
  * beside the solution miss the pose by next to nothing. */
 static int solves_between(
     struct descent *d, const double u[5], const double way[5], double length)
 {
     static const double part[] = { 0.25, 0.5, 0.75 };
+    const double enough = enough_beside(d, u);
     for (int i = 0; i < 3; i++) {
         double start[5], end[5], step[5];
         for (int j = 0; j < 5; j++)
             start[j] = end[j] = u[j] + part[i] * way[j];
         look(d, end);
-        for (int k = 0; k < 4 && d->length > 1e-05; k++) {
+        for (int k = 0; k < 4 && d->length > enough; k++) {
             damped_step(d, d->e, d->length, 1e-13, step);
             for (int j = 0; j < 5; j++)
                 end[j] += step[j];
             look(d, end);
         }
-        if (d->length > 1e-05 || distance_between(start, end) > 0.0625 * length)
+        if (d->length > enough || distance_between(start, end) > 0.0625 * length)
             return 0;
     }
     return 1;
@@ -390,13 +398,19 @@ static void move_inside(
     }
 }
 
-/* A solution joins those found before, unless it is one of them. */
+/* A solution joins those found before, unless it is one of them. Where one is exact the pose has
+ * not
+ * been rounded: then all have to be exact. */
 static void keep(struct descent *d, struct kept *kept, double u[5])
 {
+    const double enough = enough_beside(d, u);
+    const double before = kept->count ? enough_beside(d, kept->u[0]) : enough;
+    if (before < enough)
+        return;
+    if (before > enough)
+        kept->count = 0;
     if (kept->count == 16 || is_known(d, kept, u, 0))
         return;
-    look(d, u); /* an exact solution is left for exact ones only */
-    const double enough = d->length <= 1e-10 ? 1e-10 : 1e-05;
     const int kind = continuum(d, u, enough);
     if (kind == 1) {
         double end[5];
@@ -421,25 +435,6 @@ static int stands_before(const double a[5], const double b[5])
         if (fabs(a[i] - b[i]) > 1e-09)
             return a[i] < b[i];
     return 0;
-}
-
-/* Where one solution is exact the pose has not been rounded: then all have to be exact. */
-static void keep_exact_ones(struct descent *d, struct kept *kept)
-{
-    double miss[16], least = HUGE_VAL;
-    const int count = kept->count;
-    for (int k = 0; k < count; k++) {
-        look(d, kept->u[k]);
-        miss[k] = d->length;
-        least = fmin(least, miss[k]);
-    }
-    kept->count = 0;
-    for (int k = 0; k < count; k++) {
-        if (least <= 1e-10 && miss[k] > 1e-10)
-            continue;
-        kept->chosen[kept->count] = kept->chosen[k];
-        copy(kept->u[k], kept->u[kept->count++]);
-    }
 }
 
 /* Rows by the first joint, then by the second and so on. */
@@ -3266,7 +3261,6 @@ static void all_joints(
         if (descend(&d, u) <= 1e-05)
             keep(&d, &kept, u);
     }
-    keep_exact_ones(&d, &kept);
     sorted_rows(&d, &kept, q, found, chosen);
 }
 

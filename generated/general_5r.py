@@ -404,7 +404,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r a947b39271d4efeb"
+_KEY = "general_5r e793bfe3e82e3185"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -730,23 +730,31 @@ def _continuum(T, q, u, enough):
     return 1
 
 
+@_apart("float64(float64[:, ::1], float64[::1], float64[::1])")
+def _enough_beside(T, q, u):
+    """What others may miss beside a solution: an exact one is left for exact ones only."""
+    e, A = np.empty(6), np.empty((6, 5))
+    return 1e-10 if _look(T, q, u, e, A) <= 1e-10 else 1e-05
+
+
 @_apart("boolean(float64[:, ::1], float64[::1], float64[::1], float64[::1], float64)")
 def _solves_between(T, q, u, way, length):
     """Whether solutions lie all along the way from one to another: where many roots meet, joint values
     beside the solution miss the pose by next to nothing."""
     e, A = np.empty(6), np.empty((6, 5))
     end, step = np.empty(5), np.empty(5)
+    enough = _enough_beside(T, q, u)
     for part in (0.25, 0.5, 0.75):
         for j in range(5):
             end[j] = u[j] + part * way[j]
         miss = _look(T, q, end, e, A)
         for _ in range(4):
-            if miss > 1e-05:
+            if miss > enough:
                 _damped_step(A, e, miss, 1e-13, step)
                 for j in range(5):
                     end[j] += step[j]
                 miss = _look(T, q, end, e, A)
-        if miss > 1e-05:
+        if miss > enough:
             return False
         for j in range(5):
             if abs(u[j] + part * way[j] - end[j]) > 0.0625 * length:
@@ -804,11 +812,15 @@ def _move_inside(T, q, near, kept, kinds, count, enough, u):
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
+    # where one is exact the pose has not been rounded: then all have to be exact
+    enough = _enough_beside(T, q, u)
+    before = _enough_beside(T, q, kept[0]) if count else enough
+    if before < enough:
+        return count
+    if before > enough:
+        count = 0
     if count == 16 or _is_known(T, q, kept, kinds, count, u, False):
         return count
-    # an exact solution is left for exact ones only
-    e, A = np.empty(6), np.empty((6, 5))
-    enough = 1e-10 if _look(T, q, u, e, A) <= 1e-10 else 1e-05
     kind = _continuum(T, q, u, enough)
     if kind == 1:
         end = u.copy()
@@ -831,25 +843,6 @@ def _stands_before(a, b):
         if abs(a[i] - b[i]) > 1e-09:
             return a[i] < b[i]
     return False
-
-
-@_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64)")
-def _keep_exact_ones(T, joints, kept, kinds, count):
-    """Where one solution is exact the pose has not been rounded: then all have to be exact.
-
-    How many there are then.
-    """
-    e, A = np.empty(6), np.empty((6, 5))
-    miss, least, left = np.empty(16), math.inf, 0
-    for k in range(count):
-        miss[k] = _look(T, joints, kept[k], e, A)
-        least = min(least, miss[k])
-    for k in range(count):
-        if least > 1e-10 or miss[k] <= 1e-10:
-            kinds[left] = kinds[k]
-            _take(kept[left], kept[k])
-            left += 1
-    return left
 
 
 @_inner
@@ -2086,7 +2079,6 @@ def _all_joints(pose, seed):
             _start_of(k, near, u)
             if _descend(T, joints, u) <= 1e-05:
                 count = _keep(T, joints, near, kept, kinds, count, u)
-    count = _keep_exact_ones(T, joints, kept, kinds, count)
     _sorted_rows(kept, kinds, count, joints, q, found, chosen)
     return q, found, chosen
 

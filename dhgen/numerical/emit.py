@@ -161,6 +161,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "checked": kernel.checked,
         "size": repr(chain.size),
         "residual": repr(kernel.residual),
+        "enough": "enough" if kernel.checked else repr(kernel.residual),
         **_method(kernel),
     }
     return {"n": numbers, "dof": dof, "rows": kernel.rows}

@@ -157,30 +157,28 @@ class Arm:
                 self._keep(row, kept)
 
     def _sorted(self, kept: list[_Kept]) -> Found:
-        if self.kernel.checked:
-            kept = self._exact_ones(kept)
         q = self.joints(np.array([each.u for each in kept]).reshape(-1, len(self.solved)))
         rows = [(row, each.chosen) for row, each in zip(q, kept, strict=True)]
         rows.sort(key=cmp_to_key(_order))
         chosen = np.array([each for _, each in rows], dtype=bool)
         return Found(np.array([row for row, _ in rows]).reshape(q.shape), chosen)
 
-    def _exact_ones(self, kept: list[_Kept]) -> list[_Kept]:
-        """Where one solution is exact the pose has not been rounded: then all have to be exact."""
-        misses = [float(self.miss(each.u[None])[1][0]) for each in kept]
-        if min(misses, default=np.inf) > TOLERANCES.polished:
-            return kept
-        pairs = zip(kept, misses, strict=True)
-        return [each for each, missing in pairs if missing <= TOLERANCES.polished]
-
     def _keep(self, u: FloatArray, kept: list[_Kept]) -> None:
-        """A solution joins those found before, unless it is one of them."""
-        singular, chosen = False, False
+        """A solution joins those found before, unless it is one of them.
+
+        Where one is exact the pose has not been rounded: then all have to be exact.
+        """
+        singular, chosen, enough = False, False, self._enough(u)
+        before = self._enough(kept[0].u) if kept else enough
+        if before < enough:
+            return
+        if before > enough:
+            kept.clear()
         if self._known(u, kept, singular=False):
             return
         sideways = self.sideways(u, self.directions)
         if np.linalg.norm(sideways) > constants.SINGULAR:
-            singular, enough = True, self._enough(u)
+            singular = True
             chosen = self.continues(u, sideways / np.linalg.norm(sideways), enough)
             if chosen:
                 u = self._inside(self.pulled(u, enough), kept, enough)
@@ -189,7 +187,7 @@ class Arm:
             kept.append(_Kept(u, singular, chosen))
 
     def _enough(self, u: FloatArray) -> float:
-        """What others of a continuum may miss: an exact solution is left for exact ones only."""
+        """What others may miss beside a solution: an exact one is left for exact ones only."""
         exact = self.miss(u[None])[1][0] <= TOLERANCES.polished
         return TOLERANCES.polished if exact else self.kernel.residual
 
@@ -209,15 +207,15 @@ class Arm:
 
         Where many roots meet, joint values beside the solution miss the pose by next to nothing.
         """
-        starts = u + np.array(constants.BETWEEN)[:, None] * way
+        starts, enough = u + np.array(constants.BETWEEN)[:, None] * way, self._enough(u)
         there = starts
         for _ in range(constants.STEPS_ASIDE):
             e, length, A = self.miss(there)
             step = damped_step(e, length, A, constants.FLOOR)
-            there = there + np.where(length[:, None] <= self.kernel.residual, 0.0, step)
+            there = there + np.where(length[:, None] <= enough, 0.0, step)
         moved = np.abs(there - starts).max(axis=1)
         stays = moved <= constants.STAYS * np.abs(way).max()
-        return bool(((self.miss(there)[1] <= self.kernel.residual) & stays).all())
+        return bool(((self.miss(there)[1] <= enough) & stays).all())
 
     def wrapped(self, u: FloatArray) -> FloatArray:
         """Angles moved by whole turns into (-pi, pi]."""

@@ -240,6 +240,18 @@ joints:
   - {theta: q, d: -1.3e-8, a: 1.3e-9, alpha: -1.5707963112}
   - {theta: q, d: 0.303, a: 9.1e-9, alpha: -7.8e-9}
 """
+# An arm of four turns on a rail, calibrated, whose joints 3 and 5 hardly move the tool where it is
+# folded: joint values 0.04 rad beside the solution miss the pose by less than one that is rounded.
+RAIL = """
+name: arm
+convention: modified
+joints:
+  - {alpha: -9.6e-7, a: 2.3e-7, theta: 0, d: q}
+  - {alpha: 1.1e-7, a: 1.99999958, theta: q, d: -8.6e-7}
+  - {alpha: 1.57079591, a: 4.5e-8, theta: q, d: 0.99999915}
+  - {alpha: 1.57079603, a: -1.8e-7, theta: q, d: -7.4e-7}
+  - {alpha: -1.57079718, a: 3.4e-7, theta: q, d: 3.00000086}
+"""
 
 
 @pytest.mark.parametrize(
@@ -300,6 +312,23 @@ def test_where_many_roots_meet_there_is_one_row(
         assert not (status == 2).any()
         for held in (rows[status != 1], meant.q[0][meant.solved[0]]):
             assert (gaps(held, np.array(q)) < 0.05).sum() == 1
+
+
+def test_an_exact_solution_is_not_left_for_one_of_a_rounded_pose(tmp_path: Path) -> None:
+    """The seed leads beside it, and what lies between both would solve a rounded pose, too."""
+    (tmp_path / "arm.yaml").write_text(RAIL, encoding="utf-8")
+    module = without_derivation(load(tmp_path / "arm.yaml"))
+    for name, written in c_files(module).items():
+        (tmp_path / name).write_text(written, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 5, 16, 0)
+    assert solver is not None
+    T = solver.fk(np.array([0.0, np.pi, np.pi, -np.pi, -np.pi]))
+    rows, status = solver.ik(T, np.zeros(5))
+    meant = interpret(module.solver, T[None], np.zeros(5))
+    for held in (rows[status != 1], meant.q[0][meant.solved[0]]):
+        assert len(held)
+        reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in held])
+        np.testing.assert_allclose(reached, np.tile(T, (len(held), 1, 1)), atol=1e-10)
 
 
 def test_nearly_free_joints_do_not_leave_a_pose_without_rows(tmp_path: Path) -> None:
