@@ -222,7 +222,7 @@ const char *const cartesian_branches[1] = {
 static const double lowest[3] = { 0.0, 0.0, 0.0 };
 static const double highest[3] = { 0.8, 0.6, 1.2 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
-static const double weight[3] = { 1.0, 1.0, 1.0 };
+static const double weight[3] = { 0.6944444444444444, 0.6944444444444444, 0.6944444444444444 };
 
 void cartesian_fk(const double q[3], double T[16])
 {

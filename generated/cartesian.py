@@ -88,7 +88,7 @@ high3 = 1.200000001  # most of joint 3
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 # Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 1.0])
+_WEIGHT = np.array([0.6944444444444444, 0.6944444444444444, 0.6944444444444444])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)

@@ -241,17 +241,17 @@ static const double d1 = 0.412; /* joint offset 1 [m] */
 static const double d2 = 0.154; /* joint offset 2 [m] */
 static const double a3 = 0.0203; /* link length 3 [m] */
 /* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 3.4374768999999993e-25;
-static const double free_limit1 = 5.862999999999999e-13; /* a length that fixes no angle [m] */
+static const double free_limit_squared2 = 1.6129e-24;
+static const double free_limit1 = 1.27e-12; /* a length that fixes no angle [m] */
 static const double free_limit = 1e-12; /* a length that fixes no angle */
 static const double k1 = 0.13369999999999999; /* d2 - a3 [m] */
 static const double k2 = 0.01787569; /* (d2 - a3)^2 [m^2] */
 /* reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2] */
-static const double k3 = 1.5677662000003437e-14;
+static const double k3 = 3.395980000001613e-14;
 /* merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2] */
-static const double k4 = 1.5677662000000342e-15;
+static const double k4 = 3.3959800000001613e-15;
 /* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 3.437476899999999e-07;
+static const double doubt_limit_squared2 = 1.6128999999999998e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double low1 = -2.9670597293903604; /* least of joint 1 */
 static const double high1 = 2.9670597293903604; /* most of joint 1 */
@@ -265,7 +265,7 @@ static const double low5 = -1.5707963277948966; /* least of joint 5 */
 static const double high5 = 1.5707963277948966; /* most of joint 5 */
 static const double low6 = -2.9670597293903604; /* least of joint 6 */
 static const double high6 = 2.9670597293903604; /* most of joint 6 */
-static const double m1 = 3.4374768999999987e-07; /* doubt_limit1^2 [m^2] */
+static const double m1 = 1.6129000000000003e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1e-06; /* doubt_limit^2 */
 static const double h1 = 1.0; /* 2 * m2 */
 
@@ -284,7 +284,7 @@ static const double highest[6] = {
 };
 static const int revolute[6] = { 1, 1, 0, 1, 1, 1 };
 /* Of squared differences of joint values: lengths count in arm sizes. */
-static const double weight[6] = { 1.0, 1.0, 2.9091104583131893, 1.0, 1.0, 1.0 };
+static const double weight[6] = { 1.0, 1.0, 0.62000124000248, 1.0, 1.0, 1.0 };
 /* Of the values of a free joint that are tried, from one to the next. */
 static const double fan_step[6] = {
     0.09817477042468103, 0.09817477042468103, 0.030162500000000002, 0.09817477042468103,

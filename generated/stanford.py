@@ -93,14 +93,14 @@ INVALID_POSE = 4  # NaN: T is no pose
 d1 = 0.412  # joint offset 1 [m]
 d2 = 0.154  # joint offset 2 [m]
 a3 = 0.0203  # link length 3 [m]
-free_limit_squared2 = 3.4374768999999993e-25  # square of a length that fixes no angle [m^2]
-free_limit1 = 5.862999999999999e-13  # a length that fixes no angle [m]
+free_limit_squared2 = 1.6129e-24  # square of a length that fixes no angle [m^2]
+free_limit1 = 1.27e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.13369999999999999  # d2 - a3 [m]
 k2 = 0.01787569  # (d2 - a3)^2 [m^2]
-k3 = 1.5677662000003437e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2]
-k4 = 1.5677662000000342e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
-doubt_limit_squared2 = 3.437476899999999e-07  # square of a length that fixes no angle [m^2]
+k3 = 3.395980000001613e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2]
+k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
+doubt_limit_squared2 = 1.6128999999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604  # least of joint 1
 high1 = 2.9670597293903604  # most of joint 1
@@ -114,7 +114,7 @@ low5 = -1.5707963277948966  # least of joint 5
 high5 = 1.5707963277948966  # most of joint 5
 low6 = -2.9670597293903604  # least of joint 6
 high6 = 2.9670597293903604  # most of joint 6
-m1 = 3.4374768999999987e-07  # doubt_limit1^2 [m^2]
+m1 = 1.6129000000000003e-06  # doubt_limit1^2 [m^2]
 m3 = 1e-06  # doubt_limit^2
 h1 = 1.0  # 2 * m2
 
@@ -124,7 +124,7 @@ _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
 _REVOLUTE = np.array([kind == "R" for kind in JOINT_TYPES])
 # Of squared differences of joint values: lengths count in arm sizes.
-_WEIGHT = np.array([1.0, 1.0, 2.9091104583131893, 1.0, 1.0, 1.0])
+_WEIGHT = np.array([1.0, 1.0, 0.62000124000248, 1.0, 1.0, 1.0])
 # Of the values of a free joint that are tried, from one to the next.
 _FAN_STEP = np.array([
     0.09817477042468103, 0.09817477042468103, 0.030162500000000002, 0.09817477042468103,
@@ -307,7 +307,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 070c2b46b9e4e2cc"
+_KEY = "stanford 1f5770485ca74707"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -123,6 +123,12 @@ def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
 
 
 def _size(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> float:
+    """The sum of all lengths, or how far a slide moves, where that is more.
+
+    Of an arm that only slides all lengths may be the last digits of a calibration.
+    """
     lengths = [evaluate(cell, parameters) for row in geometry.rows for cell in (row.a, row.d)]
     lengths += [evaluate(cell, parameters) for cell in tool.xyz]
-    return sum(abs(length) for length in lengths) or 1.0
+    slides = [row for row in geometry.rows if row.kind is JointKind.PRISMATIC]
+    ends = [abs(end) for row in slides for end in row.limits or ()]
+    return max(sum(map(abs, lengths)), *ends, 0.0) or 1.0

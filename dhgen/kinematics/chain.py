@@ -80,7 +80,8 @@ class Chain:
         ring: Ring of the constant transforms.
         task: What of the pose the caller means.
         free: Joints, from 1, whose value the caller gives.
-        size: Length that tolerances are relative to: the sum of all lengths of the arm.
+        size: Length that tolerances are relative to: the sum of all lengths of the arm, or how far
+            a slide moves, where that is more.
         arm_angle: Whether the caller gives the arm angle, in place of the value of a joint.
     """
 

@@ -126,3 +126,22 @@ def test_roots_that_a_calibration_parts_are_roots(tmp_path: Path, joints: tuple[
     rows_found = interpret(lower(derive(chain)), numeric_arm(chain).pose(q), q)
     away = np.abs(np.remainder(rows_found.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
     assert np.where(rows_found.solved, away, np.inf).min(axis=1).max() < 1e-6
+
+
+# What is drawn has no length but the slide's.
+SLIDE = """
+name: arm
+task: [x, y]
+joints:
+  - {theta: q + pi/2, d: 8.7e-8, a: 9.2e-8, alpha: pi/2 + 4.7e-8}
+  - {theta: 0, d: q, a: 4.8e-8, limits: [0, 1]}
+"""
+
+
+def test_a_slide_is_not_too_long_for_what_a_calibration_adds(tmp_path: Path) -> None:
+    (tmp_path / "arm.yaml").write_text(SLIDE, encoding="utf-8")
+    chain = build_chain(load(tmp_path / "arm.yaml"))
+    q = np.random.default_rng(5).uniform((-2.0, 0.1), (2.0, 1.0), (POSES, 2))
+    rows = interpret(lower(derive(chain)), numeric_arm(chain).pose(q), q)
+    away = np.abs(rows.q - q[:, None]).max(axis=2)
+    assert np.where(rows.solved, away, np.inf).min(axis=1).max() < 1e-12
