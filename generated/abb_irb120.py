@@ -114,16 +114,17 @@ k4 = 35.683793403054324  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.0080160000000004e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.3430303610541368  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.879790001  # least of joint 1
-high1 = 2.879790001  # most of joint 1
-low2 = -1.919860001  # least of joint 2
-high2 = 1.919860001  # most of joint 2
-low3 = -1.919860001  # least of joint 3
-high3 = 1.221730001  # most of joint 3
-low4 = -2.7925300010000003  # least of joint 4
-high4 = 2.7925300010000003  # most of joint 4
-low5 = -2.094395001  # least of joint 5
-high5 = 2.094395001  # most of joint 5
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low1 = -2.879790001
+high1 = 2.879790001
+low2 = -1.919860001
+high2 = 1.919860001
+low3 = -1.919860001
+high3 = 1.221730001
+low4 = -2.7925300010000003
+high4 = 2.7925300010000003
+low5 = -2.094395001
+high5 = 2.094395001
 m1 = 1.0080160000000002e-06  # doubt_limit1^2 [m^2]
 m2 = 1.3488473906354537  # a coefficient of s3
 m3 = 0.9834871790128595  # a coefficient of s3
@@ -132,8 +133,6 @@ m5 = 0.22796060440695423  # a coefficient of c3
 m6 = 1.8518518518518516  # a coefficient of X1_2
 m7 = 0.04297037037037035  # a coefficient of X1_2
 m8 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m9
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -381,7 +380,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 5d2ccfbac02a9cb1"
+_KEY = "abb_irb120 ccf70478fa3636d1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -621,12 +620,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -645,6 +638,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -786,6 +785,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.9960159362549799, 0.9960159362549799, 0.9960159362549799, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -799,6 +889,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -879,8 +970,8 @@ def _regular(pose, q, status):
     v23 = v17 + factor2 * (c4_pm * v19)
     v24 = v17 + factor2 * (c4_mp * v20)
     v25 = v17 + factor2 * (c4_mm * v21)
-    v26 = math.copysign(half_turn, -v16) * h1
-    v27 = math.copysign(half_turn, v16) * h1
+    v26 = math.copysign(half_turn, -v16)
+    v27 = math.copysign(half_turn, v16)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v28 = w1 * (v2 * (X1 * T22 + t24 * T12))
@@ -970,24 +1061,24 @@ def _regular(pose, q, status):
     q4_mmm = angle5 - v27
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle6 - h1 * math.copysign(half_turn, v32)
-    q6_pmm = angle7 - h1 * math.copysign(half_turn, v33)
-    q6_mpm = angle8 - h1 * math.copysign(half_turn, v34)
-    q6_mmm = angle9 - h1 * math.copysign(half_turn, v35)
+    q6_ppm = angle6 - math.copysign(half_turn, v32)
+    q6_pmm = angle7 - math.copysign(half_turn, v33)
+    q6_mpm = angle8 - math.copysign(half_turn, v34)
+    q6_mmm = angle9 - math.copysign(half_turn, v35)
 
     # joint values
     v36 = angle10 - offset1
-    v37 = angle10 - h1 * math.copysign(half_turn, t24) - offset1
-    q1__p = v36 + (m10 if v36 <= -half_turn else 0.0)
-    q1__m = v37 + (m10 if v37 <= -half_turn else 0.0)
+    v37 = angle10 - math.copysign(half_turn, t24) - offset1
+    q1__p = v36 + (whole_turn if v36 <= -half_turn else 0.0)
+    q1__m = v37 + (whole_turn if v37 <= -half_turn else 0.0)
     v38 = angle11 - offset2
     v39 = angle12 - offset2
     v40 = angle13 - offset2
     v41 = angle14 - offset2
-    q2_ppp = v38 + (m10 if v38 <= -half_turn else 0.0)
-    q2_pmp = v39 + (m10 if v39 <= -half_turn else 0.0)
-    q2_mpp = v40 + (m10 if v40 <= -half_turn else 0.0)
-    q2_mmp = v41 + (m10 if v41 <= -half_turn else 0.0)
+    q2_ppp = v38 + (whole_turn if v38 <= -half_turn else 0.0)
+    q2_pmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
+    q2_mpp = v40 + (whole_turn if v40 <= -half_turn else 0.0)
+    q2_mmp = v41 + (whole_turn if v41 <= -half_turn else 0.0)
     v42 = angle15 - offset5
     v43 = offset5 + angle15
     v44 = angle16 - offset5
@@ -996,16 +1087,16 @@ def _regular(pose, q, status):
     v47 = offset5 + angle17
     v48 = angle18 - offset5
     v49 = offset5 + angle18
-    q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
-    q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
-    q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
-    q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
-    q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
-    q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
-    q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
-    q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
-    q3_ppp = q3__p + (m10 if q3__p <= -half_turn else 0.0)
-    q3_pmp = (m10 if -v8 <= -half_turn else 0.0) - v8
+    q5_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v43 <= -half_turn else 0.0) - v43
+    q5_pmp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v45 <= -half_turn else 0.0) - v45
+    q5_mpp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
+    q5_mmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
+    q3_ppp = q3__p + (whole_turn if q3__p <= -half_turn else 0.0)
+    q3_pmp = (whole_turn if -v8 <= -half_turn else 0.0) - v8
     v50 = q1__p < low1 or high1 < q1__p
     v51 = q1__m < low1 or high1 < q1__m
     v52 = q3_ppp < low3 or high3 < q3_ppp
@@ -1129,7 +1220,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1358,8 +1449,8 @@ def _in_tiles(T, q, status):
             v23 = v17 + factor2 * (c4_pm * v19)
             v24 = v17 + factor2 * (c4_mp * v20)
             v25 = v17 + factor2 * (c4_mm * v21)
-            v26 = math.copysign(half_turn, -v16) * h1
-            v27 = math.copysign(half_turn, v16) * h1
+            v26 = math.copysign(half_turn, -v16)
+            v27 = math.copysign(half_turn, v16)
             v28 = w1 * (v2 * (X1 * T22 + t24 * T12))
             v29 = w1 * (v2 * (t24 * T22 - X1 * T12))
             v30 = w1 * (v2 * (X1 * T23 + t24 * T13))
@@ -1454,22 +1545,22 @@ def _in_tiles(T, q, status):
             q4_pmm = angle3 - v26
             q4_mpm = angle4 - v27
             q4_mmm = angle5 - v27
-            q6_ppm = angle6 - h1 * math.copysign(half_turn, v32)
-            q6_pmm = angle7 - h1 * math.copysign(half_turn, v33)
-            q6_mpm = angle8 - h1 * math.copysign(half_turn, v34)
-            q6_mmm = angle9 - h1 * math.copysign(half_turn, v35)
+            q6_ppm = angle6 - math.copysign(half_turn, v32)
+            q6_pmm = angle7 - math.copysign(half_turn, v33)
+            q6_mpm = angle8 - math.copysign(half_turn, v34)
+            q6_mmm = angle9 - math.copysign(half_turn, v35)
             v36 = angle10 - offset1
-            v37 = angle10 - h1 * math.copysign(half_turn, t24) - offset1
-            q1__p = v36 + (m10 if v36 <= -half_turn else 0.0)
-            q1__m = v37 + (m10 if v37 <= -half_turn else 0.0)
+            v37 = angle10 - math.copysign(half_turn, t24) - offset1
+            q1__p = v36 + (whole_turn if v36 <= -half_turn else 0.0)
+            q1__m = v37 + (whole_turn if v37 <= -half_turn else 0.0)
             v38 = angle11 - offset2
             v39 = angle12 - offset2
             v40 = angle13 - offset2
             v41 = angle14 - offset2
-            q2_ppp = v38 + (m10 if v38 <= -half_turn else 0.0)
-            q2_pmp = v39 + (m10 if v39 <= -half_turn else 0.0)
-            q2_mpp = v40 + (m10 if v40 <= -half_turn else 0.0)
-            q2_mmp = v41 + (m10 if v41 <= -half_turn else 0.0)
+            q2_ppp = v38 + (whole_turn if v38 <= -half_turn else 0.0)
+            q2_pmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
+            q2_mpp = v40 + (whole_turn if v40 <= -half_turn else 0.0)
+            q2_mmp = v41 + (whole_turn if v41 <= -half_turn else 0.0)
             v42 = angle15 - offset5
             v43 = offset5 + angle15
             v44 = angle16 - offset5
@@ -1478,16 +1569,16 @@ def _in_tiles(T, q, status):
             v47 = offset5 + angle17
             v48 = angle18 - offset5
             v49 = offset5 + angle18
-            q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
-            q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
-            q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
-            q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
-            q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
-            q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
-            q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
-            q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
-            q3_ppp = q3__p + (m10 if q3__p <= -half_turn else 0.0)
-            q3_pmp = (m10 if -v8 <= -half_turn else 0.0) - v8
+            q5_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v43 <= -half_turn else 0.0) - v43
+            q5_pmp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v45 <= -half_turn else 0.0) - v45
+            q5_mpp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
+            q5_mmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
+            q3_ppp = q3__p + (whole_turn if q3__p <= -half_turn else 0.0)
+            q3_pmp = (whole_turn if -v8 <= -half_turn else 0.0) - v8
             v50 = q1__p < low1 or high1 < q1__p
             v51 = q1__m < low1 or high1 < q1__m
             v52 = q3_ppp < low3 or high3 < q3_ppp

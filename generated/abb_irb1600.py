@@ -111,14 +111,13 @@ k2 = 0.8499999999999999  # a2^2 + d4^2 [m^2]
 k3 = 1.4172335600907033  # 1 / ((2 * d4 * a2)^2) [m^-4]
 doubt_limit_squared2 = 4.00600225e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 4.006002249999999e-06  # doubt_limit1^2 [m^2]
 m3 = 0.7142857142857144  # a coefficient of S2
 m4 = 0.09285714285714279  # a coefficient of S2
 m5 = 0.8333333333333335  # a coefficient of v9
 m6 = 0.10833333333333327  # a coefficient of v9
 m7 = 1e-06  # doubt_limit^2
-m8 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -659,8 +658,8 @@ def _regular(pose, q, status):
 
     # joint values
     v59 = w3_p * (m3 * v4)
-    v68 = h1 * math.copysign(half_turn, -v29)
-    v69 = h1 * math.copysign(half_turn, v29)
+    v68 = math.copysign(half_turn, -v29)
+    v69 = math.copysign(half_turn, v29)
     v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
     v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
     doubt1 = (
@@ -734,28 +733,28 @@ def _regular(pose, q, status):
     angle19 = room[18]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle2 - math.copysign(half_turn, v55) * h1
-    q6_pmm = angle3 - math.copysign(half_turn, v56) * h1
-    q6_mpm = angle4 - math.copysign(half_turn, v57) * h1
-    q6_mmm = angle5 - math.copysign(half_turn, v58) * h1
+    q6_ppm = angle2 - math.copysign(half_turn, v55)
+    q6_pmm = angle3 - math.copysign(half_turn, v56)
+    q6_mpm = angle4 - math.copysign(half_turn, v57)
+    q6_mmm = angle5 - math.copysign(half_turn, v58)
 
     # joint values
     v60 = angle6 - offset2
     v61 = angle7 - offset2
     v62 = angle8 - offset2
     v63 = angle9 - offset2
-    q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
-    q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
-    q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
-    q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
+    q2_ppp = v60 - (whole_turn if half_turn < v60 else 0.0)
+    q2_pmp = v61 - (whole_turn if half_turn < v61 else 0.0)
+    q2_mpp = v62 - (whole_turn if half_turn < v62 else 0.0)
+    q2_mmp = v63 - (whole_turn if half_turn < v63 else 0.0)
     v64 = angle10 - offset3
-    v65 = h1 * math.copysign(half_turn, v7) - angle10 - offset3
+    v65 = math.copysign(half_turn, v7) - angle10 - offset3
     v66 = angle11 - offset3
-    v67 = h1 * math.copysign(half_turn, v8) - angle11 - offset3
-    q3_ppp = v64 + (m8 if v64 <= -half_turn else 0.0)
-    q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
-    q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
-    q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
+    v67 = math.copysign(half_turn, v8) - angle11 - offset3
+    q3_ppp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+    q3_pmp = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+    q3_mpp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+    q3_mmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
     v70 = angle12 - offset4
     v71 = angle12 - v68 - offset4
     v72 = angle13 - offset4
@@ -764,14 +763,14 @@ def _regular(pose, q, status):
     v75 = angle14 - v69 - offset4
     v76 = angle15 - offset4
     v77 = angle15 - v69 - offset4
-    q4_ppp = v70 + (m8 if v70 <= -half_turn else 0.0)
-    q4_ppm = v71 + (m8 if v71 <= -half_turn else 0.0)
-    q4_pmp = v72 + (m8 if v72 <= -half_turn else 0.0)
-    q4_pmm = v73 + (m8 if v73 <= -half_turn else 0.0)
-    q4_mpp = v74 + (m8 if v74 <= -half_turn else 0.0)
-    q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
-    q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
-    q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
+    q4_ppp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+    q4_ppm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+    q4_pmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+    q4_pmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+    q4_mpp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+    q4_mpm = v75 + (whole_turn if v75 <= -half_turn else 0.0)
+    q4_mmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+    q4_mmm = v77 + (whole_turn if v77 <= -half_turn else 0.0)
     v80 = angle16 - offset5
     v81 = offset5 + angle16
     v82 = angle17 - offset5
@@ -780,16 +779,16 @@ def _regular(pose, q, status):
     v85 = offset5 + angle18
     v86 = angle19 - offset5
     v87 = offset5 + angle19
-    q5_ppp = v80 + (m8 if v80 <= -half_turn else 0.0)
-    q5_ppm = (m8 if -v81 <= -half_turn else 0.0) - v81
-    q5_pmp = v82 + (m8 if v82 <= -half_turn else 0.0)
-    q5_pmm = (m8 if -v83 <= -half_turn else 0.0) - v83
-    q5_mpp = v84 + (m8 if v84 <= -half_turn else 0.0)
-    q5_mpm = (m8 if -v85 <= -half_turn else 0.0) - v85
-    q5_mmp = v86 + (m8 if v86 <= -half_turn else 0.0)
-    q5_mmm = (m8 if -v87 <= -half_turn else 0.0) - v87
+    q5_ppp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
+    q5_pmp = v82 + (whole_turn if v82 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v83 <= -half_turn else 0.0) - v83
+    q5_mpp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v85 <= -half_turn else 0.0) - v85
+    q5_mmp = v86 + (whole_turn if v86 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v87 <= -half_turn else 0.0) - v87
     q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1145,8 +1144,8 @@ def _in_tiles(T, q, status):
             v57 = X4_mp * v48 - v29 * (v54 + w3_m * (m5 * v52))
             v58 = X4_mm * v48 - v29 * (v54 + w3_m * (m5 * -v52))
             v59 = w3_p * (m3 * v4)
-            v68 = h1 * math.copysign(half_turn, -v29)
-            v69 = h1 * math.copysign(half_turn, v29)
+            v68 = math.copysign(half_turn, -v29)
+            v69 = math.copysign(half_turn, v29)
             v78 = w3_p * (m5 * (Z1_3 * v19 + T33 * v4))
             v79 = w3_m * (m5 * (-Z1_3 * v19 + T33 * v5))
             doubt1 = (
@@ -1240,26 +1239,26 @@ def _in_tiles(T, q, status):
             angle17 = work[720 + k]
             angle18 = work[736 + k]
             angle19 = work[752 + k]
-            q6_ppm = angle2 - math.copysign(half_turn, v55) * h1
-            q6_pmm = angle3 - math.copysign(half_turn, v56) * h1
-            q6_mpm = angle4 - math.copysign(half_turn, v57) * h1
-            q6_mmm = angle5 - math.copysign(half_turn, v58) * h1
+            q6_ppm = angle2 - math.copysign(half_turn, v55)
+            q6_pmm = angle3 - math.copysign(half_turn, v56)
+            q6_mpm = angle4 - math.copysign(half_turn, v57)
+            q6_mmm = angle5 - math.copysign(half_turn, v58)
             v60 = angle6 - offset2
             v61 = angle7 - offset2
             v62 = angle8 - offset2
             v63 = angle9 - offset2
-            q2_ppp = v60 - (m8 if half_turn < v60 else 0.0)
-            q2_pmp = v61 - (m8 if half_turn < v61 else 0.0)
-            q2_mpp = v62 - (m8 if half_turn < v62 else 0.0)
-            q2_mmp = v63 - (m8 if half_turn < v63 else 0.0)
+            q2_ppp = v60 - (whole_turn if half_turn < v60 else 0.0)
+            q2_pmp = v61 - (whole_turn if half_turn < v61 else 0.0)
+            q2_mpp = v62 - (whole_turn if half_turn < v62 else 0.0)
+            q2_mmp = v63 - (whole_turn if half_turn < v63 else 0.0)
             v64 = angle10 - offset3
-            v65 = h1 * math.copysign(half_turn, v7) - angle10 - offset3
+            v65 = math.copysign(half_turn, v7) - angle10 - offset3
             v66 = angle11 - offset3
-            v67 = h1 * math.copysign(half_turn, v8) - angle11 - offset3
-            q3_ppp = v64 + (m8 if v64 <= -half_turn else 0.0)
-            q3_pmp = v65 + (m8 if v65 <= -half_turn else 0.0)
-            q3_mpp = v66 + (m8 if v66 <= -half_turn else 0.0)
-            q3_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
+            v67 = math.copysign(half_turn, v8) - angle11 - offset3
+            q3_ppp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+            q3_pmp = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+            q3_mpp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+            q3_mmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
             v70 = angle12 - offset4
             v71 = angle12 - v68 - offset4
             v72 = angle13 - offset4
@@ -1268,14 +1267,14 @@ def _in_tiles(T, q, status):
             v75 = angle14 - v69 - offset4
             v76 = angle15 - offset4
             v77 = angle15 - v69 - offset4
-            q4_ppp = v70 + (m8 if v70 <= -half_turn else 0.0)
-            q4_ppm = v71 + (m8 if v71 <= -half_turn else 0.0)
-            q4_pmp = v72 + (m8 if v72 <= -half_turn else 0.0)
-            q4_pmm = v73 + (m8 if v73 <= -half_turn else 0.0)
-            q4_mpp = v74 + (m8 if v74 <= -half_turn else 0.0)
-            q4_mpm = v75 + (m8 if v75 <= -half_turn else 0.0)
-            q4_mmp = v76 + (m8 if v76 <= -half_turn else 0.0)
-            q4_mmm = v77 + (m8 if v77 <= -half_turn else 0.0)
+            q4_ppp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+            q4_ppm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+            q4_pmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+            q4_pmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+            q4_mpp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+            q4_mpm = v75 + (whole_turn if v75 <= -half_turn else 0.0)
+            q4_mmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+            q4_mmm = v77 + (whole_turn if v77 <= -half_turn else 0.0)
             v80 = angle16 - offset5
             v81 = offset5 + angle16
             v82 = angle17 - offset5
@@ -1284,16 +1283,16 @@ def _in_tiles(T, q, status):
             v85 = offset5 + angle18
             v86 = angle19 - offset5
             v87 = offset5 + angle19
-            q5_ppp = v80 + (m8 if v80 <= -half_turn else 0.0)
-            q5_ppm = (m8 if -v81 <= -half_turn else 0.0) - v81
-            q5_pmp = v82 + (m8 if v82 <= -half_turn else 0.0)
-            q5_pmm = (m8 if -v83 <= -half_turn else 0.0) - v83
-            q5_mpp = v84 + (m8 if v84 <= -half_turn else 0.0)
-            q5_mpm = (m8 if -v85 <= -half_turn else 0.0) - v85
-            q5_mmp = v86 + (m8 if v86 <= -half_turn else 0.0)
-            q5_mmm = (m8 if -v87 <= -half_turn else 0.0) - v87
+            q5_ppp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
+            q5_pmp = v82 + (whole_turn if v82 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v83 <= -half_turn else 0.0) - v83
+            q5_mpp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v85 <= -half_turn else 0.0) - v85
+            q5_mmp = v86 + (whole_turn if v86 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v87 <= -half_turn else 0.0) - v87
             q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             _1072 = q1_ppp
             work[1072 + k] = _1072
             _1088 = q2_ppp

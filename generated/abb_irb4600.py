@@ -113,13 +113,13 @@ k4 = 0.1268631397825131  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.1189024999999999e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4338633792358526  # a constant angle [rad]
-low2 = -1.5707963277948966  # least of joint 2
-high2 = 2.6179938789914945  # most of joint 2
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low3 = -3.141592654589793  # least of joint 3
-high3 = 1.3089969399957473  # most of joint 3
-low5 = -2.181661565992912  # least of joint 5
-high5 = 2.0943951033931953  # most of joint 5
+low2 = -1.5707963277948966
+high2 = 2.6179938789914945
+low3 = -3.141592654589793
+high3 = 1.3089969399957473
+low5 = -2.181661565992912
+high5 = 2.0943951033931953
 m1 = 1.1189024999999996e-05  # doubt_limit1^2 [m^2]
 m3 = 0.4566210045662101  # a coefficient of X1_2
 m4 = 0.20296803652968054  # a coefficient of X1_2
@@ -128,8 +128,6 @@ m6 = 0.053239226662204715  # a coefficient of c23
 m7 = 0.023664836251350022  # a coefficient of c23
 m8 = 0.17173909736694015  # a coefficient of c23
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -370,7 +368,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 aaa1ac11e210a1e8"
+_KEY = "abb_irb4600 4cd086b80819ed41"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -602,12 +600,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -626,6 +618,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -767,6 +765,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.29895366218236175, 0.29895366218236175, 0.29895366218236175, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -780,6 +869,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -863,8 +953,8 @@ def _regular(pose, q, status):
     v33 = v31 + X4_pm * X4_pm
     v34 = v31 + X4_mp * X4_mp
     v35 = v31 + X4_mm * X4_mm
-    v36 = math.copysign(half_turn, -v30) * h1
-    v37 = math.copysign(half_turn, v30) * h1
+    v36 = math.copysign(half_turn, -v30)
+    v37 = math.copysign(half_turn, v30)
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
@@ -960,16 +1050,16 @@ def _regular(pose, q, status):
     q4_mmm = angle11 - v37
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    q6_ppm = angle16 - h1 * math.copysign(half_turn, v42)
-    q6_pmm = angle17 - h1 * math.copysign(half_turn, v43)
-    q6_mpm = angle18 - h1 * math.copysign(half_turn, v44)
-    q6_mmm = angle19 - h1 * math.copysign(half_turn, v45)
+    q6_ppm = angle16 - math.copysign(half_turn, v42)
+    q6_pmm = angle17 - math.copysign(half_turn, v43)
+    q6_mpm = angle18 - math.copysign(half_turn, v44)
+    q6_mmm = angle19 - math.copysign(half_turn, v45)
 
     # joint values
-    v46 = q3__pp + (m10 if q3__pp <= -half_turn else 0.0)
-    v47 = (m10 if -v6 <= -half_turn else 0.0) - v6
-    v48 = q3__mp + (m10 if q3__mp <= -half_turn else 0.0)
-    v49 = (m10 if -v7 <= -half_turn else 0.0) - v7
+    v46 = q3__pp + (whole_turn if q3__pp <= -half_turn else 0.0)
+    v47 = (whole_turn if -v6 <= -half_turn else 0.0) - v6
+    v48 = q3__mp + (whole_turn if q3__mp <= -half_turn else 0.0)
+    v49 = (whole_turn if -v7 <= -half_turn else 0.0) - v7
     v50 = v46 - (whole_turn if high3 < v46 else 0.0)
     v51 = v47 - (whole_turn if high3 < v47 else 0.0)
     v52 = v48 - (whole_turn if high3 < v48 else 0.0)
@@ -983,7 +1073,7 @@ def _regular(pose, q, status):
     q3_mpp = v48 if v56 else v52
     q3_mmp = v49 if v57 else v53
     q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
     v58 = v54 or angle4 < low2 or high2 < angle4
     v59 = v55 or angle5 < low2 or high2 < angle5
     v60 = v56 or angle6 < low2 or high2 < angle6
@@ -1101,7 +1191,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1333,8 +1423,8 @@ def _in_tiles(T, q, status):
             v33 = v31 + X4_pm * X4_pm
             v34 = v31 + X4_mp * X4_mp
             v35 = v31 + X4_mm * X4_mm
-            v36 = math.copysign(half_turn, -v30) * h1
-            v37 = math.copysign(half_turn, v30) * h1
+            v36 = math.copysign(half_turn, -v30)
+            v37 = math.copysign(half_turn, v30)
             v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
             v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
             v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
@@ -1438,14 +1528,14 @@ def _in_tiles(T, q, status):
             q4_pmm = angle9 - v36
             q4_mpm = angle10 - v37
             q4_mmm = angle11 - v37
-            q6_ppm = angle16 - h1 * math.copysign(half_turn, v42)
-            q6_pmm = angle17 - h1 * math.copysign(half_turn, v43)
-            q6_mpm = angle18 - h1 * math.copysign(half_turn, v44)
-            q6_mmm = angle19 - h1 * math.copysign(half_turn, v45)
-            v46 = q3__pp + (m10 if q3__pp <= -half_turn else 0.0)
-            v47 = (m10 if -v6 <= -half_turn else 0.0) - v6
-            v48 = q3__mp + (m10 if q3__mp <= -half_turn else 0.0)
-            v49 = (m10 if -v7 <= -half_turn else 0.0) - v7
+            q6_ppm = angle16 - math.copysign(half_turn, v42)
+            q6_pmm = angle17 - math.copysign(half_turn, v43)
+            q6_mpm = angle18 - math.copysign(half_turn, v44)
+            q6_mmm = angle19 - math.copysign(half_turn, v45)
+            v46 = q3__pp + (whole_turn if q3__pp <= -half_turn else 0.0)
+            v47 = (whole_turn if -v6 <= -half_turn else 0.0) - v6
+            v48 = q3__mp + (whole_turn if q3__mp <= -half_turn else 0.0)
+            v49 = (whole_turn if -v7 <= -half_turn else 0.0) - v7
             v50 = v46 - (whole_turn if high3 < v46 else 0.0)
             v51 = v47 - (whole_turn if high3 < v47 else 0.0)
             v52 = v48 - (whole_turn if high3 < v48 else 0.0)
@@ -1459,7 +1549,7 @@ def _in_tiles(T, q, status):
             q3_mpp = v48 if v56 else v52
             q3_mmp = v49 if v57 else v53
             q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             v58 = v54 or angle4 < low2 or high2 < angle4
             v59 = v55 or angle5 < low2 or high2 < angle5
             v60 = v56 or angle6 < low2 or high2 < angle6

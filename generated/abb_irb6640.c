@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ABB_IRB6640_UNREACHABLE) \
-        | (~(none) & (outside) & ABB_IRB6640_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & ABB_IRB6640_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & ABB_IRB6640_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)ABB_IRB6640_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)ABB_IRB6640_UNREACHABLE \
         : (outside) ? (int)ABB_IRB6640_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.78; /* joint offset 1 [m] */
@@ -274,15 +279,7 @@ static const double k4 = 0.10938822421589604; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 
 static const double doubt_limit_squared2 = 1.5737089e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = 1.4280947671350148; /* a constant angle [rad] */
-static const double low1 = -2.967000001; /* least of joint 1 */
-static const double high1 = 2.967000001; /* most of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double low2 = -1.134000001; /* least of joint 2 */
-static const double high2 = 1.4855000010000001; /* most of joint 2 */
-static const double low3 = -3.142000001; /* least of joint 3 */
-static const double high3 = 1.222000001; /* most of joint 3 */
-static const double low5 = -2.094000001; /* least of joint 5 */
-static const double high5 = 2.094000001; /* most of joint 5 */
 static const double m1 = 1.5737089e-05; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.46511627906976744; /* a coefficient of Y1_2 */
 static const double m4 = 0.38234372093023233; /* a coefficient of Y1_2 */
@@ -291,8 +288,9 @@ static const double m6 = 0.35193035824083363; /* a coefficient of c23 */
 static const double m7 = 0.2893004797579363; /* a coefficient of c23 */
 static const double m8 = 0.04156616088476098; /* a coefficient of c23 */
 static const double m9 = 1e-06; /* doubt_limit^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double low1 = -2.967000001, high1 = 2.967000001, low2 = -1.134000001,
+high2 = 1.4855000010000001, low3 = -3.142000001, high3 = 1.222000001, low5 = -2.094000001,
+high5 = 2.094000001;
 
 const char *const abb_irb6640_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -382,35 +380,19 @@ void abb_irb6640_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = -v7; J[35] = -v9;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -423,7 +405,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -431,6 +413,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -443,8 +446,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* theta1 */
     const wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, v1 = wx * wx + Y1 * Y1, w1 = sqrt_wide(v1),
-        v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -wx),
-        q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
+        v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -wx), q1__m = angle1 - signed_wide(half_turn, Y1);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
@@ -474,8 +476,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v30 = v29 + X4_pp * X4_pp, v31 = v29 + X4_pm * X4_pm, v32 = v29 + X4_mp * X4_mp,
         v33 = v29 + X4_mm * X4_mm, angle4 = atan2_wide(Y4, -X4_pp), angle5 = atan2_wide(Y4, -X4_pm),
         angle6 = atan2_wide(-Y4, -X4_mp), angle7 = atan2_wide(-Y4, -X4_mm),
-        v34 = h1 * copysign_wide(all_wide(half_turn), Y4),
-        v35 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+        v34 = signed_wide(half_turn, Y4), v35 = signed_wide(half_turn, -Y4);
 
     /* theta6 */
     const wide v36 = w1 * (v2 * (wx * T22 + Y1 * T12)), v37 = w1 * (v2 * (Y1 * T22 - wx * T12)),
@@ -494,50 +495,40 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v45 = angle12 - offset2, angle13 = atan2_wide(v8 - v44, -(v10 + w3_p * v13)),
         v46 = angle13 - offset2, angle14 = atan2_wide(v9 + w3_m * (m3 * v4), -(v11 + w3_m * v12)),
         v47 = angle14 - offset2, angle15 = atan2_wide(v9 + w3_m * (m3 * -v4), -(v11 + w3_m * v13)),
-        v48 = angle15 - offset2, q2_ppp = v45 - only_wide(half_turn < v45, m10),
-        q2_pmp = v46 - only_wide(half_turn < v46, m10),
-        q2_mpp = v47 - only_wide(half_turn < v47, m10),
-        q2_mmp = v48 - only_wide(half_turn < v48, m10),
+        v48 = angle15 - offset2, q2_ppp = v45 - only_wide(half_turn < v45, whole_turn),
+        q2_pmp = v46 - only_wide(half_turn < v46, whole_turn),
+        q2_mpp = v47 - only_wide(half_turn < v47, whole_turn),
+        q2_mmp = v48 - only_wide(half_turn < v48, whole_turn),
         angle16 = atan2_wide(sqrt_wide(v30), T33 * c23_pp + s23_pp * v28),
         angle17 = atan2_wide(sqrt_wide(v31), T33 * c23_pm + s23_pm * v28),
         angle18 = atan2_wide(sqrt_wide(v32), T33 * c23_mp - s23_mp * v28),
         angle19 = atan2_wide(sqrt_wide(v33), T33 * c23_mm - s23_mm * v28), v49 = angle16 - offset5,
         v50 = offset5 + angle16, v51 = angle17 - offset5, v52 = offset5 + angle17,
         v53 = angle18 - offset5, v54 = offset5 + angle18, v55 = angle19 - offset5,
-        v56 = offset5 + angle19, q5_ppp = v49 + only_wide(v49 <= -half_turn, m10),
-        q5_ppm = only_wide(-v50 <= -half_turn, m10) - v50,
-        q5_pmp = v51 + only_wide(v51 <= -half_turn, m10),
-        q5_pmm = only_wide(-v52 <= -half_turn, m10) - v52,
-        q5_mpp = v53 + only_wide(v53 <= -half_turn, m10),
-        q5_mpm = only_wide(-v54 <= -half_turn, m10) - v54,
-        q5_mmp = v55 + only_wide(v55 <= -half_turn, m10),
-        q5_mmm = only_wide(-v56 <= -half_turn, m10) - v56,
-        v57 = q3__pp + only_wide(q3__pp <= -half_turn, m10),
-        v58 = only_wide(-v6 <= -half_turn, m10) - v6,
-        v59 = q3__mp + only_wide(q3__mp <= -half_turn, m10),
-        v60 = only_wide(-v7 <= -half_turn, m10) - v7;
-    const wide_mask v61 = beyond(angle1, low1, high1), v62 = beyond(q1__m, low1, high1);
+        v56 = offset5 + angle19, q5_ppp = v49 + only_wide(v49 <= -half_turn, whole_turn),
+        q5_ppm = only_wide(-v50 <= -half_turn, whole_turn) - v50,
+        q5_pmp = v51 + only_wide(v51 <= -half_turn, whole_turn),
+        q5_pmm = only_wide(-v52 <= -half_turn, whole_turn) - v52,
+        q5_mpp = v53 + only_wide(v53 <= -half_turn, whole_turn),
+        q5_mpm = only_wide(-v54 <= -half_turn, whole_turn) - v54,
+        q5_mmp = v55 + only_wide(v55 <= -half_turn, whole_turn),
+        q5_mmm = only_wide(-v56 <= -half_turn, whole_turn) - v56,
+        v57 = q3__pp + only_wide(q3__pp <= -half_turn, whole_turn),
+        v58 = only_wide(-v6 <= -half_turn, whole_turn) - v6,
+        v59 = q3__mp + only_wide(q3__mp <= -half_turn, whole_turn),
+        v60 = only_wide(-v7 <= -half_turn, whole_turn) - v7;
+    const wide_mask v61 = beyond(angle1, 1), v62 = beyond(q1__m, 1);
     const wide v63 = v57 - only_wide(high3 < v57, whole_turn),
         v64 = v58 - only_wide(high3 < v58, whole_turn),
         v65 = v59 - only_wide(high3 < v59, whole_turn),
         v66 = v60 - only_wide(high3 < v60, whole_turn);
-    const wide_mask v67 = beyond(v63, low3, high3), v68 = beyond(v64, low3, high3),
-        v69 = beyond(v65, low3, high3), v70 = beyond(v66, low3, high3);
+    const wide_mask v67 = beyond(v63, 3), v68 = beyond(v64, 3), v69 = beyond(v65, 3),
+        v70 = beyond(v66, 3);
     const wide q3_ppp = pick_wide(v67, v57, v63), q3_pmp = pick_wide(v68, v58, v64),
         q3_mpp = pick_wide(v69, v59, v65), q3_mmp = pick_wide(v70, v60, v66),
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v71 = v67 | v61 | beyond(q2_ppp, low2, high2),
-        v72 = v68 | v61 | beyond(q2_pmp, low2, high2),
-        v73 = v69 | v62 | beyond(q2_mpp, low2, high2),
-        v74 = v70 | v62 | beyond(q2_mmp, low2, high2),
-        outside_ppp = v71 | beyond(q5_ppp, low5, high5),
-        outside_ppm = v71 | beyond(q5_ppm, low5, high5),
-        outside_pmp = v72 | beyond(q5_pmp, low5, high5),
-        outside_pmm = v72 | beyond(q5_pmm, low5, high5),
-        outside_mpp = v73 | beyond(q5_mpp, low5, high5),
-        outside_mpm = v73 | beyond(q5_mpm, low5, high5),
-        outside_mmp = v74 | beyond(q5_mmp, low5, high5),
-        outside_mmm = v74 | beyond(q5_mmm, low5, high5),
+    const wide_mask v71 = v67 | v61 | beyond(q2_ppp, 2), v72 = v68 | v61 | beyond(q2_pmp, 2),
+        v73 = v69 | v62 | beyond(q2_mpp, 2), v74 = v70 | v62 | beyond(q2_mmp, 2),
         doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
             longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
             <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
@@ -545,25 +536,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             | (v31 <= m9) | (v1 <= m1) | (v30 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v71 | beyond(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v34; q[10] = q5_ppm;
-    q[11] = angle8 - h1 * copysign_wide(all_wide(half_turn), v40);
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[11] = angle8 - signed_wide(half_turn, v40);
+    kind[1] = kind_of(q[6], v71 | beyond(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = angle9;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    kind[2] = kind_of(q[12], v72 | beyond(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v34; q[22] = q5_pmm;
-    q[23] = angle9 - h1 * copysign_wide(all_wide(half_turn), v41);
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[23] = angle9 - signed_wide(half_turn, v41);
+    kind[3] = kind_of(q[18], v72 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = angle10;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    kind[4] = kind_of(q[24], v73 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v35; q[34] = q5_mpm;
-    q[35] = angle10 - h1 * copysign_wide(all_wide(half_turn), v42);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[35] = angle10 - signed_wide(half_turn, v42);
+    kind[5] = kind_of(q[30], v73 | beyond(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = angle11;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    kind[6] = kind_of(q[36], v74 | beyond(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v35; q[46] = q5_mmm;
-    q[47] = angle11 - h1 * copysign_wide(all_wide(half_turn), v43);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[47] = angle11 - signed_wide(half_turn, v43);
+    kind[7] = kind_of(q[42], v74 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -608,7 +599,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
-    const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
+    const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
     const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
@@ -628,18 +619,17 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
-        q4_m = angle3 - v21, q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26),
-        v27 = angle5 - offset2, q2_p = v27 - only_four(half_turn < v27, m10),
-        v28 = angle6 - offset5, v29 = offset5 + angle6,
-        q5_p = v28 + only_four(v28 <= -half_turn, m10),
-        q5_m = only_four(-v29 <= -half_turn, m10) - v29,
-        v30 = q3_ + only_four(q3_ <= -half_turn, m10);
-    const four_mask v31 = beyond(q1_, low1, high1);
+        q4_m = angle3 - v21, q6_m = angle4 - signed_four(half_turn, v26), v27 = angle5 - offset2,
+        q2_p = v27 - only_four(half_turn < v27, whole_turn), v28 = angle6 - offset5,
+        v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, whole_turn),
+        q5_m = only_four(-v29 <= -half_turn, whole_turn) - v29,
+        v30 = q3_ + only_four(q3_ <= -half_turn, whole_turn);
+    const four_mask v31 = beyond(q1_, 1);
     const four v32 = v30 - only_four(high3 < v30, whole_turn);
-    const four_mask v33 = beyond(v32, low3, high3);
+    const four_mask v33 = beyond(v32, 3);
     const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
-    const four_mask v34 = v33 | v31 | beyond(q2_p, low2, high2),
-        outside_p = v34 | beyond(q5_p, low5, high5), outside_m = v34 | beyond(q5_m, low5, high5);
+    const four_mask v34 = v33 | v31 | beyond(q2_p, 2), outside_p = v34 | beyond(q5_p, 5),
+        outside_m = v34 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -670,29 +660,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -821,6 +801,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -828,27 +814,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -879,8 +844,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -943,8 +907,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -963,12 +926,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.25207965717166625, 0.25207965717166625,
+        0.25207965717166625, 1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        abb_irb6640_fk(x, P);
+        abb_irb6640_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -989,10 +1013,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == ABB_IRB6640_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = ABB_IRB6640_OUT_OF_LIMITS;
         }
         count += status[row] != ABB_IRB6640_OUT_OF_LIMITS;
@@ -1033,8 +1059,7 @@ int abb_irb6640_ik_nearest(const double T[16], const double q_seed[6], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -115,15 +115,15 @@ k4 = 0.10938822421589604  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.5737089e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4280947671350148  # a constant angle [rad]
-low1 = -2.967000001  # least of joint 1
-high1 = 2.967000001  # most of joint 1
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low2 = -1.134000001  # least of joint 2
-high2 = 1.4855000010000001  # most of joint 2
-low3 = -3.142000001  # least of joint 3
-high3 = 1.222000001  # most of joint 3
-low5 = -2.094000001  # least of joint 5
-high5 = 2.094000001  # most of joint 5
+low1 = -2.967000001
+high1 = 2.967000001
+low2 = -1.134000001
+high2 = 1.4855000010000001
+low3 = -3.142000001
+high3 = 1.222000001
+low5 = -2.094000001
+high5 = 2.094000001
 m1 = 1.5737089e-05  # doubt_limit1^2 [m^2]
 m3 = 0.46511627906976744  # a coefficient of Y1_2
 m4 = 0.38234372093023233  # a coefficient of Y1_2
@@ -132,8 +132,6 @@ m6 = 0.35193035824083363  # a coefficient of c23
 m7 = 0.2893004797579363  # a coefficient of c23
 m8 = 0.04156616088476098  # a coefficient of c23
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -383,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 946cfd273501de8d"
+_KEY = "abb_irb6640 cab80bd40fce1c17"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -620,12 +618,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -644,6 +636,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -785,6 +783,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.25207965717166625, 0.25207965717166625, 0.25207965717166625, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -798,6 +887,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -880,8 +970,8 @@ def _regular(pose, q, status):
     v31 = v29 + X4_pm * X4_pm
     v32 = v29 + X4_mp * X4_mp
     v33 = v29 + X4_mm * X4_mm
-    v34 = h1 * math.copysign(half_turn, Y4)
-    v35 = h1 * math.copysign(half_turn, -Y4)
+    v34 = math.copysign(half_turn, Y4)
+    v35 = math.copysign(half_turn, -Y4)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v36 = w1 * (v2 * (wx * T22 + Y1 * T12))
@@ -966,7 +1056,7 @@ def _regular(pose, q, status):
     angle19 = room[18]
 
     # theta1, type 2: U1 A6^-1 [3, 4]
-    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+    q1__m = angle1 - math.copysign(half_turn, Y1)
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     q3__pp = angle2 - turn1
@@ -981,20 +1071,20 @@ def _regular(pose, q, status):
     q4_mmm = angle7 - v35
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle8 - h1 * math.copysign(half_turn, v40)
-    q6_pmm = angle9 - h1 * math.copysign(half_turn, v41)
-    q6_mpm = angle10 - h1 * math.copysign(half_turn, v42)
-    q6_mmm = angle11 - h1 * math.copysign(half_turn, v43)
+    q6_ppm = angle8 - math.copysign(half_turn, v40)
+    q6_pmm = angle9 - math.copysign(half_turn, v41)
+    q6_mpm = angle10 - math.copysign(half_turn, v42)
+    q6_mmm = angle11 - math.copysign(half_turn, v43)
 
     # joint values
     v45 = angle12 - offset2
     v46 = angle13 - offset2
     v47 = angle14 - offset2
     v48 = angle15 - offset2
-    q2_ppp = v45 - (m10 if half_turn < v45 else 0.0)
-    q2_pmp = v46 - (m10 if half_turn < v46 else 0.0)
-    q2_mpp = v47 - (m10 if half_turn < v47 else 0.0)
-    q2_mmp = v48 - (m10 if half_turn < v48 else 0.0)
+    q2_ppp = v45 - (whole_turn if half_turn < v45 else 0.0)
+    q2_pmp = v46 - (whole_turn if half_turn < v46 else 0.0)
+    q2_mpp = v47 - (whole_turn if half_turn < v47 else 0.0)
+    q2_mmp = v48 - (whole_turn if half_turn < v48 else 0.0)
     v49 = angle16 - offset5
     v50 = offset5 + angle16
     v51 = angle17 - offset5
@@ -1003,18 +1093,18 @@ def _regular(pose, q, status):
     v54 = offset5 + angle18
     v55 = angle19 - offset5
     v56 = offset5 + angle19
-    q5_ppp = v49 + (m10 if v49 <= -half_turn else 0.0)
-    q5_ppm = (m10 if -v50 <= -half_turn else 0.0) - v50
-    q5_pmp = v51 + (m10 if v51 <= -half_turn else 0.0)
-    q5_pmm = (m10 if -v52 <= -half_turn else 0.0) - v52
-    q5_mpp = v53 + (m10 if v53 <= -half_turn else 0.0)
-    q5_mpm = (m10 if -v54 <= -half_turn else 0.0) - v54
-    q5_mmp = v55 + (m10 if v55 <= -half_turn else 0.0)
-    q5_mmm = (m10 if -v56 <= -half_turn else 0.0) - v56
-    v57 = q3__pp + (m10 if q3__pp <= -half_turn else 0.0)
-    v58 = (m10 if -v6 <= -half_turn else 0.0) - v6
-    v59 = q3__mp + (m10 if q3__mp <= -half_turn else 0.0)
-    v60 = (m10 if -v7 <= -half_turn else 0.0) - v7
+    q5_ppp = v49 + (whole_turn if v49 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v50 <= -half_turn else 0.0) - v50
+    q5_pmp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
+    q5_mpp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
+    q5_mmp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
+    v57 = q3__pp + (whole_turn if q3__pp <= -half_turn else 0.0)
+    v58 = (whole_turn if -v6 <= -half_turn else 0.0) - v6
+    v59 = q3__mp + (whole_turn if q3__mp <= -half_turn else 0.0)
+    v60 = (whole_turn if -v7 <= -half_turn else 0.0) - v7
     v61 = angle1 < low1 or high1 < angle1
     v62 = q1__m < low1 or high1 < q1__m
     v63 = v57 - (whole_turn if high3 < v57 else 0.0)
@@ -1148,7 +1238,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1379,8 +1469,8 @@ def _in_tiles(T, q, status):
             v31 = v29 + X4_pm * X4_pm
             v32 = v29 + X4_mp * X4_mp
             v33 = v29 + X4_mm * X4_mm
-            v34 = h1 * math.copysign(half_turn, Y4)
-            v35 = h1 * math.copysign(half_turn, -Y4)
+            v34 = math.copysign(half_turn, Y4)
+            v35 = math.copysign(half_turn, -Y4)
             v36 = w1 * (v2 * (wx * T22 + Y1 * T12))
             v37 = w1 * (v2 * (Y1 * T22 - wx * T12))
             v38 = w1 * (v2 * (wx * T21 + Y1 * T11))
@@ -1477,7 +1567,7 @@ def _in_tiles(T, q, status):
             angle17 = work[688 + k]
             angle18 = work[704 + k]
             angle19 = work[720 + k]
-            q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+            q1__m = angle1 - math.copysign(half_turn, Y1)
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
             q3__mp = angle3 - turn1
@@ -1486,18 +1576,18 @@ def _in_tiles(T, q, status):
             q4_pmm = angle5 - v34
             q4_mpm = angle6 - v35
             q4_mmm = angle7 - v35
-            q6_ppm = angle8 - h1 * math.copysign(half_turn, v40)
-            q6_pmm = angle9 - h1 * math.copysign(half_turn, v41)
-            q6_mpm = angle10 - h1 * math.copysign(half_turn, v42)
-            q6_mmm = angle11 - h1 * math.copysign(half_turn, v43)
+            q6_ppm = angle8 - math.copysign(half_turn, v40)
+            q6_pmm = angle9 - math.copysign(half_turn, v41)
+            q6_mpm = angle10 - math.copysign(half_turn, v42)
+            q6_mmm = angle11 - math.copysign(half_turn, v43)
             v45 = angle12 - offset2
             v46 = angle13 - offset2
             v47 = angle14 - offset2
             v48 = angle15 - offset2
-            q2_ppp = v45 - (m10 if half_turn < v45 else 0.0)
-            q2_pmp = v46 - (m10 if half_turn < v46 else 0.0)
-            q2_mpp = v47 - (m10 if half_turn < v47 else 0.0)
-            q2_mmp = v48 - (m10 if half_turn < v48 else 0.0)
+            q2_ppp = v45 - (whole_turn if half_turn < v45 else 0.0)
+            q2_pmp = v46 - (whole_turn if half_turn < v46 else 0.0)
+            q2_mpp = v47 - (whole_turn if half_turn < v47 else 0.0)
+            q2_mmp = v48 - (whole_turn if half_turn < v48 else 0.0)
             v49 = angle16 - offset5
             v50 = offset5 + angle16
             v51 = angle17 - offset5
@@ -1506,18 +1596,18 @@ def _in_tiles(T, q, status):
             v54 = offset5 + angle18
             v55 = angle19 - offset5
             v56 = offset5 + angle19
-            q5_ppp = v49 + (m10 if v49 <= -half_turn else 0.0)
-            q5_ppm = (m10 if -v50 <= -half_turn else 0.0) - v50
-            q5_pmp = v51 + (m10 if v51 <= -half_turn else 0.0)
-            q5_pmm = (m10 if -v52 <= -half_turn else 0.0) - v52
-            q5_mpp = v53 + (m10 if v53 <= -half_turn else 0.0)
-            q5_mpm = (m10 if -v54 <= -half_turn else 0.0) - v54
-            q5_mmp = v55 + (m10 if v55 <= -half_turn else 0.0)
-            q5_mmm = (m10 if -v56 <= -half_turn else 0.0) - v56
-            v57 = q3__pp + (m10 if q3__pp <= -half_turn else 0.0)
-            v58 = (m10 if -v6 <= -half_turn else 0.0) - v6
-            v59 = q3__mp + (m10 if q3__mp <= -half_turn else 0.0)
-            v60 = (m10 if -v7 <= -half_turn else 0.0) - v7
+            q5_ppp = v49 + (whole_turn if v49 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v50 <= -half_turn else 0.0) - v50
+            q5_pmp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
+            q5_mpp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
+            q5_mmp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
+            v57 = q3__pp + (whole_turn if q3__pp <= -half_turn else 0.0)
+            v58 = (whole_turn if -v6 <= -half_turn else 0.0) - v6
+            v59 = q3__mp + (whole_turn if q3__mp <= -half_turn else 0.0)
+            v60 = (whole_turn if -v7 <= -half_turn else 0.0) - v7
             v61 = angle1 < low1 or high1 < angle1
             v62 = q1__m < low1 or high1 < q1__m
             v63 = v57 - (whole_turn if high3 < v57 else 0.0)

@@ -86,6 +86,7 @@ free_limit_squared = 1e-24  # square of a length that fixes no angle
 free_limit_squared2 = 5.7599999999999994e-18  # square of a length that fixes no angle [mm^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 0.024  # a pose may be rounded by this [mm]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 330000.0  # a coefficient of v5
@@ -93,7 +94,6 @@ m3 = 600.0  # a coefficient of v5
 m4 = 33.1776  # doubt_limit_squared2^2 [mm^4]
 m5 = 0.000576  # pose_slack1^2 [mm^2]
 m6 = 1.0000000000000002e-10  # pose_slack^2
-m7 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -410,7 +410,7 @@ def _regular(pose, q, status):
 
     # joint values
     v14 = angle2 - angle1
-    q2 = v14 - (m7 if half_turn < v14 else 0.0) + (m7 if v14 <= -half_turn else 0.0)
+    q2 = v14 - (whole_turn if half_turn < v14 else 0.0) + (whole_turn if v14 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -669,7 +669,10 @@ def _in_tiles(T, q, status):
             angle1 = work[304 + k]
             angle2 = work[320 + k]
             v14 = angle2 - angle1
-            q2 = v14 - (m7 if half_turn < v14 else 0.0) + (m7 if v14 <= -half_turn else 0.0)
+            q2 = (
+                v14 - (whole_turn if half_turn < v14 else 0.0) + (whole_turn if v14 <= -half_turn
+                else 0.0)
+            )
             _368 = angle1
             work[368 + k] = _368
             _384 = q2

@@ -96,13 +96,13 @@ pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
 k2 = 5.594405594405594  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 9.74169e-07  # square of a length that fixes no angle [m^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.5384615384615385  # a coefficient of S1
 m3 = 0.04615384615384612  # a coefficient of S1
 m4 = 9.74169e-11  # pose_slack1^2 [m^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
-m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -461,8 +461,12 @@ def _regular(pose, q, status):
     # joint values
     v12 = angle2 + angle3 - angle1
     v13 = angle4 - angle2 - angle1
-    q4_p = v12 - (m6 if half_turn < v12 else 0.0) + (m6 if v12 <= -half_turn else 0.0)
-    q4_m = v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else 0.0)
+    q4_p = (
+        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
+    )
+    q4_m = (
+        v13 - (whole_turn if half_turn < v13 else 0.0) + (whole_turn if v13 <= -half_turn else 0.0)
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -731,8 +735,14 @@ def _in_tiles(T, q, status):
             angle4 = work[352 + k]
             v12 = angle2 + angle3 - angle1
             v13 = angle4 - angle2 - angle1
-            q4_p = v12 - (m6 if half_turn < v12 else 0.0) + (m6 if v12 <= -half_turn else 0.0)
-            q4_m = v13 - (m6 if half_turn < v13 else 0.0) + (m6 if v13 <= -half_turn else 0.0)
+            q4_p = (
+                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
+                else 0.0)
+            )
+            q4_m = (
+                v13 - (whole_turn if half_turn < v13 else 0.0) + (whole_turn if v13 <= -half_turn
+                else 0.0)
+            )
             _432 = angle3
             work[432 + k] = _432
             _448 = angle2

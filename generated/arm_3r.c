@@ -65,14 +65,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -92,6 +90,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -102,10 +101,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -157,7 +156,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     return all_four(0.0 * (T[3] + T[7] + T[11]));
@@ -178,11 +176,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -196,16 +193,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ARM_3R_UNREACHABLE) \
-        | (~(none) & (outside) & ARM_3R_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & ARM_3R_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & ARM_3R_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)ARM_3R_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)ARM_3R_UNREACHABLE \
         : (outside) ? (int)ARM_3R_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.4; /* joint offset 1 [m] */
@@ -232,7 +229,6 @@ static const double m1 = 1.3225e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.2499999999999998; /* a coefficient of S2 */
 static const double m4 = 0.04687500000000003; /* a coefficient of S2 */
 static const double m5 = 1.749006249999999e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const arm_3r_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -305,7 +301,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
     const wide Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3,
         w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v2 = w3 - w3,
         angle2 = atan2_wide(-(k1 * (N3 - k2)), k1 * w3),
-        q3_pm = copysign_wide(all_wide(half_turn), -(k1 * (N3 - k2))) * h1 - angle2;
+        q3_pm = signed_wide(half_turn, -(k1 * (N3 - k2))) - angle2;
 
     /* theta2 */
     const wide v3 = m4 + m3 * N3, v4 = Z1_3 * v3, v5 = w3 * (m3 * w1), S2_pp = v5 - v4,
@@ -313,20 +309,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[4])
         v11 = v8 + v9, v12 = v7 - v9, v13 = v8 - v9, v14 = S2_pp * S2_pp, v15 = v6 * v6;
 
     /* joint values */
-    const wide q1_pp = angle1 + v2,
-        q1_mp = v2 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
+    const wide q1_pp = angle1 + v2, q1_mp = v2 + (angle1 - signed_wide(half_turn, -T24));
     const wide_mask doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0)) | (v1 <= m1) | (v14 + v13 * v13 <= m5) | (v15 + v12 *
         v12 <= m5) | (v14 + v10 * v10 <= m5) | (v15 + v11 * v11 <= m5);
 
     q[0] = q1_pp; q[1] = atan2_wide(S2_pp, -v10); q[2] = angle2;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[3] = q1_pp; q[4] = atan2_wide(-v6, -v11); q[5] = q3_pm;
-    kind[1] = kind_of(q[3] != q[3], 0);
+    kind[1] = kind_of(q[3], 0);
     q[6] = q1_mp; q[7] = atan2_wide(-v6, -v12); q[8] = angle2;
-    kind[2] = kind_of(q[6] != q[6], 0);
+    kind[2] = kind_of(q[6], 0);
     q[9] = q1_mp; q[10] = atan2_wide(S2_pp, -v13); q[11] = q3_pm;
-    kind[3] = kind_of(q[9] != q[9], 0);
+    kind[3] = kind_of(q[9], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -392,29 +387,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (12 >= LANES) {
-        for (int i = 0; i < 12; i += LANES) {
-            const int from = i + LANES <= 12 ? i : 12 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 12 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 12; i++)
-            for (int k = 0; k < LANES; k++)
-                q[12 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 4; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 4 - row < 8 ? 4 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 12; i += LANES) {
+        const int from = i + LANES <= 12 ? i : 12 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 12 * k + from) = x[k];
     }
+    for (int i = 1; i < 4; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 4; i++)
+            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -496,6 +481,12 @@ static void solve(
     }
 }
 
+static void take(const double from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -512,8 +503,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3], unsigned char
     status[4])
 {
-    static const double zeros[3] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -529,9 +519,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3],
         if (status[row] == ARM_3R_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = ARM_3R_OUT_OF_LIMITS;
         }
         count += status[row] != ARM_3R_OUT_OF_LIMITS;
@@ -571,8 +560,7 @@ int arm_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 3; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -99,7 +99,6 @@ m1 = 1.3225e-06  # doubt_limit1^2 [m^2]
 m3 = 1.2499999999999998  # a coefficient of S2
 m4 = 0.04687500000000003  # a coefficient of S2
 m5 = 1.749006249999999e-12  # doubt_limit_squared2^2 [m^4]
-h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -427,11 +426,11 @@ def _regular(pose, q, status):
     angle6 = room[5]
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle2
+    q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) - angle2
 
     # joint values
     q1_pp = angle1 + v2
-    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
+    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -701,9 +700,9 @@ def _in_tiles(T, q, status):
             angle4 = work[368 + k]
             angle5 = work[384 + k]
             angle6 = work[400 + k]
-            q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) * h1 - angle2
+            q3_pm = math.copysign(half_turn, -(k1 * (N3 - k2))) - angle2
             q1_pp = angle1 + v2
-            q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24) * h1)
+            q1_mp = v2 + (angle1 - math.copysign(half_turn, -T24))
             _512 = q1_pp
             work[512 + k] = _512
             _528 = angle3

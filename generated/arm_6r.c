@@ -9,6 +9,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -65,14 +81,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -92,6 +106,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -102,10 +117,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -117,21 +132,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -173,7 +180,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -207,11 +213,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -225,16 +230,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & ARM_6R_UNREACHABLE) \
-        | (~(none) & (outside) & ARM_6R_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & ARM_6R_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & ARM_6R_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)ARM_6R_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)ARM_6R_UNREACHABLE \
         : (outside) ? (int)ARM_6R_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.4; /* joint offset 1 [m] */
@@ -264,7 +269,6 @@ static const double m3 = 1.2499999999999998; /* a coefficient of S2 */
 static const double m4 = 0.04687500000000003; /* a coefficient of S2 */
 static const double m5 = 2.4414062499999996e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m6 = 1e-06; /* doubt_limit^2 */
-static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const arm_6r_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -347,35 +351,19 @@ void arm_6r_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = -y5_z; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -388,7 +376,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -414,7 +402,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
         w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)), v3 = w3 - w3, v4 = k1 * (N3 - k2),
         v5 = k3 * v4, v6 = k1 * w3, c3 = k3 * v6, angle2 = atan2_wide(-v4, v6),
-        q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
+        q3_pmp = signed_wide(half_turn, -v4) - angle2;
 
     /* theta2 */
     const wide v7 = d4 * c3, Y1_2 = a2 + d4 * v5, v8 = Z1_3 * Y1_2, v9 = w1 * v7, v10 = v9 - v8,
@@ -441,8 +429,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v45 = v44 + X4_pp * X4_pp, v46 = v44 + X4_pm * X4_pm, v47 = v44 + X4_mp * X4_mp,
         v48 = v44 + X4_mm * X4_mm, angle7 = atan2_wide(Y4, -X4_pp), angle8 = atan2_wide(Y4, -X4_pm),
         angle9 = atan2_wide(-Y4, -X4_mp), angle10 = atan2_wide(-Y4, -X4_mm),
-        v49 = h1 * copysign_wide(all_wide(half_turn), Y4),
-        v50 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+        v49 = signed_wide(half_turn, Y4), v50 = signed_wide(half_turn, -Y4);
 
     /* theta5 */
     const wide angle11 = atan2_wide(-sqrt_wide(v45), -(T33 * c23_pp + s23_pp * v43)),
@@ -463,35 +450,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle18 = atan2_wide(v58, Y4 * (v42 * T32 - c23_mm * v52) - -X4_mm * v51);
 
     /* joint values */
-    const wide q1_ppp = angle1 + v3,
-        q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), Y1) * h1);
+    const wide q1_ppp = angle1 + v3, q1_mpp = v3 + (angle1 - signed_wide(half_turn, Y1));
     const wide_mask doubt1 = (v48 <= m6) | (v32 <= m5) | (v47 <= m6) | (v31 <= m5) | (v46 <= m6) |
         (v30 <= m5) | (v45 <= m6) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v28 <= m5);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = angle7 - v49; q[10] = -angle11;
-    q[11] = angle15 - h1 * copysign_wide(all_wide(half_turn), v55);
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[11] = angle15 - signed_wide(half_turn, v55);
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v49; q[22] = -angle12;
-    q[23] = angle16 - h1 * copysign_wide(all_wide(half_turn), v56);
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[23] = angle16 - signed_wide(half_turn, v56);
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = angle2; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = angle9 - v50; q[34] = -angle13;
-    q[35] = angle17 - h1 * copysign_wide(all_wide(half_turn), v57);
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[35] = angle17 - signed_wide(half_turn, v57);
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = angle6; q[38] = q3_pmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = angle10 - v50; q[46] = -angle14;
-    q[47] = angle18 - h1 * copysign_wide(all_wide(half_turn), v58);
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[47] = angle18 - signed_wide(half_turn, v58);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -534,8 +520,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v27 = w1 * (v2 * (T23 * Y1 - T13 * wx));
     const four X4 = T33 * s23 - e1 * (c23 * v27);
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v28 = Y4 * Y4;
-    const four v29 = v28 + X4 * X4, v30 = e1 * Y4,
-        v31 = copysign_four(all_four(half_turn), v30) * h1;
+    const four v29 = v28 + X4 * X4, v30 = e1 * Y4, v31 = signed_four(half_turn, v30);
 
     /* theta6 */
     const double v32 = w1 * (v2 * (wx * T22 + Y1 * T12)), v33 = w1 * (v2 * (Y1 * T22 - wx * T12)),
@@ -554,8 +539,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
         angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2)), q4_m = angle4 - v31,
-        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v36),
-        q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
+        q6_m = angle6 - signed_four(half_turn, v36), q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -583,29 +567,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -726,6 +700,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -742,8 +722,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -762,9 +741,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == ARM_6R_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = ARM_6R_OUT_OF_LIMITS;
         }
         count += status[row] != ARM_6R_OUT_OF_LIMITS;
@@ -804,8 +782,7 @@ int arm_6r_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -109,7 +109,6 @@ m3 = 1.2499999999999998  # a coefficient of S2
 m4 = 0.04687500000000003  # a coefficient of S2
 m5 = 2.4414062499999996e-12  # doubt_limit_squared2^2 [m^4]
 m6 = 1e-06  # doubt_limit^2
-h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -610,8 +609,8 @@ def _regular(pose, q, status):
     v46 = v44 + X4_pm * X4_pm
     v47 = v44 + X4_mp * X4_mp
     v48 = v44 + X4_mm * X4_mm
-    v49 = h1 * math.copysign(half_turn, Y4)
-    v50 = h1 * math.copysign(half_turn, -Y4)
+    v49 = math.copysign(half_turn, Y4)
+    v50 = math.copysign(half_turn, -Y4)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v51 = w1 * (v2 * (wx * T22 + Y1 * T12))
@@ -691,7 +690,7 @@ def _regular(pose, q, status):
     angle18 = room[17]
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle2
+    q3_pmp = math.copysign(half_turn, -v4) - angle2
 
     # theta4, type 2: U4[3, 3]
     q4_ppm = angle7 - v49
@@ -700,14 +699,14 @@ def _regular(pose, q, status):
     q4_mmm = angle10 - v50
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle15 - h1 * math.copysign(half_turn, v55)
-    q6_pmm = angle16 - h1 * math.copysign(half_turn, v56)
-    q6_mpm = angle17 - h1 * math.copysign(half_turn, v57)
-    q6_mmm = angle18 - h1 * math.copysign(half_turn, v58)
+    q6_ppm = angle15 - math.copysign(half_turn, v55)
+    q6_pmm = angle16 - math.copysign(half_turn, v56)
+    q6_mpm = angle17 - math.copysign(half_turn, v57)
+    q6_mmm = angle18 - math.copysign(half_turn, v58)
 
     # joint values
     q1_ppp = angle1 + v3
-    q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1) * h1)
+    q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1060,8 +1059,8 @@ def _in_tiles(T, q, status):
             v46 = v44 + X4_pm * X4_pm
             v47 = v44 + X4_mp * X4_mp
             v48 = v44 + X4_mm * X4_mm
-            v49 = h1 * math.copysign(half_turn, Y4)
-            v50 = h1 * math.copysign(half_turn, -Y4)
+            v49 = math.copysign(half_turn, Y4)
+            v50 = math.copysign(half_turn, -Y4)
             v51 = w1 * (v2 * (wx * T22 + Y1 * T12))
             v52 = w1 * (v2 * (Y1 * T22 - wx * T12))
             v53 = w1 * (v2 * (wx * T21 + Y1 * T11))
@@ -1152,17 +1151,17 @@ def _in_tiles(T, q, status):
             angle16 = work[672 + k]
             angle17 = work[688 + k]
             angle18 = work[704 + k]
-            q3_pmp = math.copysign(half_turn, -v4) * h1 - angle2
+            q3_pmp = math.copysign(half_turn, -v4) - angle2
             q4_ppm = angle7 - v49
             q4_pmm = angle8 - v49
             q4_mpm = angle9 - v50
             q4_mmm = angle10 - v50
-            q6_ppm = angle15 - h1 * math.copysign(half_turn, v55)
-            q6_pmm = angle16 - h1 * math.copysign(half_turn, v56)
-            q6_mpm = angle17 - h1 * math.copysign(half_turn, v57)
-            q6_mmm = angle18 - h1 * math.copysign(half_turn, v58)
+            q6_ppm = angle15 - math.copysign(half_turn, v55)
+            q6_pmm = angle16 - math.copysign(half_turn, v56)
+            q6_mpm = angle17 - math.copysign(half_turn, v57)
+            q6_mmm = angle18 - math.copysign(half_turn, v58)
             q1_ppp = angle1 + v3
-            q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1) * h1)
+            q1_mpp = v3 + (angle1 - math.copysign(half_turn, Y1))
             _1008 = q1_ppp
             work[1008 + k] = _1008
             _1024 = angle3

@@ -10,6 +10,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -66,14 +82,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -93,6 +107,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -103,10 +118,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -118,21 +133,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -172,7 +179,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -206,11 +212,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -224,16 +229,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & BARTELL_RPRPR_UNREACHABLE) \
-        | (~(none) & (outside) & BARTELL_RPRPR_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & BARTELL_RPRPR_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & BARTELL_RPRPR_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)BARTELL_RPRPR_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)BARTELL_RPRPR_UNREACHABLE \
         : (outside) ? (int)BARTELL_RPRPR_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 2.0; /* joint offset 1 [m] */
@@ -247,7 +252,6 @@ static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double m3 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 4.0000000000000007e-10; /* pose_slack1^2 [m^2] */
 static const double m5 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const bartell_rprpr_branches[2] = {
     "left", "right",
@@ -294,35 +298,19 @@ void bartell_rprpr_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = -c3;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -335,7 +323,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -355,7 +343,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
 
     /* theta1 */
     const wide v1 = T34 - d1, X2_1 = v1 * T23 - T24 * T33, Y2_1 = v1 * T13 - T33 * T14,
-        v2 = copysign_wide(all_wide(second_weight), X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
+        v2 = signed_wide(second_weight, X2_1 * T13 - T23 * Y2_1), v3 = T13 + X2_1 * v2,
         v4 = Y2_1 * v2 - T23, v5 = v3 * v3 + v4 * v4, w1 = sqrt_wide(v5), v6 = 1.0 / v5,
         factor1 = w1 * v6, v7 = v3 * factor1, s1 = v4 * factor1, angle1 = atan2_wide(v4, -v3);
 
@@ -387,10 +375,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[10], wide_mask kind[2])
         v20));
 
     q[0] = angle1; q[1] = q2_p; q[2] = angle2; q[3] = q4_p; q[4] = angle3;
-    kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = angle1 - copysign_wide(all_wide(half_turn), v4) * h1; q[6] = -q2_p; q[7] = -angle2;
-    q[8] = q4_p; q[9] = angle3 - h1 * copysign_wide(all_wide(half_turn), v12);
-    kind[1] = kind_of(q[5] != q[5], 0);
+    kind[0] = kind_of(q[0], 0);
+    q[5] = angle1 - signed_wide(half_turn, v4); q[6] = -q2_p; q[7] = -angle2; q[8] = q4_p;
+    q[9] = angle3 - signed_wide(half_turn, v12);
+    kind[1] = kind_of(q[5], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -471,29 +459,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (10 >= LANES) {
-        for (int i = 0; i < 10; i += LANES) {
-            const int from = i + LANES <= 10 ? i : 10 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 10 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 10; i++)
-            for (int k = 0; k < LANES; k++)
-                q[10 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 2; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 2 - row < 8 ? 2 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 10; i += LANES) {
+        const int from = i + LANES <= 10 ? i : 10 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 10 * k + from) = x[k];
     }
+    for (int i = 1; i < 2; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 2; i++)
+            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -580,6 +558,12 @@ static void solve(
     }
 }
 
+static void take(const double from[5], double to[5])
+{
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -598,8 +582,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5], unsigned char
     status[2])
 {
-    static const double zeros[5] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -618,9 +601,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][5],
         if (status[row] == BARTELL_RPRPR_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = BARTELL_RPRPR_OUT_OF_LIMITS;
         }
         count += status[row] != BARTELL_RPRPR_OUT_OF_LIMITS;
@@ -661,8 +643,7 @@ int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double 
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 5; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

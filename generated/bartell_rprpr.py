@@ -92,7 +92,6 @@ m1 = 1e-06  # doubt_limit^2
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 4.0000000000000007e-10  # pose_slack1^2 [m^2]
 m5 = 1.0000000000000002e-10  # pose_slack^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -473,10 +472,10 @@ def _regular(pose, q, status):
     angle3 = room[2]
 
     # theta1, type 2: U1[2, 3] and U1[3] x U1[4], element 2
-    q1_m = angle1 - math.copysign(half_turn, v4) * h1
+    q1_m = angle1 - math.copysign(half_turn, v4)
 
     # theta5, type 3: U1[2, 2] and U1[2, 1]
-    q5_m = angle3 - h1 * math.copysign(half_turn, v12)
+    q5_m = angle3 - math.copysign(half_turn, v12)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -772,8 +771,8 @@ def _in_tiles(T, q, status):
             angle1 = work[352 + k]
             angle2 = work[368 + k]
             angle3 = work[384 + k]
-            q1_m = angle1 - math.copysign(half_turn, v4) * h1
-            q5_m = angle3 - h1 * math.copysign(half_turn, v12)
+            q1_m = angle1 - math.copysign(half_turn, v4)
+            q5_m = angle3 - math.copysign(half_turn, v12)
             _448 = angle1
             work[448 + k] = _448
             _464 = q2_p

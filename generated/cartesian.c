@@ -65,14 +65,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -92,6 +90,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -102,10 +101,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -157,7 +156,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     return all_four(0.0 * (T[3] + T[7] + T[11]));
@@ -178,11 +176,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -196,24 +193,20 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & CARTESIAN_UNREACHABLE) \
-        | (~(none) & (outside) & CARTESIAN_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & CARTESIAN_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & CARTESIAN_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)CARTESIAN_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)CARTESIAN_UNREACHABLE \
         : (outside) ? (int)CARTESIAN_OUT_OF_LIMITS : 0)
 #endif
-static const double low1 = -1e-09; /* least of joint 1 */
-static const double high1 = 0.800000001; /* most of joint 1 */
-static const double low2 = -1e-09; /* least of joint 2 */
-static const double high2 = 0.600000001; /* most of joint 2 */
-static const double low3 = -1e-09; /* least of joint 3 */
-static const double high3 = 1.200000001; /* most of joint 3 */
+static const double low1 = -1e-09, high1 = 0.800000001, low2 = -1e-09, high2 = 0.600000001,
+low3 = -1e-09, high3 = 1.200000001;
 
 const char *const cartesian_branches[1] = {
     "only",
@@ -254,6 +247,25 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    double off = value > high ? value - high : value - low;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[3])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 3; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
+}
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
@@ -262,12 +274,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
     const wide T24 = T[7];
     const wide T34 = T[11];
 
-    /* joint values */
-    const wide_mask outside = beyond(T14, low3, high3) | beyond(T34, low1, high1) | beyond(T24,
-        low2, high2);
-
     q[0] = T34; q[1] = T24; q[2] = T14;
-    kind[0] = kind_of(q[0] != q[0], outside);
+    kind[0] = kind_of(q[0], beyond(T14, 3) | beyond(T34, 1) | beyond(T24, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0);
 }
@@ -283,8 +291,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const double T34 = T[11];
 
     /* joint values */
-    const int outside = beyond(T14, low3, high3) | beyond(T34, low1, high1) | beyond(T24, low2,
-        high2);
+    const int outside = beyond(T14, 3) | beyond(T34, 1) | beyond(T24, 2);
 
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)))
@@ -312,29 +319,14 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (3 >= LANES) {
-        for (int i = 0; i < 3; i += LANES) {
-            const int from = i + LANES <= 3 ? i : 3 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 3 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 3; i++)
-            for (int k = 0; k < LANES; k++)
-                q[3 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 1; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 1 - row < 8 ? 1 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 3; i++)
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[1 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
-    }
+            q[3 * k + i] = found[i][k];
+    for (int i = 1; i < 1; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 1; i++)
+            status[1 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -366,12 +358,75 @@ static void solve(
     status[row] = CARTESIAN_OK;
 }
 
+static void take(const double from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[3])
+{
+    static const double weights[6] = { 0.8333333333333334, 0.8333333333333334, 0.8333333333333334,
+        0.0, 0.0, 0.0 };
+    double x[3], P[16], J[18], enough = 0.0;
+    int held[3] = { 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[3] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        cartesian_fk(x, P);
+        cartesian_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 18; i++)
+            J[i] *= held[i % 3] ? 0.0 : weights[i / 3];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 3 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[3] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 18; i++)
+                s[i % 3] += J[i] * e[i / 3];
+            for (int i = 0; i < 3; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 3; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 18; i++)
+                w[i / 3] += J[i] * p[i % 3];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 3; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 3; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3], unsigned char
     status[1])
 {
-    static const double zeros[3] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -386,9 +441,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3],
     for (int row = 0; row < 1; row++) {
         if (status[row] == CARTESIAN_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 3; i++) {
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i];
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = CARTESIAN_OUT_OF_LIMITS;
         }
         count += status[row] != CARTESIAN_OUT_OF_LIMITS;
@@ -427,8 +485,7 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 3; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & COMAU_NS16_UNREACHABLE) \
-        | (~(none) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & COMAU_NS16_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & COMAU_NS16_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)COMAU_NS16_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)COMAU_NS16_UNREACHABLE \
         : (outside) ? (int)COMAU_NS16_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.6; /* joint offset 1 [m] */
@@ -279,16 +284,9 @@ static const double k6 = 0.9136009999999999; /* a2^2 + (a3^2 + d4^2) [m^2] */
 static const double k7 = 1.204444941425193; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 7.540515999999996e-06;
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = -1.2825771957649381; /* a constant angle [rad] */
-static const double low1 = -3.141590001; /* least of joint 1 */
-static const double high1 = 3.141590001; /* most of joint 1 */
-static const double low2 = -0.872660001; /* least of joint 2 */
-static const double high2 = 1.658000001; /* most of joint 2 */
-static const double low3 = -2.967000001; /* least of joint 3 */
-static const double high3 = 1.919800001; /* most of joint 3 */
-static const double low5 = -3.141590001; /* least of joint 5 */
-static const double high5 = 3.141590001; /* most of joint 5 */
 static const double m1 = 0.7142857142857144; /* a coefficient of X1_2 */
 static const double m2 = 0.047427857142857084; /* a coefficient of X1_2 */
 static const double m3 = 0.21836586788038748; /* a coefficient of c2m3 */
@@ -296,8 +294,9 @@ static const double m4 = 0.7365421705803339; /* a coefficient of c2m3 */
 static const double m5 = 0.04890566358436353; /* a coefficient of c2m3 */
 static const double m6 = 0.01449927526138983; /* a coefficient of c2m3 */
 static const double m7 = 1e-06; /* doubt_limit^2 */
-static const double m8 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m9 */
+static const double low1 = -3.141590001, high1 = 3.141590001, low2 = -0.872660001,
+high2 = 1.658000001, low3 = -2.967000001, high3 = 1.919800001, low5 = -3.141590001,
+high5 = 3.141590001;
 
 const char *const comau_ns16_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -398,35 +397,19 @@ void comau_ns16_jacobian(const double q[6], double J[36])
     J[30] = -1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -439,7 +422,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -447,6 +430,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -508,22 +512,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9,
         angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
         angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2,
-        q2_ppp = v41 - only_wide(half_turn < v41, m8),
-        q2_pmp = v42 - only_wide(half_turn < v42, m8),
-        q2_mpp = v45 - only_wide(half_turn < v45, m8),
-        q2_mmp = v46 - only_wide(half_turn < v46, m8), angle7 = atan2_wide(w3_p, N3_p - k6),
+        q2_ppp = v41 - only_wide(half_turn < v41, whole_turn),
+        q2_pmp = v42 - only_wide(half_turn < v42, whole_turn),
+        q2_mpp = v45 - only_wide(half_turn < v45, whole_turn),
+        q2_mmp = v46 - only_wide(half_turn < v46, whole_turn), angle7 = atan2_wide(w3_p, N3_p - k6),
         angle8 = atan2_wide(w3_m, N3_m - k6), v47 = angle7 - turn1 - offset3,
         v48 = offset3 + (turn1 + angle7), v49 = angle8 - turn1 - offset3,
-        v50 = offset3 + (turn1 + angle8), q3_ppp = v47 + only_wide(v47 <= -half_turn, m8),
-        q3_pmp = only_wide(-v48 <= -half_turn, m8) - v48,
-        q3_mpp = v49 + only_wide(v49 <= -half_turn, m8),
-        q3_mmp = only_wide(-v50 <= -half_turn, m8) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
+        v50 = offset3 + (turn1 + angle8), q3_ppp = v47 + only_wide(v47 <= -half_turn, whole_turn),
+        q3_pmp = only_wide(-v48 <= -half_turn, whole_turn) - v48,
+        q3_mpp = v49 + only_wide(v49 <= -half_turn, whole_turn),
+        q3_mmp = only_wide(-v50 <= -half_turn, whole_turn) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
         angle10 = atan2_wide(Y4_p, -X4_pm), angle11 = atan2_wide(Y4_m, -X4_mp),
-        angle12 = atan2_wide(Y4_m, -X4_mm), v51 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
-        v52 = copysign_wide(all_wide(half_turn), Y4_m) * h1, v53 = angle9 - offset4,
-        v54 = angle9 - v51 - offset4, v55 = angle10 - offset4, v56 = angle10 - v51 - offset4,
-        v57 = angle11 - offset4, v58 = angle11 - v52 - offset4, v59 = angle12 - offset4,
-        v60 = angle12 - v52 - offset4,
+        angle12 = atan2_wide(Y4_m, -X4_mm), v51 = signed_wide(half_turn, Y4_p),
+        v52 = signed_wide(half_turn, Y4_m), v53 = angle9 - offset4, v54 = angle9 - v51 - offset4,
+        v55 = angle10 - offset4, v56 = angle10 - v51 - offset4, v57 = angle11 - offset4,
+        v58 = angle11 - v52 - offset4, v59 = angle12 - offset4, v60 = angle12 - v52 - offset4,
         angle13 = atan2_wide(-sqrt_wide(v28), T33 * c2m3_pp + s2m3_pp * v24),
         angle14 = atan2_wide(-sqrt_wide(v29), T33 * c2m3_pm + s2m3_pm * v24),
         angle15 = atan2_wide(-sqrt_wide(v30), T33 * c2m3_mp + s2m3_mp * v25),
@@ -531,70 +534,66 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5,
         v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15,
         v67 = angle16 - offset5, v68 = offset5 + angle16,
-        q5_ppp = v61 + only_wide(v61 <= -half_turn, m8),
-        q5_ppm = only_wide(-v62 <= -half_turn, m8) - v62,
-        q5_pmp = v63 + only_wide(v63 <= -half_turn, m8),
-        q5_pmm = only_wide(-v64 <= -half_turn, m8) - v64,
-        q5_mpp = v65 + only_wide(v65 <= -half_turn, m8),
-        q5_mpm = only_wide(-v66 <= -half_turn, m8) - v66,
-        q5_mmp = v67 + only_wide(v67 <= -half_turn, m8),
-        q5_mmm = only_wide(-v68 <= -half_turn, m8) - v68,
+        q5_ppp = v61 + only_wide(v61 <= -half_turn, whole_turn),
+        q5_ppm = only_wide(-v62 <= -half_turn, whole_turn) - v62,
+        q5_pmp = v63 + only_wide(v63 <= -half_turn, whole_turn),
+        q5_pmm = only_wide(-v64 <= -half_turn, whole_turn) - v64,
+        q5_mpp = v65 + only_wide(v65 <= -half_turn, whole_turn),
+        q5_mpm = only_wide(-v66 <= -half_turn, whole_turn) - v66,
+        q5_mmp = v67 + only_wide(v67 <= -half_turn, whole_turn),
+        q5_mmm = only_wide(-v68 <= -half_turn, whole_turn) - v68,
         angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)),
         angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)),
         angle19 = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)),
         angle20 = atan2_wide(s6_mm, v33 * -X4_mm - Y4_m * (c2m3_mm * v35 - s2m3_mm * T32)),
-        v69 = angle17 - offset6,
-        v70 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6,
-        v71 = angle18 - offset6,
-        v72 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6,
-        v73 = angle19 - offset6,
-        v74 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6,
-        v75 = angle20 - offset6,
-        v76 = angle20 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6;
-    const wide_mask v77 = beyond(angle1, low1, high1), v78 = beyond(angle2, low1, high1);
+        v69 = angle17 - offset6, v70 = angle17 - signed_wide(half_turn, s6_pp) - offset6,
+        v71 = angle18 - offset6, v72 = angle18 - signed_wide(half_turn, s6_pm) - offset6,
+        v73 = angle19 - offset6, v74 = angle19 - signed_wide(half_turn, s6_mp) - offset6,
+        v75 = angle20 - offset6, v76 = angle20 - signed_wide(half_turn, s6_mm) - offset6;
+    const wide_mask v77 = beyond(angle1, 1), v78 = beyond(angle2, 1);
     const wide q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = angle2 + (w3_m - w3_m);
-    const wide_mask v79 = beyond(q3_ppp, low3, high3) | v77 | beyond(q2_ppp, low2, high2),
-        v80 = beyond(q3_pmp, low3, high3) | v77 | beyond(q2_pmp, low2, high2),
-        v81 = beyond(q3_mpp, low3, high3) | v78 | beyond(q2_mpp, low2, high2),
-        v82 = beyond(q3_mmp, low3, high3) | v78 | beyond(q2_mmp, low2, high2),
-        outside_ppp = v79 | beyond(q5_ppp, low5, high5),
-        outside_ppm = v79 | beyond(q5_ppm, low5, high5),
-        outside_pmp = v80 | beyond(q5_pmp, low5, high5),
-        outside_pmm = v80 | beyond(q5_pmm, low5, high5),
-        outside_mpp = v81 | beyond(q5_mpp, low5, high5),
-        outside_mpm = v81 | beyond(q5_mpm, low5, high5),
-        outside_mmp = v82 | beyond(q5_mmp, low5, high5),
-        outside_mmm = v82 | beyond(q5_mmm, low5, high5),
+    const wide_mask v79 = beyond(q3_ppp, 3) | v77 | beyond(q2_ppp, 2),
+        v80 = beyond(q3_pmp, 3) | v77 | beyond(q2_pmp, 2),
+        v81 = beyond(q3_mpp, 3) | v78 | beyond(q2_mpp, 2),
+        v82 = beyond(q3_mmp, 3) | v78 | beyond(q2_mmp, 2),
         doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
             longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
             <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
             (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) |
             (N1 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v53 + only_wide(v53 <= -half_turn, m8);
-    q[4] = q5_ppp; q[5] = v69 + only_wide(v69 <= -half_turn, m8);
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v54 + only_wide(v54 <= -half_turn, m8);
-    q[10] = q5_ppm; q[11] = v70 + only_wide(v70 <= -half_turn, m8);
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v55 + only_wide(v55 <= -half_turn, m8);
-    q[16] = q5_pmp; q[17] = v71 + only_wide(v71 <= -half_turn, m8);
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v56 + only_wide(v56 <= -half_turn, m8);
-    q[22] = q5_pmm; q[23] = v72 + only_wide(v72 <= -half_turn, m8);
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = v57 + only_wide(v57 <= -half_turn, m8);
-    q[28] = q5_mpp; q[29] = v73 + only_wide(v73 <= -half_turn, m8);
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = v58 + only_wide(v58 <= -half_turn, m8);
-    q[34] = q5_mpm; q[35] = v74 + only_wide(v74 <= -half_turn, m8);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = v59 + only_wide(v59 <= -half_turn, m8);
-    q[40] = q5_mmp; q[41] = v75 + only_wide(v75 <= -half_turn, m8);
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = v60 + only_wide(v60 <= -half_turn, m8);
-    q[46] = q5_mmm; q[47] = v76 + only_wide(v76 <= -half_turn, m8);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
+    q[3] = v53 + only_wide(v53 <= -half_turn, whole_turn); q[4] = q5_ppp;
+    q[5] = v69 + only_wide(v69 <= -half_turn, whole_turn);
+    kind[0] = kind_of(q[0], v79 | beyond(q5_ppp, 5));
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
+    q[9] = v54 + only_wide(v54 <= -half_turn, whole_turn); q[10] = q5_ppm;
+    q[11] = v70 + only_wide(v70 <= -half_turn, whole_turn);
+    kind[1] = kind_of(q[6], v79 | beyond(q5_ppm, 5));
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
+    q[15] = v55 + only_wide(v55 <= -half_turn, whole_turn); q[16] = q5_pmp;
+    q[17] = v71 + only_wide(v71 <= -half_turn, whole_turn);
+    kind[2] = kind_of(q[12], v80 | beyond(q5_pmp, 5));
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
+    q[21] = v56 + only_wide(v56 <= -half_turn, whole_turn); q[22] = q5_pmm;
+    q[23] = v72 + only_wide(v72 <= -half_turn, whole_turn);
+    kind[3] = kind_of(q[18], v80 | beyond(q5_pmm, 5));
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
+    q[27] = v57 + only_wide(v57 <= -half_turn, whole_turn); q[28] = q5_mpp;
+    q[29] = v73 + only_wide(v73 <= -half_turn, whole_turn);
+    kind[4] = kind_of(q[24], v81 | beyond(q5_mpp, 5));
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
+    q[33] = v58 + only_wide(v58 <= -half_turn, whole_turn); q[34] = q5_mpm;
+    q[35] = v74 + only_wide(v74 <= -half_turn, whole_turn);
+    kind[5] = kind_of(q[30], v81 | beyond(q5_mpm, 5));
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
+    q[39] = v59 + only_wide(v59 <= -half_turn, whole_turn); q[40] = q5_mmp;
+    q[41] = v75 + only_wide(v75 <= -half_turn, whole_turn);
+    kind[6] = kind_of(q[36], v82 | beyond(q5_mmp, 5));
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
+    q[45] = v60 + only_wide(v60 <= -half_turn, whole_turn); q[46] = q5_mmm;
+    q[47] = v76 + only_wide(v76 <= -half_turn, whole_turn);
+    kind[7] = kind_of(q[42], v82 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -643,7 +642,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v21 = c1 * T11 - s1 * T21, s6 = Y4 * (c2m3 * v21 - s2m3 * T31) - v20 * -X4;
 
     /* joint values */
-    const four v24 = copysign_four(all_four(half_turn), Y4) * h1;
+    const four v24 = signed_four(half_turn, Y4);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
@@ -655,20 +654,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             __builtin_shufflevector(c1, N3 - k6, 0, 5, 2, 7)),
         angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four v22 = angle2 - offset2, q2_p = v22 - only_four(half_turn < v22, m8),
-        v23 = e2 * angle3 - turn1 - offset3, q3_p = v23 + only_four(v23 <= -half_turn, m8),
+    const four v22 = angle2 - offset2, q2_p = v22 - only_four(half_turn < v22, whole_turn),
+        v23 = e2 * angle3 - turn1 - offset3, q3_p = v23 + only_four(v23 <= -half_turn, whole_turn),
         v25 = angle4 - offset4, v26 = angle4 - v24 - offset4,
-        q4_p = v25 + only_four(v25 <= -half_turn, m8),
-        q4_m = v26 + only_four(v26 <= -half_turn, m8), v27 = angle5 - offset5,
-        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, m8),
-        q5_m = only_four(-v28 <= -half_turn, m8) - v28, v29 = angle6 - offset6,
-        v30 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6,
-        q6_p = v29 + only_four(v29 <= -half_turn, m8),
-        q6_m = v30 + only_four(v30 <= -half_turn, m8);
-    const four_mask v31 = beyond(angle1, low1, high1);
+        q4_p = v25 + only_four(v25 <= -half_turn, whole_turn),
+        q4_m = v26 + only_four(v26 <= -half_turn, whole_turn), v27 = angle5 - offset5,
+        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, whole_turn),
+        q5_m = only_four(-v28 <= -half_turn, whole_turn) - v28, v29 = angle6 - offset6,
+        v30 = angle6 - signed_four(half_turn, s6) - offset6,
+        q6_p = v29 + only_four(v29 <= -half_turn, whole_turn),
+        q6_m = v30 + only_four(v30 <= -half_turn, whole_turn);
+    const four_mask v31 = beyond(angle1, 1);
     const four q1_p = angle1 + (w3 - w3);
-    const four_mask v32 = beyond(q3_p, low3, high3) | v31 | beyond(q2_p, low2, high2),
-        outside_p = v32 | beyond(q5_p, low5, high5), outside_m = v32 | beyond(q5_m, low5, high5);
+    const four_mask v32 = beyond(q3_p, 3) | v31 | beyond(q2_p, 2),
+        outside_p = v32 | beyond(q5_p, 5), outside_m = v32 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -699,29 +698,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -857,6 +846,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -864,27 +859,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -915,8 +889,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -979,8 +952,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -999,12 +971,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.36416605972323385, 0.36416605972323385,
+        0.36416605972323385, 1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        comau_ns16_fk(x, P);
+        comau_ns16_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -1025,10 +1058,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == COMAU_NS16_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = COMAU_NS16_OUT_OF_LIMITS;
         }
         count += status[row] != COMAU_NS16_OUT_OF_LIMITS;
@@ -1069,8 +1104,7 @@ int comau_ns16_ik_nearest(const double T[16], const double q_seed[6], double q[6
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -119,16 +119,17 @@ k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k7 = 1.204444941425193  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-06  # square of a length that fixes no angle [m^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.2825771957649381  # a constant angle [rad]
-low1 = -3.141590001  # least of joint 1
-high1 = 3.141590001  # most of joint 1
-low2 = -0.872660001  # least of joint 2
-high2 = 1.658000001  # most of joint 2
-low3 = -2.967000001  # least of joint 3
-high3 = 1.919800001  # most of joint 3
-low5 = -3.141590001  # least of joint 5
-high5 = 3.141590001  # most of joint 5
+low1 = -3.141590001
+high1 = 3.141590001
+low2 = -0.872660001
+high2 = 1.658000001
+low3 = -2.967000001
+high3 = 1.919800001
+low5 = -3.141590001
+high5 = 3.141590001
 m1 = 0.7142857142857144  # a coefficient of X1_2
 m2 = 0.047427857142857084  # a coefficient of X1_2
 m3 = 0.21836586788038748  # a coefficient of c2m3
@@ -136,8 +137,6 @@ m4 = 0.7365421705803339  # a coefficient of c2m3
 m5 = 0.04890566358436353  # a coefficient of c2m3
 m6 = 0.01449927526138983  # a coefficient of c2m3
 m7 = 1e-06  # doubt_limit^2
-m8 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m9
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -395,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 d7998ed24bf82811"
+_KEY = "comau_ns16 1dc67ece09053922"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -641,12 +640,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -665,6 +658,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -806,6 +805,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.36416605972323385, 0.36416605972323385, 0.36416605972323385, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -819,6 +909,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -929,8 +1020,8 @@ def _regular(pose, q, status):
     v40 = w3_p * v9
     v43 = w3_m * (m1 * v3)
     v44 = w3_m * v9
-    v51 = math.copysign(half_turn, Y4_p) * h1
-    v52 = math.copysign(half_turn, Y4_m) * h1
+    v51 = math.copysign(half_turn, Y4_p)
+    v52 = math.copysign(half_turn, Y4_m)
     doubt1 = (
         N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach and not
         (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <= doubt_limit_squared2 or
@@ -1010,18 +1101,18 @@ def _regular(pose, q, status):
     v42 = angle4 - offset2
     v45 = angle5 - offset2
     v46 = angle6 - offset2
-    q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
-    q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
-    q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
-    q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
+    q2_ppp = v41 - (whole_turn if half_turn < v41 else 0.0)
+    q2_pmp = v42 - (whole_turn if half_turn < v42 else 0.0)
+    q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
+    q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
     v47 = angle7 - turn1 - offset3
     v48 = offset3 + (turn1 + angle7)
     v49 = angle8 - turn1 - offset3
     v50 = offset3 + (turn1 + angle8)
-    q3_ppp = v47 + (m8 if v47 <= -half_turn else 0.0)
-    q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
-    q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
-    q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
+    q3_ppp = v47 + (whole_turn if v47 <= -half_turn else 0.0)
+    q3_pmp = (whole_turn if -v48 <= -half_turn else 0.0) - v48
+    q3_mpp = v49 + (whole_turn if v49 <= -half_turn else 0.0)
+    q3_mmp = (whole_turn if -v50 <= -half_turn else 0.0) - v50
     v53 = angle9 - offset4
     v54 = angle9 - v51 - offset4
     v55 = angle10 - offset4
@@ -1030,14 +1121,14 @@ def _regular(pose, q, status):
     v58 = angle11 - v52 - offset4
     v59 = angle12 - offset4
     v60 = angle12 - v52 - offset4
-    q4_ppp = v53 + (m8 if v53 <= -half_turn else 0.0)
-    q4_ppm = v54 + (m8 if v54 <= -half_turn else 0.0)
-    q4_pmp = v55 + (m8 if v55 <= -half_turn else 0.0)
-    q4_pmm = v56 + (m8 if v56 <= -half_turn else 0.0)
-    q4_mpp = v57 + (m8 if v57 <= -half_turn else 0.0)
-    q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
-    q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
-    q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
+    q4_ppp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+    q4_ppm = v54 + (whole_turn if v54 <= -half_turn else 0.0)
+    q4_pmp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+    q4_pmm = v56 + (whole_turn if v56 <= -half_turn else 0.0)
+    q4_mpp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+    q4_mpm = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+    q4_mmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+    q4_mmm = v60 + (whole_turn if v60 <= -half_turn else 0.0)
     v61 = angle13 - offset5
     v62 = offset5 + angle13
     v63 = angle14 - offset5
@@ -1046,30 +1137,30 @@ def _regular(pose, q, status):
     v66 = offset5 + angle15
     v67 = angle16 - offset5
     v68 = offset5 + angle16
-    q5_ppp = v61 + (m8 if v61 <= -half_turn else 0.0)
-    q5_ppm = (m8 if -v62 <= -half_turn else 0.0) - v62
-    q5_pmp = v63 + (m8 if v63 <= -half_turn else 0.0)
-    q5_pmm = (m8 if -v64 <= -half_turn else 0.0) - v64
-    q5_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
-    q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
-    q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
-    q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
+    q5_ppp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v62 <= -half_turn else 0.0) - v62
+    q5_pmp = v63 + (whole_turn if v63 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v64 <= -half_turn else 0.0) - v64
+    q5_mpp = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v66 <= -half_turn else 0.0) - v66
+    q5_mmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v68 <= -half_turn else 0.0) - v68
     v69 = angle17 - offset6
-    v70 = angle17 - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v70 = angle17 - math.copysign(half_turn, s6_pp) - offset6
     v71 = angle18 - offset6
-    v72 = angle18 - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v72 = angle18 - math.copysign(half_turn, s6_pm) - offset6
     v73 = angle19 - offset6
-    v74 = angle19 - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v74 = angle19 - math.copysign(half_turn, s6_mp) - offset6
     v75 = angle20 - offset6
-    v76 = angle20 - h1 * math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
-    q6_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
-    q6_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
-    q6_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
-    q6_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
-    q6_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
-    q6_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
-    q6_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
+    v76 = angle20 - math.copysign(half_turn, s6_mm) - offset6
+    q6_ppp = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+    q6_ppm = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+    q6_pmp = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+    q6_pmm = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+    q6_mpp = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+    q6_mpm = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+    q6_mmp = v75 + (whole_turn if v75 <= -half_turn else 0.0)
+    q6_mmm = v76 + (whole_turn if v76 <= -half_turn else 0.0)
     v77 = angle1 < low1 or high1 < angle1
     v78 = angle2 < low1 or high1 < angle2
     q1_ppp = angle1 + (w3_p - w3_p)
@@ -1191,7 +1282,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1446,8 +1537,8 @@ def _in_tiles(T, q, status):
             v40 = w3_p * v9
             v43 = w3_m * (m1 * v3)
             v44 = w3_m * v9
-            v51 = math.copysign(half_turn, Y4_p) * h1
-            v52 = math.copysign(half_turn, Y4_m) * h1
+            v51 = math.copysign(half_turn, Y4_p)
+            v52 = math.copysign(half_turn, Y4_m)
             doubt1 = (
                 N3_m <= doubt_limit_squared2 or (shortest3_reach <= N3_m and N3_m <= longest3_reach
                 and not (shortest3_apart < N3_m and N3_m < longest3_apart)) or N3_p <=
@@ -1540,18 +1631,18 @@ def _in_tiles(T, q, status):
             v42 = angle4 - offset2
             v45 = angle5 - offset2
             v46 = angle6 - offset2
-            q2_ppp = v41 - (m8 if half_turn < v41 else 0.0)
-            q2_pmp = v42 - (m8 if half_turn < v42 else 0.0)
-            q2_mpp = v45 - (m8 if half_turn < v45 else 0.0)
-            q2_mmp = v46 - (m8 if half_turn < v46 else 0.0)
+            q2_ppp = v41 - (whole_turn if half_turn < v41 else 0.0)
+            q2_pmp = v42 - (whole_turn if half_turn < v42 else 0.0)
+            q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
+            q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
             v47 = angle7 - turn1 - offset3
             v48 = offset3 + (turn1 + angle7)
             v49 = angle8 - turn1 - offset3
             v50 = offset3 + (turn1 + angle8)
-            q3_ppp = v47 + (m8 if v47 <= -half_turn else 0.0)
-            q3_pmp = (m8 if -v48 <= -half_turn else 0.0) - v48
-            q3_mpp = v49 + (m8 if v49 <= -half_turn else 0.0)
-            q3_mmp = (m8 if -v50 <= -half_turn else 0.0) - v50
+            q3_ppp = v47 + (whole_turn if v47 <= -half_turn else 0.0)
+            q3_pmp = (whole_turn if -v48 <= -half_turn else 0.0) - v48
+            q3_mpp = v49 + (whole_turn if v49 <= -half_turn else 0.0)
+            q3_mmp = (whole_turn if -v50 <= -half_turn else 0.0) - v50
             v53 = angle9 - offset4
             v54 = angle9 - v51 - offset4
             v55 = angle10 - offset4
@@ -1560,14 +1651,14 @@ def _in_tiles(T, q, status):
             v58 = angle11 - v52 - offset4
             v59 = angle12 - offset4
             v60 = angle12 - v52 - offset4
-            q4_ppp = v53 + (m8 if v53 <= -half_turn else 0.0)
-            q4_ppm = v54 + (m8 if v54 <= -half_turn else 0.0)
-            q4_pmp = v55 + (m8 if v55 <= -half_turn else 0.0)
-            q4_pmm = v56 + (m8 if v56 <= -half_turn else 0.0)
-            q4_mpp = v57 + (m8 if v57 <= -half_turn else 0.0)
-            q4_mpm = v58 + (m8 if v58 <= -half_turn else 0.0)
-            q4_mmp = v59 + (m8 if v59 <= -half_turn else 0.0)
-            q4_mmm = v60 + (m8 if v60 <= -half_turn else 0.0)
+            q4_ppp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+            q4_ppm = v54 + (whole_turn if v54 <= -half_turn else 0.0)
+            q4_pmp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+            q4_pmm = v56 + (whole_turn if v56 <= -half_turn else 0.0)
+            q4_mpp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+            q4_mpm = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+            q4_mmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+            q4_mmm = v60 + (whole_turn if v60 <= -half_turn else 0.0)
             v61 = angle13 - offset5
             v62 = offset5 + angle13
             v63 = angle14 - offset5
@@ -1576,30 +1667,30 @@ def _in_tiles(T, q, status):
             v66 = offset5 + angle15
             v67 = angle16 - offset5
             v68 = offset5 + angle16
-            q5_ppp = v61 + (m8 if v61 <= -half_turn else 0.0)
-            q5_ppm = (m8 if -v62 <= -half_turn else 0.0) - v62
-            q5_pmp = v63 + (m8 if v63 <= -half_turn else 0.0)
-            q5_pmm = (m8 if -v64 <= -half_turn else 0.0) - v64
-            q5_mpp = v65 + (m8 if v65 <= -half_turn else 0.0)
-            q5_mpm = (m8 if -v66 <= -half_turn else 0.0) - v66
-            q5_mmp = v67 + (m8 if v67 <= -half_turn else 0.0)
-            q5_mmm = (m8 if -v68 <= -half_turn else 0.0) - v68
+            q5_ppp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v62 <= -half_turn else 0.0) - v62
+            q5_pmp = v63 + (whole_turn if v63 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v64 <= -half_turn else 0.0) - v64
+            q5_mpp = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v66 <= -half_turn else 0.0) - v66
+            q5_mmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v68 <= -half_turn else 0.0) - v68
             v69 = angle17 - offset6
-            v70 = angle17 - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v70 = angle17 - math.copysign(half_turn, s6_pp) - offset6
             v71 = angle18 - offset6
-            v72 = angle18 - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v72 = angle18 - math.copysign(half_turn, s6_pm) - offset6
             v73 = angle19 - offset6
-            v74 = angle19 - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v74 = angle19 - math.copysign(half_turn, s6_mp) - offset6
             v75 = angle20 - offset6
-            v76 = angle20 - h1 * math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v69 + (m8 if v69 <= -half_turn else 0.0)
-            q6_ppm = v70 + (m8 if v70 <= -half_turn else 0.0)
-            q6_pmp = v71 + (m8 if v71 <= -half_turn else 0.0)
-            q6_pmm = v72 + (m8 if v72 <= -half_turn else 0.0)
-            q6_mpp = v73 + (m8 if v73 <= -half_turn else 0.0)
-            q6_mpm = v74 + (m8 if v74 <= -half_turn else 0.0)
-            q6_mmp = v75 + (m8 if v75 <= -half_turn else 0.0)
-            q6_mmm = v76 + (m8 if v76 <= -half_turn else 0.0)
+            v76 = angle20 - math.copysign(half_turn, s6_mm) - offset6
+            q6_ppp = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+            q6_ppm = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+            q6_pmp = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+            q6_pmm = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+            q6_mpp = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+            q6_mpm = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+            q6_mmp = v75 + (whole_turn if v75 <= -half_turn else 0.0)
+            q6_mmm = v76 + (whole_turn if v76 <= -half_turn else 0.0)
             v77 = angle1 < low1 or high1 < angle1
             v78 = angle2 < low1 or high1 < angle2
             q1_ppp = angle1 + (w3_p - w3_p)

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -170,7 +177,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -204,11 +210,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -222,16 +227,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & CRAIG_417_UNREACHABLE) \
-        | (~(none) & (outside) & CRAIG_417_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & CRAIG_417_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & CRAIG_417_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)CRAIG_417_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)CRAIG_417_UNREACHABLE \
         : (outside) ? (int)CRAIG_417_OUT_OF_LIMITS : 0)
 #endif
 static const double sqrt2 = 1.4142135623730951; /* square root of 2 */
@@ -253,6 +258,7 @@ static const double k7 = 2.8284271247461903; /* sqrt2 * (d3 + d4) [m] */
 static const double f1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double g1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
 static const double doubt_limit_squared = 1e-06; /* square of a length that fixes no angle */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 0.7071067811865476; /* a coefficient of v6 */
@@ -263,7 +269,6 @@ static const double m6 = 9.000000000000002e-10; /* pose_slack1^2 [m^2] */
 static const double m7 = 2.7000000000000006e-09; /* 3 * pose_slack1^2 [m^2] */
 static const double m8 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
 
 const char *const craig_417_branches[2] = {
     "left", "right",
@@ -325,35 +330,19 @@ void craig_417_jacobian(const double q[4], double J[24])
     J[20] = 1.0; J[21] = 0.0; J[22] = J63; J[23] = J63;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -366,7 +355,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -457,11 +446,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         m9));
 
     q[0] = v86 + angle6; q[1] = angle1 + v86; q[2] = angle2 + v86;
-    q[3] = v86 + (v83 - only_wide(half_turn < v83, m10) + only_wide(v83 <= -half_turn, m10));
-    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = v86 + (v83 - only_wide(half_turn < v83, whole_turn) + only_wide(v83 <= -half_turn,
+        whole_turn));
+    kind[0] = kind_of(q[0], 0);
     q[4] = v87 + angle7; q[5] = v87 - angle1; q[6] = angle3 + v87;
-    q[7] = v87 + (v84 - only_wide(half_turn < v84, m10) + only_wide(v84 <= -half_turn, m10));
-    kind[1] = kind_of(q[4] != q[4], 0);
+    q[7] = v87 + (v84 - only_wide(half_turn < v84, whole_turn) + only_wide(v84 <= -half_turn,
+        whole_turn));
+    kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -541,7 +532,8 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle4 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1),
         angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four v55 = angle3 - angle2, q1 = v57 + angle4, q2 = v57 + e1 * angle1, q3 = angle2 + v57,
-        q4 = v57 + (v55 - only_four(half_turn < v55, m10) + only_four(v55 <= -half_turn, m10));
+        q4 = v57 + (v55 - only_four(half_turn < v55, whole_turn) + only_four(v55 <= -half_turn,
+            whole_turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -565,29 +557,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (8 >= LANES) {
-        for (int i = 0; i < 8; i += LANES) {
-            const int from = i + LANES <= 8 ? i : 8 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 8 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 8; i++)
-            for (int k = 0; k < LANES; k++)
-                q[8 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 2; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 2 - row < 8 ? 2 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 8; i += LANES) {
+        const int from = i + LANES <= 8 ? i : 8 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 8 * k + from) = x[k];
     }
+    for (int i = 1; i < 2; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 2; i++)
+            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -688,6 +670,12 @@ static void solve(
     }
 }
 
+static void take(const double from[4], double to[4])
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -704,8 +692,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
     status[2])
 {
-    static const double zeros[4] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -724,9 +711,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
         if (status[row] == CRAIG_417_UNREACHABLE)
             continue;
         for (int i = 0; i < 4; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = CRAIG_417_OUT_OF_LIMITS;
         }
         count += status[row] != CRAIG_417_OUT_OF_LIMITS;
@@ -766,8 +752,7 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 4; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -96,6 +96,7 @@ k7 = 2.8284271247461903  # sqrt2 * (d3 + d4) [m]
 f1 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.7071067811865476  # 1 / 2 * sqrt2
 doubt_limit_squared = 1e-06  # square of a length that fixes no angle
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.7071067811865476  # a coefficient of v6
@@ -106,7 +107,6 @@ m6 = 9.000000000000002e-10  # pose_slack1^2 [m^2]
 m7 = 2.7000000000000006e-09  # 3 * pose_slack1^2 [m^2]
 m8 = 1.0000000000000002e-10  # pose_slack^2
 m9 = 6.000000000000001e-10  # 6 * pose_slack^2
-m10 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -630,8 +630,14 @@ def _regular(pose, q, status):
     q2_m = v87 - angle1
     q3_p = angle2 + v86
     q3_m = angle3 + v87
-    q4_p = v86 + (v83 - (m10 if half_turn < v83 else 0.0) + (m10 if v83 <= -half_turn else 0.0))
-    q4_m = v87 + (v84 - (m10 if half_turn < v84 else 0.0) + (m10 if v84 <= -half_turn else 0.0))
+    q4_p = (
+        v86 + (v83 - (whole_turn if half_turn < v83 else 0.0) + (whole_turn if v83 <= -half_turn
+        else 0.0))
+    )
+    q4_m = (
+        v87 + (v84 - (whole_turn if half_turn < v84 else 0.0) + (whole_turn if v84 <= -half_turn
+        else 0.0))
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1019,12 +1025,12 @@ def _in_tiles(T, q, status):
             q3_p = angle2 + v86
             q3_m = angle3 + v87
             q4_p = (
-                v86 + (v83 - (m10 if half_turn < v83 else 0.0) + (m10 if v83 <= -half_turn else
-                0.0))
+                v86 + (v83 - (whole_turn if half_turn < v83 else 0.0) + (whole_turn if v83 <=
+                -half_turn else 0.0))
             )
             q4_m = (
-                v87 + (v84 - (m10 if half_turn < v84 else 0.0) + (m10 if v84 <= -half_turn else
-                0.0))
+                v87 + (v84 - (whole_turn if half_turn < v84 else 0.0) + (whole_turn if v84 <=
+                -half_turn else 0.0))
             )
             _544 = q1_p
             work[544 + k] = _544

@@ -493,6 +493,12 @@ static void solve(
     }
 }
 
+static void take(const double from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
 /* Whether joint values are a solution. Beside a singular place they may miss the pose by next to
  * nothing and be far from any. */
 static int solves(struct descent *d, int steps, double exact, double q[3])
@@ -516,8 +522,7 @@ static int keep(double known[8][3], int count, const double q[3])
 {
     if (!is_new(known, count, q))
         return count;
-    for (int i = 0; i < 3; i++)
-        known[count][i] = q[i];
+    take(q, known[count]);
     return count + 1;
 }
 
@@ -533,8 +538,7 @@ static int leads(
     solve(d->T, seed, angle, q, kind);
     if (kind[row] == CUSPIDAL_3R_UNREACHABLE || kind[row] > CLOSE /* lost */)
         return 0;
-    for (int i = 0; i < 3; i++)
-        end[i] = q[row][i];
+    take(q[row], end);
     return solves(d, 72, exact, end);
 }
 
@@ -563,16 +567,14 @@ static void both_sides(
     for (int row = 0; row < 4; row++) {
         const int close = status[row] == CLOSE;
         double here[3];
-        for (int i = 0; i < 3; i++)
-            here[i] = q[row][i];
+        take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
             status[row] = CUSPIDAL_3R_OK;
         any += doubtful[row];
         if (status[row] == CUSPIDAL_3R_UNREACHABLE || doubtful[row])
             continue;
-        for (int i = 0; i < 3; i++)
-            known[count][i] = q[row][i];
+        take(q[row], known[count]);
         count++;
     }
     if (!any)
@@ -583,8 +585,7 @@ static void both_sides(
         if (!doubtful[row])
             continue;
         double end[3], other[3], off = 0.0;
-        for (int i = 0; i < 3; i++)
-            end[i] = q[row][i];
+        take(q[row], end);
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
         for (int k = 0; k < 18 && !found; k++)
@@ -679,8 +680,7 @@ static void seek(
     for (int row = 0; row < 4; row++)
         if (status[row] != CUSPIDAL_3R_UNREACHABLE)
             return;
-    for (int i = 0; i < 3; i++)
-        d.q[i] = seed[i];
+    take(seed, d.q);
     for (int j = 0; j < 3; j++)
         d.seed[j] = seed[solved[j]] / unit[j];
     for (int k = 0; k < 12 && least; k++) {
@@ -688,8 +688,7 @@ static void seek(
         start_of(&d, k, u);
         if (descend(&d, u) > 1e-10)
             continue;
-        for (int i = 0; i < 3; i++)
-            end[i] = d.q[i];
+        take(d.q, end);
         for (int j = 0; j < 3; j++)
             end[solved[j]] = unit[j] * u[j];
         const double miss = descended(&d, 72, exact, end, &ahead);
@@ -699,8 +698,7 @@ static void seek(
         if (fault >= least)
             continue;
         least = fault;
-        for (int i = 0; i < 3; i++)
-            found[i] = end[i];
+        take(end, found);
     }
     if (least == 4)
         return;
@@ -727,8 +725,7 @@ static double turned(int joint, double given, double towards)
 int cuspidal_3r_ik(
     const double T[16], const double *q_seed, double q[4][3], unsigned char status[4])
 {
-    static const double zeros[3] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -751,9 +748,8 @@ int cuspidal_3r_ik(
         if (status[row] == CUSPIDAL_3R_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = CUSPIDAL_3R_OUT_OF_LIMITS;
         }
         count += status[row] != CUSPIDAL_3R_OUT_OF_LIMITS;
@@ -787,8 +783,7 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 3; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

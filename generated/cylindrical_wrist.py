@@ -92,7 +92,6 @@ free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.6e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -463,16 +462,16 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # theta1, r3, type 4: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
-    q1_mp = angle1 - math.copysign(half_turn, s1) * h1
+    q1_mp = angle1 - math.copysign(half_turn, s1)
 
     # theta4, type 2: U4[3, 3]
-    q4_pm = angle2 - h1 * math.copysign(half_turn, T33)
+    q4_pm = angle2 - math.copysign(half_turn, T33)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle3
+    q5_mp = math.copysign(half_turn, -math.sqrt(v3)) - angle3
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_pm = angle4 - h1 * math.copysign(half_turn, v4)
+    q6_pm = angle4 - math.copysign(half_turn, v4)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -762,10 +761,10 @@ def _in_tiles(T, q, status):
             angle2 = work[384 + k]
             angle3 = work[400 + k]
             angle4 = work[416 + k]
-            q1_mp = angle1 - math.copysign(half_turn, s1) * h1
-            q4_pm = angle2 - h1 * math.copysign(half_turn, T33)
-            q5_mp = h1 * math.copysign(half_turn, -math.sqrt(v3)) - angle3
-            q6_pm = angle4 - h1 * math.copysign(half_turn, v4)
+            q1_mp = angle1 - math.copysign(half_turn, s1)
+            q4_pm = angle2 - math.copysign(half_turn, T33)
+            q5_mp = math.copysign(half_turn, -math.sqrt(v3)) - angle3
+            q6_pm = angle4 - math.copysign(half_turn, v4)
             _496 = angle1
             work[496 + k] = _496
             _512 = q2_pp

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & DENSO_VS060_UNREACHABLE) \
-        | (~(none) & (outside) & DENSO_VS060_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & DENSO_VS060_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & DENSO_VS060_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)DENSO_VS060_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)DENSO_VS060_UNREACHABLE \
         : (outside) ? (int)DENSO_VS060_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.345; /* joint offset 1 [m] */
@@ -274,15 +279,8 @@ static const double k4 = 29.827409659487312; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 *
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.0608999999999999e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double turn1 = 1.5374753309166493; /* a constant angle [rad] */
-static const double low1 = -2.967060001; /* least of joint 1 */
-static const double high1 = 2.967060001; /* most of joint 1 */
-static const double low2 = -2.094395001; /* least of joint 2 */
-static const double high2 = 2.094395001; /* most of joint 2 */
-static const double low3 = -2.1816620010000003; /* least of joint 3 */
-static const double high3 = 2.705260001; /* most of joint 3 */
-static const double low5 = -2.094395001; /* least of joint 5 */
-static const double high5 = 2.094395001; /* most of joint 5 */
 static const double m1 = 1.0609000000000003e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 0.18194719892287262; /* a coefficient of s3 */
 static const double m3 = 0.9995724240825312; /* a coefficient of s3 */
@@ -291,8 +289,9 @@ static const double m5 = 0.03331908080275105; /* a coefficient of c3 */
 static const double m6 = 1.639344262295082; /* a coefficient of X1_2 */
 static const double m7 = 0.004795081967213119; /* a coefficient of X1_2 */
 static const double m8 = 1e-06; /* doubt_limit^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m9 */
+static const double low1 = -2.967060001, high1 = 2.967060001, low2 = -2.094395001,
+high2 = 2.094395001, low3 = -2.1816620010000003, high3 = 2.705260001, low5 = -2.094395001,
+high5 = 2.094395001;
 
 const char *const denso_vs060_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -380,35 +379,19 @@ void denso_vs060_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -421,7 +404,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -429,6 +412,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -468,8 +472,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v21 = v15 + factor2 * (c4_pm * v17), v22 = v15 + factor2 * (c4_mp * v18),
         v23 = v15 + factor2 * (c4_mm * v19), angle1 = atan2_wide(-v14, v16),
         angle2 = atan2_wide(-v14, v17), angle3 = atan2_wide(v14, v18),
-        angle4 = atan2_wide(v14, v19), v24 = copysign_wide(all_wide(half_turn), -v14) * h1,
-        v25 = copysign_wide(all_wide(half_turn), v14) * h1;
+        angle4 = atan2_wide(v14, v19), v24 = signed_wide(half_turn, -v14),
+        v25 = signed_wide(half_turn, v14);
 
     /* theta6 */
     const wide v26 = w1 * (v2 * (X1 * T22 + wy * T12)), v27 = w1 * (v2 * (wy * T22 - X1 * T12)),
@@ -485,18 +489,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide angle9 = atan2_wide(wy, -X1), v34 = angle9 - offset1,
-        v35 = angle9 - h1 * copysign_wide(all_wide(half_turn), wy) - offset1,
-        q1__p = v34 + only_wide(v34 <= -half_turn, m10),
-        q1__m = v35 + only_wide(v35 <= -half_turn, m10), angle10 = atan2_wide(S2_pp, C2_pp),
+        v35 = angle9 - signed_wide(half_turn, wy) - offset1,
+        q1__p = v34 + only_wide(v34 <= -half_turn, whole_turn),
+        q1__m = v35 + only_wide(v35 <= -half_turn, whole_turn), angle10 = atan2_wide(S2_pp, C2_pp),
         v36 = angle10 - offset2, angle11 = atan2_wide(S2_pm, C2_pm), v37 = angle11 - offset2,
         angle12 = atan2_wide(S2_pm, C2_mp), v38 = angle12 - offset2,
         angle13 = atan2_wide(S2_pp, C2_mm), v39 = angle13 - offset2,
-        q2_ppp = v36 + only_wide(v36 <= -half_turn, m10),
-        q2_pmp = v37 + only_wide(v37 <= -half_turn, m10),
-        q2_mpp = v38 + only_wide(v38 <= -half_turn, m10),
-        q2_mmp = v39 + only_wide(v39 <= -half_turn, m10), angle14 = atan2_wide(w3, N3 - k3),
+        q2_ppp = v36 + only_wide(v36 <= -half_turn, whole_turn),
+        q2_pmp = v37 + only_wide(v37 <= -half_turn, whole_turn),
+        q2_mpp = v38 + only_wide(v38 <= -half_turn, whole_turn),
+        q2_mmp = v39 + only_wide(v39 <= -half_turn, whole_turn), angle14 = atan2_wide(w3, N3 - k3),
         v40 = angle14 - turn1 - offset3, v41 = offset3 + (turn1 + angle14),
-        q3_ppp = v40 - only_wide(half_turn < v40, m10),
+        q3_ppp = v40 - only_wide(half_turn < v40, whole_turn),
         angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp)),
         angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm)),
         angle17 = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp))),
@@ -504,58 +508,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle15 - offset5, v43 = offset5 + angle15, v44 = angle16 - offset5,
         v45 = offset5 + angle16, v46 = angle17 - offset5, v47 = offset5 + angle17,
         v48 = angle18 - offset5, v49 = offset5 + angle18,
-        q5_ppp = v42 + only_wide(v42 <= -half_turn, m10),
-        q5_ppm = only_wide(-v43 <= -half_turn, m10) - v43,
-        q5_pmp = v44 + only_wide(v44 <= -half_turn, m10),
-        q5_pmm = only_wide(-v45 <= -half_turn, m10) - v45,
-        q5_mpp = v46 + only_wide(v46 <= -half_turn, m10),
-        q5_mpm = only_wide(-v47 <= -half_turn, m10) - v47,
-        q5_mmp = v48 + only_wide(v48 <= -half_turn, m10),
-        q5_mmm = only_wide(-v49 <= -half_turn, m10) - v49;
-    const wide_mask v50 = beyond(q1__p, low1, high1), v51 = beyond(q1__m, low1, high1),
-        v52 = beyond(q3_ppp, low3, high3),
-        v53 = beyond(-(v41 + only_wide(half_turn < -v41, m10)), low3, high3);
+        q5_ppp = v42 + only_wide(v42 <= -half_turn, whole_turn),
+        q5_ppm = only_wide(-v43 <= -half_turn, whole_turn) - v43,
+        q5_pmp = v44 + only_wide(v44 <= -half_turn, whole_turn),
+        q5_pmm = only_wide(-v45 <= -half_turn, whole_turn) - v45,
+        q5_mpp = v46 + only_wide(v46 <= -half_turn, whole_turn),
+        q5_mpm = only_wide(-v47 <= -half_turn, whole_turn) - v47,
+        q5_mmp = v48 + only_wide(v48 <= -half_turn, whole_turn),
+        q5_mmm = only_wide(-v49 <= -half_turn, whole_turn) - v49;
+    const wide_mask v50 = beyond(q1__p, 1), v51 = beyond(q1__m, 1), v52 = beyond(q3_ppp, 3),
+        v53 = beyond(-(v41 + only_wide(half_turn < -v41, whole_turn)), 3);
     const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
-    const wide_mask v54 = v52 | v50 | beyond(q2_ppp, low2, high2),
-        v55 = v53 | v50 | beyond(q2_pmp, low2, high2),
-        v56 = v52 | v51 | beyond(q2_mpp, low2, high2),
-        v57 = v53 | v51 | beyond(q2_mmp, low2, high2),
-        outside_ppp = v54 | beyond(q5_ppp, low5, high5),
-        outside_ppm = v54 | beyond(q5_ppm, low5, high5),
-        outside_pmp = v55 | beyond(q5_pmp, low5, high5),
-        outside_pmm = v55 | beyond(q5_pmm, low5, high5),
-        outside_mpp = v56 | beyond(q5_mpp, low5, high5),
-        outside_mpm = v56 | beyond(q5_mpm, low5, high5),
-        outside_mmp = v57 | beyond(q5_mmp, low5, high5),
-        outside_mmm = v57 | beyond(q5_mmm, low5, high5),
+    const wide_mask v54 = v52 | v50 | beyond(q2_ppp, 2), v55 = v53 | v50 | beyond(q2_pmp, 2),
+        v56 = v52 | v51 | beyond(q2_mpp, 2), v57 = v53 | v51 | beyond(q2_mmp, 2),
         doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3
             < longest3_apart)) == 0)) | (v1 <= m1) | (N3 <= doubt_limit_squared2) | (v23 <= m8) |
             (v22 <= m8) | (v20 <= m8) | (v21 <= m8);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = q5_ppp; q[5] = angle5;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v54 | beyond(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v24; q[10] = q5_ppm;
-    q[11] = angle5 - h1 * copysign_wide(all_wide(half_turn), v30);
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[11] = angle5 - signed_wide(half_turn, v30);
+    kind[1] = kind_of(q[6], v54 | beyond(q5_ppm, 5));
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v41 + only_wide(half_turn < -v41, whole_turn));
     q[15] = angle2; q[16] = q5_pmp; q[17] = angle6;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[21] = angle2 - v24; q[22] = q5_pmm;
-    q[23] = angle6 - h1 * copysign_wide(all_wide(half_turn), v31);
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    kind[2] = kind_of(q[12], v55 | beyond(q5_pmp, 5));
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v41 + only_wide(half_turn < -v41, whole_turn));
+    q[21] = angle2 - v24; q[22] = q5_pmm; q[23] = angle6 - signed_wide(half_turn, v31);
+    kind[3] = kind_of(q[18], v55 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = angle7;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    kind[4] = kind_of(q[24], v56 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v25; q[34] = q5_mpm;
-    q[35] = angle7 - h1 * copysign_wide(all_wide(half_turn), v32);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v41 + only_wide(half_turn < -v41, m10));
+    q[35] = angle7 - signed_wide(half_turn, v32);
+    kind[5] = kind_of(q[30], v56 | beyond(q5_mpm, 5));
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v41 + only_wide(half_turn < -v41, whole_turn));
     q[39] = angle4; q[40] = q5_mmp; q[41] = angle8;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v41 + only_wide(half_turn < -v41, m10));
-    q[45] = angle4 - v25; q[46] = q5_mmm;
-    q[47] = angle8 - h1 * copysign_wide(all_wide(half_turn), v33);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    kind[6] = kind_of(q[36], v57 | beyond(q5_mmp, 5));
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v41 + only_wide(half_turn < -v41, whole_turn));
+    q[45] = angle4 - v25; q[46] = q5_mmm; q[47] = angle8 - signed_wide(half_turn, v33);
+    kind[7] = kind_of(q[42], v57 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -597,7 +588,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v10 = w1 * (v2 * (T13 * wy + X1 * T23)), v11 = v10 * v10;
     const four v12 = factor2 * c4, v13 = v11 + factor2 * (c4 * v12);
     const four_mask doubt2 = v13 <= m8;
-    const four v14 = copysign_four(all_four(half_turn), -(e1 * v10)) * h1;
+    const four v14 = signed_four(half_turn, -(e1 * v10));
 
     /* theta6 */
     const double v15 = w1 * (v2 * (X1 * T22 + wy * T12)), v16 = w1 * (v2 * (wy * T22 - X1 * T12)),
@@ -616,17 +607,17 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1 }),
         angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
         angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle1 - v14, q6_m = angle2 - h1 * copysign_four(all_four(half_turn), v19),
+    const four q4_m = angle1 - v14, q6_m = angle2 - signed_four(half_turn, v19),
         v21 = angle3 + v20 * (m9 * (e1 - 1.0)) - offset1,
-        q1_ = v21 + only_four(v21 <= -half_turn, m10), v22 = angle4 - offset2,
-        q2_p = v22 + only_four(v22 <= -half_turn, m10), v23 = e2 * angle5 - turn1 - offset3,
-        q3_p = v23 - only_four(half_turn < v23, m10), v24 = angle6 - offset5,
-        v25 = offset5 + angle6, q5_p = v24 + only_four(v24 <= -half_turn, m10),
-        q5_m = only_four(-v25 <= -half_turn, m10) - v25;
-    const four_mask v26 = beyond(q1_, low1, high1), v27 = beyond(q3_p, low3, high3);
+        q1_ = v21 + only_four(v21 <= -half_turn, whole_turn), v22 = angle4 - offset2,
+        q2_p = v22 + only_four(v22 <= -half_turn, whole_turn), v23 = e2 * angle5 - turn1 - offset3,
+        q3_p = v23 - only_four(half_turn < v23, whole_turn), v24 = angle6 - offset5,
+        v25 = offset5 + angle6, q5_p = v24 + only_four(v24 <= -half_turn, whole_turn),
+        q5_m = only_four(-v25 <= -half_turn, whole_turn) - v25;
+    const four_mask v26 = beyond(q1_, 1), v27 = beyond(q3_p, 3);
     const four q1_p = v3 + q1_;
-    const four_mask v28 = v27 | v26 | beyond(q2_p, low2, high2),
-        outside_p = v28 | beyond(q5_p, low5, high5), outside_m = v28 | beyond(q5_m, low5, high5);
+    const four_mask v28 = v27 | v26 | beyond(q2_p, 2), outside_p = v28 | beyond(q5_p, 5),
+        outside_m = v28 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -657,29 +648,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -809,6 +790,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -816,27 +803,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -867,8 +833,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -931,8 +896,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -951,12 +915,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.970873786407767, 0.970873786407767, 0.970873786407767, 1.0,
+        1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        denso_vs060_fk(x, P);
+        denso_vs060_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -977,10 +1002,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == DENSO_VS060_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = DENSO_VS060_OUT_OF_LIMITS;
         }
         count += status[row] != DENSO_VS060_OUT_OF_LIMITS;
@@ -1021,8 +1048,7 @@ int denso_vs060_ik_nearest(const double T[16], const double q_seed[6], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

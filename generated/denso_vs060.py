@@ -115,15 +115,16 @@ k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.0608999999999999e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 turn1 = 1.5374753309166493  # a constant angle [rad]
-low1 = -2.967060001  # least of joint 1
-high1 = 2.967060001  # most of joint 1
-low2 = -2.094395001  # least of joint 2
-high2 = 2.094395001  # most of joint 2
-low3 = -2.1816620010000003  # least of joint 3
-high3 = 2.705260001  # most of joint 3
-low5 = -2.094395001  # least of joint 5
-high5 = 2.094395001  # most of joint 5
+low1 = -2.967060001
+high1 = 2.967060001
+low2 = -2.094395001
+high2 = 2.094395001
+low3 = -2.1816620010000003
+high3 = 2.705260001
+low5 = -2.094395001
+high5 = 2.094395001
 m1 = 1.0609000000000003e-06  # doubt_limit1^2 [m^2]
 m2 = 0.18194719892287262  # a coefficient of s3
 m3 = 0.9995724240825312  # a coefficient of s3
@@ -132,8 +133,6 @@ m5 = 0.03331908080275105  # a coefficient of c3
 m6 = 1.639344262295082  # a coefficient of X1_2
 m7 = 0.004795081967213119  # a coefficient of X1_2
 m8 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m9
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -386,7 +385,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 4a9fbe4033e611e2"
+_KEY = "denso_vs060 66c6864be44c9e68"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -626,12 +625,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -650,6 +643,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -791,6 +790,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.970873786407767, 0.970873786407767, 0.970873786407767, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -804,6 +894,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -883,8 +974,8 @@ def _regular(pose, q, status):
     v21 = v15 + factor2 * (c4_pm * v17)
     v22 = v15 + factor2 * (c4_mp * v18)
     v23 = v15 + factor2 * (c4_mm * v19)
-    v24 = math.copysign(half_turn, -v14) * h1
-    v25 = math.copysign(half_turn, v14) * h1
+    v24 = math.copysign(half_turn, -v14)
+    v25 = math.copysign(half_turn, v14)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v26 = w1 * (v2 * (X1 * T22 + wy * T12))
@@ -970,27 +1061,27 @@ def _regular(pose, q, status):
     q4_mmm = angle4 - v25
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle5 - h1 * math.copysign(half_turn, v30)
-    q6_pmm = angle6 - h1 * math.copysign(half_turn, v31)
-    q6_mpm = angle7 - h1 * math.copysign(half_turn, v32)
-    q6_mmm = angle8 - h1 * math.copysign(half_turn, v33)
+    q6_ppm = angle5 - math.copysign(half_turn, v30)
+    q6_pmm = angle6 - math.copysign(half_turn, v31)
+    q6_mpm = angle7 - math.copysign(half_turn, v32)
+    q6_mmm = angle8 - math.copysign(half_turn, v33)
 
     # joint values
     v34 = angle9 - offset1
-    v35 = angle9 - h1 * math.copysign(half_turn, wy) - offset1
-    q1__p = v34 + (m10 if v34 <= -half_turn else 0.0)
-    q1__m = v35 + (m10 if v35 <= -half_turn else 0.0)
+    v35 = angle9 - math.copysign(half_turn, wy) - offset1
+    q1__p = v34 + (whole_turn if v34 <= -half_turn else 0.0)
+    q1__m = v35 + (whole_turn if v35 <= -half_turn else 0.0)
     v36 = angle10 - offset2
     v37 = angle11 - offset2
     v38 = angle12 - offset2
     v39 = angle13 - offset2
-    q2_ppp = v36 + (m10 if v36 <= -half_turn else 0.0)
-    q2_pmp = v37 + (m10 if v37 <= -half_turn else 0.0)
-    q2_mpp = v38 + (m10 if v38 <= -half_turn else 0.0)
-    q2_mmp = v39 + (m10 if v39 <= -half_turn else 0.0)
+    q2_ppp = v36 + (whole_turn if v36 <= -half_turn else 0.0)
+    q2_pmp = v37 + (whole_turn if v37 <= -half_turn else 0.0)
+    q2_mpp = v38 + (whole_turn if v38 <= -half_turn else 0.0)
+    q2_mmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
     v40 = angle14 - turn1 - offset3
     v41 = offset3 + (turn1 + angle14)
-    q3_ppp = v40 - (m10 if half_turn < v40 else 0.0)
+    q3_ppp = v40 - (whole_turn if half_turn < v40 else 0.0)
     v42 = angle15 - offset5
     v43 = offset5 + angle15
     v44 = angle16 - offset5
@@ -999,20 +1090,20 @@ def _regular(pose, q, status):
     v47 = offset5 + angle17
     v48 = angle18 - offset5
     v49 = offset5 + angle18
-    q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
-    q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
-    q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
-    q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
-    q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
-    q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
-    q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
-    q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+    q5_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v43 <= -half_turn else 0.0) - v43
+    q5_pmp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v45 <= -half_turn else 0.0) - v45
+    q5_mpp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
+    q5_mmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
     v50 = q1__p < low1 or high1 < q1__p
     v51 = q1__m < low1 or high1 < q1__m
     v52 = q3_ppp < low3 or high3 < q3_ppp
     v53 = (
-        -(v41 + (m10 if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 + (m10 if half_turn <
-        -v41 else 0.0))
+        -(v41 + (whole_turn if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 + (whole_turn if
+        half_turn < -v41 else 0.0))
     )
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
@@ -1048,14 +1139,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
+    q[2, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
     q[2, 3] = angle2
     q[2, 4] = q5_pmp
     q[2, 5] = angle6
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
+    q[3, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmm
     q[3, 5] = q6_pmm
@@ -1076,14 +1167,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
+    q[6, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
     q[6, 3] = angle4
     q[6, 4] = q5_mmp
     q[6, 5] = angle8
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = -(v41 + (m10 if half_turn < -v41 else 0.0))
+    q[7, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmm
     q[7, 5] = q6_mmm
@@ -1133,7 +1224,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1361,8 +1452,8 @@ def _in_tiles(T, q, status):
             v21 = v15 + factor2 * (c4_pm * v17)
             v22 = v15 + factor2 * (c4_mp * v18)
             v23 = v15 + factor2 * (c4_mm * v19)
-            v24 = math.copysign(half_turn, -v14) * h1
-            v25 = math.copysign(half_turn, v14) * h1
+            v24 = math.copysign(half_turn, -v14)
+            v25 = math.copysign(half_turn, v14)
             v26 = w1 * (v2 * (X1 * T22 + wy * T12))
             v27 = w1 * (v2 * (wy * T22 - X1 * T12))
             v28 = w1 * (v2 * (X1 * T21 + wy * T11))
@@ -1455,25 +1546,25 @@ def _in_tiles(T, q, status):
             q4_pmm = angle2 - v24
             q4_mpm = angle3 - v25
             q4_mmm = angle4 - v25
-            q6_ppm = angle5 - h1 * math.copysign(half_turn, v30)
-            q6_pmm = angle6 - h1 * math.copysign(half_turn, v31)
-            q6_mpm = angle7 - h1 * math.copysign(half_turn, v32)
-            q6_mmm = angle8 - h1 * math.copysign(half_turn, v33)
+            q6_ppm = angle5 - math.copysign(half_turn, v30)
+            q6_pmm = angle6 - math.copysign(half_turn, v31)
+            q6_mpm = angle7 - math.copysign(half_turn, v32)
+            q6_mmm = angle8 - math.copysign(half_turn, v33)
             v34 = angle9 - offset1
-            v35 = angle9 - h1 * math.copysign(half_turn, wy) - offset1
-            q1__p = v34 + (m10 if v34 <= -half_turn else 0.0)
-            q1__m = v35 + (m10 if v35 <= -half_turn else 0.0)
+            v35 = angle9 - math.copysign(half_turn, wy) - offset1
+            q1__p = v34 + (whole_turn if v34 <= -half_turn else 0.0)
+            q1__m = v35 + (whole_turn if v35 <= -half_turn else 0.0)
             v36 = angle10 - offset2
             v37 = angle11 - offset2
             v38 = angle12 - offset2
             v39 = angle13 - offset2
-            q2_ppp = v36 + (m10 if v36 <= -half_turn else 0.0)
-            q2_pmp = v37 + (m10 if v37 <= -half_turn else 0.0)
-            q2_mpp = v38 + (m10 if v38 <= -half_turn else 0.0)
-            q2_mmp = v39 + (m10 if v39 <= -half_turn else 0.0)
+            q2_ppp = v36 + (whole_turn if v36 <= -half_turn else 0.0)
+            q2_pmp = v37 + (whole_turn if v37 <= -half_turn else 0.0)
+            q2_mpp = v38 + (whole_turn if v38 <= -half_turn else 0.0)
+            q2_mmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
             v40 = angle14 - turn1 - offset3
             v41 = offset3 + (turn1 + angle14)
-            q3_ppp = v40 - (m10 if half_turn < v40 else 0.0)
+            q3_ppp = v40 - (whole_turn if half_turn < v40 else 0.0)
             v42 = angle15 - offset5
             v43 = offset5 + angle15
             v44 = angle16 - offset5
@@ -1482,20 +1573,20 @@ def _in_tiles(T, q, status):
             v47 = offset5 + angle17
             v48 = angle18 - offset5
             v49 = offset5 + angle18
-            q5_ppp = v42 + (m10 if v42 <= -half_turn else 0.0)
-            q5_ppm = (m10 if -v43 <= -half_turn else 0.0) - v43
-            q5_pmp = v44 + (m10 if v44 <= -half_turn else 0.0)
-            q5_pmm = (m10 if -v45 <= -half_turn else 0.0) - v45
-            q5_mpp = v46 + (m10 if v46 <= -half_turn else 0.0)
-            q5_mpm = (m10 if -v47 <= -half_turn else 0.0) - v47
-            q5_mmp = v48 + (m10 if v48 <= -half_turn else 0.0)
-            q5_mmm = (m10 if -v49 <= -half_turn else 0.0) - v49
+            q5_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v43 <= -half_turn else 0.0) - v43
+            q5_pmp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v45 <= -half_turn else 0.0) - v45
+            q5_mpp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
+            q5_mmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
             v50 = q1__p < low1 or high1 < q1__p
             v51 = q1__m < low1 or high1 < q1__m
             v52 = q3_ppp < low3 or high3 < q3_ppp
             v53 = (
-                -(v41 + (m10 if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 + (m10 if
-                half_turn < -v41 else 0.0))
+                -(v41 + (whole_turn if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 +
+                (whole_turn if half_turn < -v41 else 0.0))
             )
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
@@ -1531,7 +1622,7 @@ def _in_tiles(T, q, status):
             work[1120 + k] = _1120
             _1136 = q2_pmp
             work[1136 + k] = _1136
-            _1152 = -(v41 + (m10 if half_turn < -v41 else 0.0))
+            _1152 = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
             work[1152 + k] = _1152
             _1168 = angle2
             work[1168 + k] = _1168

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & DOOSAN_M1013_UNREACHABLE) \
-        | (~(none) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & DOOSAN_M1013_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)DOOSAN_M1013_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)DOOSAN_M1013_UNREACHABLE \
         : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.1525; /* joint offset 1 [m] */
@@ -275,12 +280,11 @@ static const double k6 = 2.081291995206794; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 2.2111690000000003e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 0.8064516129032259; /* a coefficient of S2 */
 static const double m2 = 0.057999193548387; /* a coefficient of S2 */
 static const double m3 = 4.889268346561001e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m4 = 1e-06; /* doubt_limit^2 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m5 */
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -365,35 +369,19 @@ void doosan_m1013_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -406,7 +394,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -478,19 +466,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle6 = atan2_wide(S2_pm, C2_pm), v59 = angle6 - offset2,
         angle7 = atan2_wide(S2_pm, C2_mp), v60 = angle7 - offset2,
         angle8 = atan2_wide(S2_pp, C2_mm), v61 = angle8 - offset2,
-        q2_ppp = v58 + only_wide(v58 <= -half_turn, m6),
-        q2_pmp = v59 + only_wide(v59 <= -half_turn, m6),
-        q2_mpp = v60 + only_wide(v60 <= -half_turn, m6),
-        q2_mmp = v61 + only_wide(v61 <= -half_turn, m6), angle9 = atan2_wide(v7, -v8),
-        v62 = angle9 - offset3,
-        v63 = h1 * copysign_wide(all_wide(half_turn), v7) - angle9 - offset3,
+        q2_ppp = v58 + only_wide(v58 <= -half_turn, whole_turn),
+        q2_pmp = v59 + only_wide(v59 <= -half_turn, whole_turn),
+        q2_mpp = v60 + only_wide(v60 <= -half_turn, whole_turn),
+        q2_mmp = v61 + only_wide(v61 <= -half_turn, whole_turn), angle9 = atan2_wide(v7, -v8),
+        v62 = angle9 - offset3, v63 = signed_wide(half_turn, v7) - angle9 - offset3,
         angle10 = atan2_wide(Y4_p, -X4_pp), angle11 = atan2_wide(Y4_p, -X4_pm),
         angle12 = atan2_wide(Y4_m, -X4_mp), angle13 = atan2_wide(Y4_m, -X4_mm),
-        v64 = h1 * copysign_wide(all_wide(half_turn), Y4_p),
-        v65 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v66 = angle10 - offset4,
-        v67 = angle10 - v64 - offset4, v68 = angle11 - offset4, v69 = angle11 - v64 - offset4,
-        v70 = angle12 - offset4, v71 = angle12 - v65 - offset4, v72 = angle13 - offset4,
-        v73 = angle13 - v65 - offset4,
+        v64 = signed_wide(half_turn, Y4_p), v65 = signed_wide(half_turn, Y4_m),
+        v66 = angle10 - offset4, v67 = angle10 - v64 - offset4, v68 = angle11 - offset4,
+        v69 = angle11 - v64 - offset4, v70 = angle12 - offset4, v71 = angle12 - v65 - offset4,
+        v72 = angle13 - offset4, v73 = angle13 - v65 - offset4,
         angle14 = atan2_wide(sqrt_wide(v46), -(T33 * v35 + s23_pp * v42)),
         angle15 = atan2_wide(sqrt_wide(v47), -(T33 * v37 + s23_pm * v42)),
         angle16 = atan2_wide(sqrt_wide(v48), -(T33 * v38 + s23_mp * v43)),
@@ -499,41 +485,49 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v78 = angle16 - offset5, v79 = offset5 + angle16, v80 = angle17 - offset5,
         v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19,
-        q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, m6)),
-        q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, m6));
+        q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, whole_turn)),
+        q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, whole_turn));
     const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v49 <= m4) |
         (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) | (v27 <= m3) | (v46 <= m4) |
         ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v25 <= m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v66 + only_wide(v66 <= -half_turn, m6);
-    q[4] = v74 + only_wide(v74 <= -half_turn, m6); q[5] = angle1;
-    kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v67 + only_wide(v67 <= -half_turn, m6);
-    q[10] = only_wide(-v75 <= -half_turn, m6) - v75;
-    q[11] = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v68 + only_wide(v68 <= -half_turn, m6);
-    q[16] = v76 + only_wide(v76 <= -half_turn, m6); q[17] = angle2;
-    kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v69 + only_wide(v69 <= -half_turn, m6);
-    q[22] = only_wide(-v77 <= -half_turn, m6) - v77;
-    q[23] = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = v70 + only_wide(v70 <= -half_turn, m6);
-    q[28] = v78 + only_wide(v78 <= -half_turn, m6); q[29] = angle3;
-    kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = v71 + only_wide(v71 <= -half_turn, m6);
-    q[34] = only_wide(-v79 <= -half_turn, m6) - v79;
-    q[35] = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = v72 + only_wide(v72 <= -half_turn, m6);
-    q[40] = v80 + only_wide(v80 <= -half_turn, m6); q[41] = angle4;
-    kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = v73 + only_wide(v73 <= -half_turn, m6);
-    q[46] = only_wide(-v81 <= -half_turn, m6) - v81;
-    q[47] = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
+    q[3] = v66 + only_wide(v66 <= -half_turn, whole_turn);
+    q[4] = v74 + only_wide(v74 <= -half_turn, whole_turn); q[5] = angle1;
+    kind[0] = kind_of(q[0], 0);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
+    q[9] = v67 + only_wide(v67 <= -half_turn, whole_turn);
+    q[10] = only_wide(-v75 <= -half_turn, whole_turn) - v75;
+    q[11] = angle1 - signed_wide(half_turn, s6_pp);
+    kind[1] = kind_of(q[6], 0);
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
+    q[15] = v68 + only_wide(v68 <= -half_turn, whole_turn);
+    q[16] = v76 + only_wide(v76 <= -half_turn, whole_turn); q[17] = angle2;
+    kind[2] = kind_of(q[12], 0);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
+    q[21] = v69 + only_wide(v69 <= -half_turn, whole_turn);
+    q[22] = only_wide(-v77 <= -half_turn, whole_turn) - v77;
+    q[23] = angle2 - signed_wide(half_turn, s6_pm);
+    kind[3] = kind_of(q[18], 0);
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
+    q[27] = v70 + only_wide(v70 <= -half_turn, whole_turn);
+    q[28] = v78 + only_wide(v78 <= -half_turn, whole_turn); q[29] = angle3;
+    kind[4] = kind_of(q[24], 0);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
+    q[33] = v71 + only_wide(v71 <= -half_turn, whole_turn);
+    q[34] = only_wide(-v79 <= -half_turn, whole_turn) - v79;
+    q[35] = angle3 - signed_wide(half_turn, s6_mp);
+    kind[5] = kind_of(q[30], 0);
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
+    q[39] = v72 + only_wide(v72 <= -half_turn, whole_turn);
+    q[40] = v80 + only_wide(v80 <= -half_turn, whole_turn); q[41] = angle4;
+    kind[6] = kind_of(q[36], 0);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
+    q[45] = v73 + only_wide(v73 <= -half_turn, whole_turn);
+    q[46] = only_wide(-v81 <= -half_turn, whole_turn) - v81;
+    q[47] = angle4 - signed_wide(half_turn, s6_mm);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -584,7 +578,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v34 = copysign(half_turn, v6);
-    const four v36 = h1 * copysign_four(all_four(half_turn), Y4);
+    const four v36 = signed_four(half_turn, Y4);
     const four_mask doubt2 = (v22 <= m3) | (v28 <= m4);
     const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
@@ -596,14 +590,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3)),
         angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1, v33 = angle2 - offset2,
-        q2_p = v33 + only_four(v33 <= -half_turn, m6),
+    const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
+        q2_p = v33 + only_four(v33 <= -half_turn, whole_turn),
         v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
-        v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, m6),
-        q4_m = v38 + only_four(v38 <= -half_turn, m6), v39 = angle5 - offset5,
-        v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, m6),
-        q5_m = only_four(-v40 <= -half_turn, m6) - v40, q1_p = v5 + angle6,
-        q3_p = v1 + (v35 + only_four(v35 <= -half_turn, m6));
+        v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, whole_turn),
+        q4_m = v38 + only_four(v38 <= -half_turn, whole_turn), v39 = angle5 - offset5,
+        v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, whole_turn),
+        q5_m = only_four(-v40 <= -half_turn, whole_turn) - v40, q1_p = v5 + angle6,
+        q3_p = v1 + (v35 + only_four(v35 <= -half_turn, whole_turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -631,29 +625,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -788,6 +772,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -804,8 +794,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -824,9 +813,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == DOOSAN_M1013_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = DOOSAN_M1013_OUT_OF_LIMITS;
         }
         count += status[row] != DOOSAN_M1013_OUT_OF_LIMITS;
@@ -867,8 +855,7 @@ int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -113,12 +113,11 @@ k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k6 = 2.081291995206794  # 1 / ((2 * d4 * a2)^2) [m^-4]
 doubt_limit_squared2 = 2.2111690000000003e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 0.8064516129032259  # a coefficient of S2
 m2 = 0.057999193548387  # a coefficient of S2
 m3 = 4.889268346561001e-12  # doubt_limit_squared2^2 [m^4]
 m4 = 1e-06  # doubt_limit^2
-m6 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m5
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -679,8 +678,8 @@ def _regular(pose, q, status):
     s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
 
     # joint values
-    v64 = h1 * math.copysign(half_turn, Y4_p)
-    v65 = h1 * math.copysign(half_turn, Y4_m)
+    v64 = math.copysign(half_turn, Y4_p)
+    v65 = math.copysign(half_turn, Y4_m)
     doubt1 = (
         abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v49 <= m4 or v29 <= m3 or v48 <= m4 or v28 <=
         m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or (shortest3_reach <= N3 and N3 <= longest3_reach
@@ -751,22 +750,22 @@ def _regular(pose, q, status):
     angle19 = room[18]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-    q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
-    q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
-    q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
+    q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
+    q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
+    q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
+    q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
 
     # joint values
     v58 = angle5 - offset2
     v59 = angle6 - offset2
     v60 = angle7 - offset2
     v61 = angle8 - offset2
-    q2_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
-    q2_pmp = v59 + (m6 if v59 <= -half_turn else 0.0)
-    q2_mpp = v60 + (m6 if v60 <= -half_turn else 0.0)
-    q2_mmp = v61 + (m6 if v61 <= -half_turn else 0.0)
+    q2_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+    q2_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+    q2_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+    q2_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
     v62 = angle9 - offset3
-    v63 = h1 * math.copysign(half_turn, v7) - angle9 - offset3
+    v63 = math.copysign(half_turn, v7) - angle9 - offset3
     v66 = angle10 - offset4
     v67 = angle10 - v64 - offset4
     v68 = angle11 - offset4
@@ -775,14 +774,14 @@ def _regular(pose, q, status):
     v71 = angle12 - v65 - offset4
     v72 = angle13 - offset4
     v73 = angle13 - v65 - offset4
-    q4_ppp = v66 + (m6 if v66 <= -half_turn else 0.0)
-    q4_ppm = v67 + (m6 if v67 <= -half_turn else 0.0)
-    q4_pmp = v68 + (m6 if v68 <= -half_turn else 0.0)
-    q4_pmm = v69 + (m6 if v69 <= -half_turn else 0.0)
-    q4_mpp = v70 + (m6 if v70 <= -half_turn else 0.0)
-    q4_mpm = v71 + (m6 if v71 <= -half_turn else 0.0)
-    q4_mmp = v72 + (m6 if v72 <= -half_turn else 0.0)
-    q4_mmm = v73 + (m6 if v73 <= -half_turn else 0.0)
+    q4_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+    q4_ppm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+    q4_pmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
+    q4_pmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+    q4_mpp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+    q4_mpm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+    q4_mmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+    q4_mmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
     v74 = angle14 - offset5
     v75 = offset5 + angle14
     v76 = angle15 - offset5
@@ -791,18 +790,18 @@ def _regular(pose, q, status):
     v79 = offset5 + angle16
     v80 = angle17 - offset5
     v81 = offset5 + angle17
-    q5_ppp = v74 + (m6 if v74 <= -half_turn else 0.0)
-    q5_ppm = (m6 if -v75 <= -half_turn else 0.0) - v75
-    q5_pmp = v76 + (m6 if v76 <= -half_turn else 0.0)
-    q5_pmm = (m6 if -v77 <= -half_turn else 0.0) - v77
-    q5_mpp = v78 + (m6 if v78 <= -half_turn else 0.0)
-    q5_mpm = (m6 if -v79 <= -half_turn else 0.0) - v79
-    q5_mmp = v80 + (m6 if v80 <= -half_turn else 0.0)
-    q5_mmm = (m6 if -v81 <= -half_turn else 0.0) - v81
+    q5_ppp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
+    q5_pmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
+    q5_mpp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
+    q5_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
     q1_ppp = v6 + angle18
     q1_mpp = v6 + angle19
-    q3_ppp = v1 + (v62 + (m6 if v62 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v63 + (m6 if v63 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v63 + (whole_turn if v63 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1178,8 +1177,8 @@ def _in_tiles(T, q, status):
             s6_pm = Y4_p * (s23_pm * T31 - v37 * v56) - v54 * -X4_pm
             s6_mp = Y4_m * (s23_mp * T31 - v38 * v57) - v55 * -X4_mp
             s6_mm = Y4_m * (s23_mm * T31 - v39 * v57) - v55 * -X4_mm
-            v64 = h1 * math.copysign(half_turn, Y4_p)
-            v65 = h1 * math.copysign(half_turn, Y4_m)
+            v64 = math.copysign(half_turn, Y4_p)
+            v65 = math.copysign(half_turn, Y4_m)
             doubt1 = (
                 abs(D1) <= k2 or N1 <= doubt_limit_squared2 or v49 <= m4 or v29 <= m3 or v48 <= m4
                 or v28 <= m3 or v47 <= m4 or v27 <= m3 or v46 <= m4 or (shortest3_reach <= N3 and N3
@@ -1266,20 +1265,20 @@ def _in_tiles(T, q, status):
             angle17 = work[688 + k]
             angle18 = work[704 + k]
             angle19 = work[720 + k]
-            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-            q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
-            q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
-            q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
+            q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
+            q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
+            q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
+            q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
             v58 = angle5 - offset2
             v59 = angle6 - offset2
             v60 = angle7 - offset2
             v61 = angle8 - offset2
-            q2_ppp = v58 + (m6 if v58 <= -half_turn else 0.0)
-            q2_pmp = v59 + (m6 if v59 <= -half_turn else 0.0)
-            q2_mpp = v60 + (m6 if v60 <= -half_turn else 0.0)
-            q2_mmp = v61 + (m6 if v61 <= -half_turn else 0.0)
+            q2_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+            q2_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+            q2_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+            q2_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
             v62 = angle9 - offset3
-            v63 = h1 * math.copysign(half_turn, v7) - angle9 - offset3
+            v63 = math.copysign(half_turn, v7) - angle9 - offset3
             v66 = angle10 - offset4
             v67 = angle10 - v64 - offset4
             v68 = angle11 - offset4
@@ -1288,14 +1287,14 @@ def _in_tiles(T, q, status):
             v71 = angle12 - v65 - offset4
             v72 = angle13 - offset4
             v73 = angle13 - v65 - offset4
-            q4_ppp = v66 + (m6 if v66 <= -half_turn else 0.0)
-            q4_ppm = v67 + (m6 if v67 <= -half_turn else 0.0)
-            q4_pmp = v68 + (m6 if v68 <= -half_turn else 0.0)
-            q4_pmm = v69 + (m6 if v69 <= -half_turn else 0.0)
-            q4_mpp = v70 + (m6 if v70 <= -half_turn else 0.0)
-            q4_mpm = v71 + (m6 if v71 <= -half_turn else 0.0)
-            q4_mmp = v72 + (m6 if v72 <= -half_turn else 0.0)
-            q4_mmm = v73 + (m6 if v73 <= -half_turn else 0.0)
+            q4_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+            q4_ppm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+            q4_pmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
+            q4_pmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+            q4_mpp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+            q4_mpm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+            q4_mmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+            q4_mmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
             v74 = angle14 - offset5
             v75 = offset5 + angle14
             v76 = angle15 - offset5
@@ -1304,18 +1303,18 @@ def _in_tiles(T, q, status):
             v79 = offset5 + angle16
             v80 = angle17 - offset5
             v81 = offset5 + angle17
-            q5_ppp = v74 + (m6 if v74 <= -half_turn else 0.0)
-            q5_ppm = (m6 if -v75 <= -half_turn else 0.0) - v75
-            q5_pmp = v76 + (m6 if v76 <= -half_turn else 0.0)
-            q5_pmm = (m6 if -v77 <= -half_turn else 0.0) - v77
-            q5_mpp = v78 + (m6 if v78 <= -half_turn else 0.0)
-            q5_mpm = (m6 if -v79 <= -half_turn else 0.0) - v79
-            q5_mmp = v80 + (m6 if v80 <= -half_turn else 0.0)
-            q5_mmm = (m6 if -v81 <= -half_turn else 0.0) - v81
+            q5_ppp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
+            q5_pmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
+            q5_mpp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
+            q5_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
             q1_ppp = v6 + angle18
             q1_mpp = v6 + angle19
-            q3_ppp = v1 + (v62 + (m6 if v62 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v63 + (m6 if v63 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v63 + (whole_turn if v63 <= -half_turn else 0.0))
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -73,14 +89,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -100,6 +114,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -110,10 +125,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -125,21 +140,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -181,7 +188,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -215,11 +221,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -233,16 +238,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & FANUC_M710IC50_UNREACHABLE) \
-        | (~(none) & (outside) & FANUC_M710IC50_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & FANUC_M710IC50_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & FANUC_M710IC50_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)FANUC_M710IC50_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)FANUC_M710IC50_UNREACHABLE \
         : (outside) ? (int)FANUC_M710IC50_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.565; /* joint offset 1 [m] */
@@ -275,15 +280,7 @@ static const double k4 = 0.31125925198890714; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 
 static const double doubt_limit_squared2 = 8.678915999999998e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
 static const double turn1 = -1.4050092836833894; /* a constant angle [rad] */
-static const double low1 = -3.1415000010000003; /* least of joint 1 */
-static const double high1 = 3.1415000010000003; /* most of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double low2 = -1.570700001; /* least of joint 2 */
-static const double high2 = 2.356100001; /* most of joint 2 */
-static const double low3 = -2.792500001; /* least of joint 3 */
-static const double high3 = 4.886900001; /* most of joint 3 */
-static const double low5 = -2.181600001; /* least of joint 5 */
-static const double high5 = 2.181600001; /* most of joint 5 */
 static const double m1 = 8.678916e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.5747126436781609; /* a coefficient of Y1_2 */
 static const double m4 = 0.1748597701149426; /* a coefficient of Y1_2 */
@@ -292,8 +289,9 @@ static const double m6 = 0.47872320375138055; /* a coefficient of c2m3 */
 static const double m7 = 0.14565440708058014; /* a coefficient of c2m3 */
 static const double m8 = 0.024371308271356914; /* a coefficient of c2m3 */
 static const double m9 = 1e-06; /* doubt_limit^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double low1 = -3.1415000010000003, high1 = 3.1415000010000003, low2 = -1.570700001,
+high2 = 2.356100001, low3 = -2.792500001, high3 = 4.886900001, low5 = -2.181600001,
+high5 = 2.181600001;
 
 const char *const fanuc_m710ic50_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -378,35 +376,19 @@ void fanuc_m710ic50_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -419,7 +401,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -427,6 +409,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -440,7 +443,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta1 */
     const wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1,
         w1 = sqrt_wide(v1), v2 = 1.0 / v1, angle1 = atan2_wide(Y1, -t14),
-        q1__m = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1;
+        q1__m = angle1 - signed_wide(half_turn, Y1);
 
     /* theta3 */
     const wide Z1_3 = T34 - d6 * T31 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
@@ -470,8 +473,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v32 = v31 + X4_pp * X4_pp, v33 = v31 + X4_pm * X4_pm, v34 = v31 + v29 * v29,
         v35 = v31 + v30 * v30, angle4 = atan2_wide(Y4, -X4_pp), angle5 = atan2_wide(Y4, -X4_pm),
         angle6 = atan2_wide(-Y4, v29), angle7 = atan2_wide(-Y4, v30),
-        v36 = h1 * copysign_wide(all_wide(half_turn), Y4),
-        v37 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+        v36 = signed_wide(half_turn, Y4), v37 = signed_wide(half_turn, -Y4);
 
     /* theta6 */
     const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
@@ -490,10 +492,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v47 = angle12 - offset2, angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11),
         v48 = angle13 - offset2, angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10),
         v49 = angle14 - offset2, angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11),
-        v50 = angle15 - offset2, q2_ppp = v47 - only_wide(half_turn < v47, m10),
-        q2_pmp = v48 - only_wide(half_turn < v48, m10),
-        q2_mpp = v49 - only_wide(half_turn < v49, m10),
-        q2_mmp = v50 - only_wide(half_turn < v50, m10),
+        v50 = angle15 - offset2, q2_ppp = v47 - only_wide(half_turn < v47, whole_turn),
+        q2_pmp = v48 - only_wide(half_turn < v48, whole_turn),
+        q2_mpp = v49 - only_wide(half_turn < v49, whole_turn),
+        q2_mmp = v50 - only_wide(half_turn < v50, whole_turn),
         angle16 = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28),
         angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28),
         angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28),
@@ -501,40 +503,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5,
         v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18,
         v57 = angle19 - offset5, v58 = offset5 + angle19,
-        q5_ppp = v51 + only_wide(v51 <= -half_turn, m10),
-        q5_ppm = only_wide(-v52 <= -half_turn, m10) - v52,
-        q5_pmp = v53 + only_wide(v53 <= -half_turn, m10),
-        q5_pmm = only_wide(-v54 <= -half_turn, m10) - v54,
-        q5_mpp = v55 + only_wide(v55 <= -half_turn, m10),
-        q5_mpm = only_wide(-v56 <= -half_turn, m10) - v56,
-        q5_mmp = v57 + only_wide(v57 <= -half_turn, m10),
-        q5_mmm = only_wide(-v58 <= -half_turn, m10) - v58,
-        v59 = q3__pp - only_wide(half_turn < q3__pp, m10),
-        v60 = v6 + only_wide(half_turn < -v6, m10),
-        v61 = q3__mp - only_wide(half_turn < q3__mp, m10),
-        v62 = v7 + only_wide(half_turn < -v7, m10);
-    const wide_mask v63 = beyond(angle1, low1, high1), v64 = beyond(q1__m, low1, high1);
+        q5_ppp = v51 + only_wide(v51 <= -half_turn, whole_turn),
+        q5_ppm = only_wide(-v52 <= -half_turn, whole_turn) - v52,
+        q5_pmp = v53 + only_wide(v53 <= -half_turn, whole_turn),
+        q5_pmm = only_wide(-v54 <= -half_turn, whole_turn) - v54,
+        q5_mpp = v55 + only_wide(v55 <= -half_turn, whole_turn),
+        q5_mpm = only_wide(-v56 <= -half_turn, whole_turn) - v56,
+        q5_mmp = v57 + only_wide(v57 <= -half_turn, whole_turn),
+        q5_mmm = only_wide(-v58 <= -half_turn, whole_turn) - v58,
+        v59 = q3__pp - only_wide(half_turn < q3__pp, whole_turn),
+        v60 = v6 + only_wide(half_turn < -v6, whole_turn),
+        v61 = q3__mp - only_wide(half_turn < q3__mp, whole_turn),
+        v62 = v7 + only_wide(half_turn < -v7, whole_turn);
+    const wide_mask v63 = beyond(angle1, 1), v64 = beyond(q1__m, 1);
     const wide v65 = v59 + only_wide(v59 < low3, whole_turn),
         v66 = only_wide(-v60 < low3, whole_turn) - v60,
         v67 = v61 + only_wide(v61 < low3, whole_turn),
         v68 = only_wide(-v62 < low3, whole_turn) - v62;
-    const wide_mask v69 = beyond(v65, low3, high3), v70 = beyond(v66, low3, high3),
-        v71 = beyond(v67, low3, high3), v72 = beyond(v68, low3, high3);
+    const wide_mask v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = beyond(v67, 3),
+        v72 = beyond(v68, 3);
     const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, -v60, v66),
         q3_mpp = pick_wide(v71, v61, v67), q3_mmp = pick_wide(v72, -v62, v68),
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
-    const wide_mask v73 = v69 | v63 | beyond(q2_ppp, low2, high2),
-        v74 = v70 | v63 | beyond(q2_pmp, low2, high2),
-        v75 = v71 | v64 | beyond(q2_mpp, low2, high2),
-        v76 = v72 | v64 | beyond(q2_mmp, low2, high2),
-        outside_ppp = v73 | beyond(q5_ppp, low5, high5),
-        outside_ppm = v73 | beyond(q5_ppm, low5, high5),
-        outside_pmp = v74 | beyond(q5_pmp, low5, high5),
-        outside_pmm = v74 | beyond(q5_pmm, low5, high5),
-        outside_mpp = v75 | beyond(q5_mpp, low5, high5),
-        outside_mpm = v75 | beyond(q5_mpm, low5, high5),
-        outside_mmp = v76 | beyond(q5_mmp, low5, high5),
-        outside_mmm = v76 | beyond(q5_mmm, low5, high5),
+    const wide_mask v73 = v69 | v63 | beyond(q2_ppp, 2), v74 = v70 | v63 | beyond(q2_pmp, 2),
+        v75 = v71 | v64 | beyond(q2_mpp, 2), v76 = v72 | v64 | beyond(q2_mmp, 2),
         doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
             longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p
             <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
@@ -542,25 +534,25 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             | (v33 <= m9) | (v1 <= m1) | (v32 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp; q[5] = angle8;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v73 | beyond(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v36; q[10] = q5_ppm;
-    q[11] = angle8 - h1 * copysign_wide(all_wide(half_turn), v42);
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[11] = angle8 - signed_wide(half_turn, v42);
+    kind[1] = kind_of(q[6], v73 | beyond(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp; q[17] = angle9;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    kind[2] = kind_of(q[12], v74 | beyond(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v36; q[22] = q5_pmm;
-    q[23] = angle9 - h1 * copysign_wide(all_wide(half_turn), v43);
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[23] = angle9 - signed_wide(half_turn, v43);
+    kind[3] = kind_of(q[18], v74 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp; q[29] = angle10;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    kind[4] = kind_of(q[24], v75 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v37; q[34] = q5_mpm;
-    q[35] = angle10 - h1 * copysign_wide(all_wide(half_turn), v44);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[35] = angle10 - signed_wide(half_turn, v44);
+    kind[5] = kind_of(q[30], v75 | beyond(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp; q[41] = angle11;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    kind[6] = kind_of(q[36], v76 | beyond(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v37; q[46] = q5_mmm;
-    q[47] = angle11 - h1 * copysign_wide(all_wide(half_turn), v45);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[47] = angle11 - signed_wide(half_turn, v45);
+    kind[7] = kind_of(q[42], v76 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -605,7 +597,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y4 = w1 * (v2 * (T11 * Y1 + t14 * T21)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
-    const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
+    const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
     const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
@@ -625,18 +617,17 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
-        q4_m = angle3 - v21, q6_m = angle4 - h1 * copysign_four(all_four(half_turn), v26),
-        v27 = angle5 - offset2, q2_p = v27 - only_four(half_turn < v27, m10),
-        v28 = angle6 - offset5, v29 = offset5 + angle6,
-        q5_p = v28 + only_four(v28 <= -half_turn, m10),
-        q5_m = only_four(-v29 <= -half_turn, m10) - v29,
-        v30 = q3_ - only_four(half_turn < q3_, m10);
-    const four_mask v31 = beyond(q1_, low1, high1);
+        q4_m = angle3 - v21, q6_m = angle4 - signed_four(half_turn, v26), v27 = angle5 - offset2,
+        q2_p = v27 - only_four(half_turn < v27, whole_turn), v28 = angle6 - offset5,
+        v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, whole_turn),
+        q5_m = only_four(-v29 <= -half_turn, whole_turn) - v29,
+        v30 = q3_ - only_four(half_turn < q3_, whole_turn);
+    const four_mask v31 = beyond(q1_, 1);
     const four v32 = v30 + only_four(v30 < low3, whole_turn);
-    const four_mask v33 = beyond(v32, low3, high3);
+    const four_mask v33 = beyond(v32, 3);
     const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
-    const four_mask v34 = v33 | v31 | beyond(q2_p, low2, high2),
-        outside_p = v34 | beyond(q5_p, low5, high5), outside_m = v34 | beyond(q5_m, low5, high5);
+    const four_mask v34 = v33 | v31 | beyond(q2_p, 2), outside_p = v34 | beyond(q5_p, 5),
+        outside_m = v34 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -667,29 +658,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -820,6 +801,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -827,27 +814,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -878,8 +844,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -942,8 +907,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -962,12 +926,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.3394433129667346, 0.3394433129667346, 0.3394433129667346,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        fanuc_m710ic50_fk(x, P);
+        fanuc_m710ic50_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -988,10 +1013,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == FANUC_M710IC50_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = FANUC_M710IC50_OUT_OF_LIMITS;
         }
         count += status[row] != FANUC_M710IC50_OUT_OF_LIMITS;
@@ -1032,8 +1059,7 @@ int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -115,15 +115,15 @@ k4 = 0.31125925198890714  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 8.678915999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4050092836833894  # a constant angle [rad]
-low1 = -3.1415000010000003  # least of joint 1
-high1 = 3.1415000010000003  # most of joint 1
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low2 = -1.570700001  # least of joint 2
-high2 = 2.356100001  # most of joint 2
-low3 = -2.792500001  # least of joint 3
-high3 = 4.886900001  # most of joint 3
-low5 = -2.181600001  # least of joint 5
-high5 = 2.181600001  # most of joint 5
+low1 = -3.1415000010000003
+high1 = 3.1415000010000003
+low2 = -1.570700001
+high2 = 2.356100001
+low3 = -2.792500001
+high3 = 4.886900001
+low5 = -2.181600001
+high5 = 2.181600001
 m1 = 8.678916e-06  # doubt_limit1^2 [m^2]
 m3 = 0.5747126436781609  # a coefficient of Y1_2
 m4 = 0.1748597701149426  # a coefficient of Y1_2
@@ -132,8 +132,6 @@ m6 = 0.47872320375138055  # a coefficient of c2m3
 m7 = 0.14565440708058014  # a coefficient of c2m3
 m8 = 0.024371308271356914  # a coefficient of c2m3
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -383,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 902966bc700f6f5a"
+_KEY = "fanuc_m710ic50 0b7a83119c462402"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -620,12 +618,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -644,6 +636,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -785,6 +783,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.3394433129667346, 0.3394433129667346, 0.3394433129667346, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -798,6 +887,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -880,8 +970,8 @@ def _regular(pose, q, status):
     v33 = v31 + X4_pm * X4_pm
     v34 = v31 + v29 * v29
     v35 = v31 + v30 * v30
-    v36 = h1 * math.copysign(half_turn, Y4)
-    v37 = h1 * math.copysign(half_turn, -Y4)
+    v36 = math.copysign(half_turn, Y4)
+    v37 = math.copysign(half_turn, -Y4)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
@@ -966,7 +1056,7 @@ def _regular(pose, q, status):
     angle19 = room[18]
 
     # theta1, type 2: U1[3, 4]
-    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+    q1__m = angle1 - math.copysign(half_turn, Y1)
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     q3__pp = angle2 - turn1
@@ -981,20 +1071,20 @@ def _regular(pose, q, status):
     q4_mmm = angle7 - v37
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle8 - h1 * math.copysign(half_turn, v42)
-    q6_pmm = angle9 - h1 * math.copysign(half_turn, v43)
-    q6_mpm = angle10 - h1 * math.copysign(half_turn, v44)
-    q6_mmm = angle11 - h1 * math.copysign(half_turn, v45)
+    q6_ppm = angle8 - math.copysign(half_turn, v42)
+    q6_pmm = angle9 - math.copysign(half_turn, v43)
+    q6_mpm = angle10 - math.copysign(half_turn, v44)
+    q6_mmm = angle11 - math.copysign(half_turn, v45)
 
     # joint values
     v47 = angle12 - offset2
     v48 = angle13 - offset2
     v49 = angle14 - offset2
     v50 = angle15 - offset2
-    q2_ppp = v47 - (m10 if half_turn < v47 else 0.0)
-    q2_pmp = v48 - (m10 if half_turn < v48 else 0.0)
-    q2_mpp = v49 - (m10 if half_turn < v49 else 0.0)
-    q2_mmp = v50 - (m10 if half_turn < v50 else 0.0)
+    q2_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
+    q2_pmp = v48 - (whole_turn if half_turn < v48 else 0.0)
+    q2_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
+    q2_mmp = v50 - (whole_turn if half_turn < v50 else 0.0)
     v51 = angle16 - offset5
     v52 = offset5 + angle16
     v53 = angle17 - offset5
@@ -1003,18 +1093,18 @@ def _regular(pose, q, status):
     v56 = offset5 + angle18
     v57 = angle19 - offset5
     v58 = offset5 + angle19
-    q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
-    q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
-    q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
-    q5_pmm = (m10 if -v54 <= -half_turn else 0.0) - v54
-    q5_mpp = v55 + (m10 if v55 <= -half_turn else 0.0)
-    q5_mpm = (m10 if -v56 <= -half_turn else 0.0) - v56
-    q5_mmp = v57 + (m10 if v57 <= -half_turn else 0.0)
-    q5_mmm = (m10 if -v58 <= -half_turn else 0.0) - v58
-    v59 = q3__pp - (m10 if half_turn < q3__pp else 0.0)
-    v60 = v6 + (m10 if half_turn < -v6 else 0.0)
-    v61 = q3__mp - (m10 if half_turn < q3__mp else 0.0)
-    v62 = v7 + (m10 if half_turn < -v7 else 0.0)
+    q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
+    q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
+    q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
+    q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
+    v59 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
+    v60 = v6 + (whole_turn if half_turn < -v6 else 0.0)
+    v61 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
+    v62 = v7 + (whole_turn if half_turn < -v7 else 0.0)
     v63 = angle1 < low1 or high1 < angle1
     v64 = q1__m < low1 or high1 < q1__m
     v65 = v59 + (whole_turn if v59 < low3 else 0.0)
@@ -1148,7 +1238,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1379,8 +1469,8 @@ def _in_tiles(T, q, status):
             v33 = v31 + X4_pm * X4_pm
             v34 = v31 + v29 * v29
             v35 = v31 + v30 * v30
-            v36 = h1 * math.copysign(half_turn, Y4)
-            v37 = h1 * math.copysign(half_turn, -Y4)
+            v36 = math.copysign(half_turn, Y4)
+            v37 = math.copysign(half_turn, -Y4)
             v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
             v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
             v40 = w1 * (v2 * (t14 * T23 + Y1 * T13))
@@ -1477,7 +1567,7 @@ def _in_tiles(T, q, status):
             angle17 = work[688 + k]
             angle18 = work[704 + k]
             angle19 = work[720 + k]
-            q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+            q1__m = angle1 - math.copysign(half_turn, Y1)
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
             q3__mp = angle3 - turn1
@@ -1486,18 +1576,18 @@ def _in_tiles(T, q, status):
             q4_pmm = angle5 - v36
             q4_mpm = angle6 - v37
             q4_mmm = angle7 - v37
-            q6_ppm = angle8 - h1 * math.copysign(half_turn, v42)
-            q6_pmm = angle9 - h1 * math.copysign(half_turn, v43)
-            q6_mpm = angle10 - h1 * math.copysign(half_turn, v44)
-            q6_mmm = angle11 - h1 * math.copysign(half_turn, v45)
+            q6_ppm = angle8 - math.copysign(half_turn, v42)
+            q6_pmm = angle9 - math.copysign(half_turn, v43)
+            q6_mpm = angle10 - math.copysign(half_turn, v44)
+            q6_mmm = angle11 - math.copysign(half_turn, v45)
             v47 = angle12 - offset2
             v48 = angle13 - offset2
             v49 = angle14 - offset2
             v50 = angle15 - offset2
-            q2_ppp = v47 - (m10 if half_turn < v47 else 0.0)
-            q2_pmp = v48 - (m10 if half_turn < v48 else 0.0)
-            q2_mpp = v49 - (m10 if half_turn < v49 else 0.0)
-            q2_mmp = v50 - (m10 if half_turn < v50 else 0.0)
+            q2_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
+            q2_pmp = v48 - (whole_turn if half_turn < v48 else 0.0)
+            q2_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
+            q2_mmp = v50 - (whole_turn if half_turn < v50 else 0.0)
             v51 = angle16 - offset5
             v52 = offset5 + angle16
             v53 = angle17 - offset5
@@ -1506,18 +1596,18 @@ def _in_tiles(T, q, status):
             v56 = offset5 + angle18
             v57 = angle19 - offset5
             v58 = offset5 + angle19
-            q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
-            q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
-            q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
-            q5_pmm = (m10 if -v54 <= -half_turn else 0.0) - v54
-            q5_mpp = v55 + (m10 if v55 <= -half_turn else 0.0)
-            q5_mpm = (m10 if -v56 <= -half_turn else 0.0) - v56
-            q5_mmp = v57 + (m10 if v57 <= -half_turn else 0.0)
-            q5_mmm = (m10 if -v58 <= -half_turn else 0.0) - v58
-            v59 = q3__pp - (m10 if half_turn < q3__pp else 0.0)
-            v60 = v6 + (m10 if half_turn < -v6 else 0.0)
-            v61 = q3__mp - (m10 if half_turn < q3__mp else 0.0)
-            v62 = v7 + (m10 if half_turn < -v7 else 0.0)
+            q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
+            q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
+            q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
+            q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
+            v59 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
+            v60 = v6 + (whole_turn if half_turn < -v6 else 0.0)
+            v61 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
+            v62 = v7 + (whole_turn if half_turn < -v7 else 0.0)
             v63 = angle1 < low1 or high1 < angle1
             v64 = q1__m < low1 or high1 < q1__m
             v65 = v59 + (whole_turn if v59 < low3 else 0.0)

@@ -10,6 +10,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -66,14 +82,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -93,6 +107,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v cos_##v(v x) \
 { \
     for (int k = 0; k < lanes; k++) \
@@ -115,10 +130,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -132,21 +147,14 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] +
+        free_joints[0]);
 }
 
 #if LANES > 1
@@ -196,7 +204,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
     const four x = *(const four_at *)(T + 0);
@@ -230,11 +237,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -248,16 +254,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & FRANKA_PANDA_UNREACHABLE) \
-        | (~(none) & (outside) & FRANKA_PANDA_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & FRANKA_PANDA_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & FRANKA_PANDA_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)FRANKA_PANDA_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)FRANKA_PANDA_UNREACHABLE \
         : (outside) ? (int)FRANKA_PANDA_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.333; /* joint offset 1 [m] */
@@ -288,21 +294,7 @@ static const double k5 = 15.193911990243306;
 static const double doubt_limit_squared2 = 1.940449e-06;
 static const double turn1 = 0.46700242365301164; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.897300001; /* least of joint 1 */
-static const double high1 = 2.897300001; /* most of joint 1 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double low2 = -1.762800001; /* least of joint 2 */
-static const double high2 = 1.762800001; /* most of joint 2 */
-static const double low3 = -2.897300001; /* least of joint 3 */
-static const double high3 = 2.897300001; /* most of joint 3 */
-static const double low4 = -3.071800001; /* least of joint 4 */
-static const double high4 = -0.069799999; /* most of joint 4 */
-static const double low5 = -2.897300001; /* least of joint 5 */
-static const double high5 = 2.897300001; /* most of joint 5 */
-static const double low6 = -0.017500001; /* least of joint 6 */
-static const double high6 = 3.752500001; /* most of joint 6 */
-static const double low7 = -2.897300001; /* least of joint 7 */
-static const double high7 = 2.897300001; /* most of joint 7 */
 static const double m1 = 1.754896834873102; /* a coefficient of c4 */
 static const double m2 = 3.4805529861209807; /* a coefficient of c4 */
 static const double m3 = 1.2446337324912609; /* a coefficient of v7 */
@@ -311,8 +303,10 @@ static const double m5 = 0.2674017784649193; /* a coefficient of v7 */
 static const double m7 = 0.384; /* a coefficient of Y1_6 */
 static const double m8 = 3.765342321601e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m9 = 1e-06; /* doubt_limit^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m6 */
+static const double low1 = -2.897300001, high1 = 2.897300001, low2 = -1.762800001,
+high2 = 1.762800001, low3 = -2.897300001, high3 = 2.897300001, low4 = -3.071800001,
+high4 = -0.069799999, low5 = -2.897300001, high5 = 2.897300001, low6 = -0.017500001,
+high6 = 3.752500001, low7 = -2.897300001, high7 = 2.897300001;
 
 const char *const franka_panda_branches[8] = {
     "noflip4-noflip5-left", "noflip4-noflip5-right", "noflip4-flip5-left", "noflip4-flip5-right",
@@ -413,35 +407,19 @@ void franka_panda_jacobian(const double q[7], double J[42])
     J[35] = 1.0; J[36] = 0.0; J[37] = c2; J[38] = -y3_z; J[39] = J65; J[40] = J66; J[41] = J67;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -454,7 +432,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -462,6 +440,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[7])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 7; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -492,8 +491,8 @@ HELPER wide_mask solve_wide(
         inverse5_m = 1.0 / N5_m, v20 = v14 * w5_p, v21 = v15 * w5_m, v22 = inverse5_p * v20,
         v23 = inverse5_m * v21, v24 = v14 * Z5, v25 = v15 * Z5, s5_p = inverse5_p * v24,
         s5_m = inverse5_m * v25, angle2 = atan2_wide(v24, -v20), angle3 = atan2_wide(v25, -v21),
-        q5_pmp = copysign_wide(all_wide(half_turn), v24) * h1 - angle2,
-        q5_mmp = copysign_wide(all_wide(half_turn), v25) * h1 - angle3;
+        q5_pmp = signed_wide(half_turn, v24) - angle2,
+        q5_mmp = signed_wide(half_turn, v25) - angle3;
 
     /* theta6 */
     const wide v26 = m7 + m3 * Z4, v27 = m5 * w4, Y1_6_p = v26 + v27, Y1_6_m = v26 - v27,
@@ -531,10 +530,10 @@ HELPER wide_mask solve_wide(
         v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72,
         angle8 = atan2_wide(-v69, -X1_pp), angle9 = atan2_wide(-v70, -X1_pm),
         angle10 = atan2_wide(-v71, -X1_mp), angle11 = atan2_wide(v72, v56),
-        q1_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), -v69),
-        q1_pmm = angle9 - h1 * copysign_wide(all_wide(half_turn), -v70),
-        q1_mpm = angle10 - h1 * copysign_wide(all_wide(half_turn), -v71),
-        q1_mmm = angle11 - h1 * copysign_wide(all_wide(half_turn), v72);
+        q1_ppm = angle8 - signed_wide(half_turn, -v69),
+        q1_pmm = angle9 - signed_wide(half_turn, -v70),
+        q1_mpm = angle10 - signed_wide(half_turn, -v71),
+        q1_mmm = angle11 - signed_wide(half_turn, v72);
 
     /* theta3 */
     const wide v77 = a4 * v57, v78 = d5 * T23, v79 = a4 * T23, v80 = d5 * v57, v81 = a4 * v62,
@@ -563,11 +562,10 @@ HELPER wide_mask solve_wide(
         v116 = a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm *
             (C6_mm * v108 - v35 * v110) - v112)) / -a3, angle12 = atan2_wide(s3_pp, -v113),
         angle13 = atan2_wide(s3_pm, -v114), angle14 = atan2_wide(s3_mp, -v115),
-        angle15 = atan2_wide(s3_mm, -v116),
-        q3_ppm = angle12 - h1 * copysign_wide(all_wide(half_turn), s3_pp),
-        q3_pmm = angle13 - h1 * copysign_wide(all_wide(half_turn), s3_pm),
-        q3_mpm = angle14 - h1 * copysign_wide(all_wide(half_turn), s3_mp),
-        q3_mmm = angle15 - h1 * copysign_wide(all_wide(half_turn), s3_mm);
+        angle15 = atan2_wide(s3_mm, -v116), q3_ppm = angle12 - signed_wide(half_turn, s3_pp),
+        q3_pmm = angle13 - signed_wide(half_turn, s3_pm),
+        q3_mpm = angle14 - signed_wide(half_turn, s3_mp),
+        q3_mmm = angle15 - signed_wide(half_turn, s3_mm);
 
     /* theta2 */
     const wide v117 = c7 * T31 - s7 * T32, v118 = s4_p * v117, v119 = v8 * v117, v120 = T33 * c4_p,
@@ -592,67 +590,58 @@ HELPER wide_mask solve_wide(
             v142) - v144)), -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130))));
 
     /* joint values */
-    const wide v145 = q4__p + only_wide(q4__p <= -half_turn, m10),
-        v146 = only_wide(-v9 <= -half_turn, m10) - v9;
-    const wide_mask v147 = beyond(v145, low4, high4), v148 = beyond(v146, low4, high4),
-        v149 = beyond(angle2, low5, high5), v150 = beyond(q5_pmp, low5, high5),
-        v151 = beyond(angle3, low5, high5), v152 = beyond(q5_mmp, low5, high5);
+    const wide v145 = q4__p + only_wide(q4__p <= -half_turn, whole_turn),
+        v146 = only_wide(-v9 <= -half_turn, whole_turn) - v9;
+    const wide_mask v147 = beyond(v145, 4), v148 = beyond(v146, 4), v149 = beyond(angle2, 5),
+        v150 = beyond(q5_pmp, 5), v151 = beyond(angle3, 5), v152 = beyond(q5_mmp, 5);
     const wide v153 = angle4 + only_wide(angle4 < low6, whole_turn),
         v154 = angle5 + only_wide(angle5 < low6, whole_turn),
         v155 = angle6 + only_wide(angle6 < low6, whole_turn),
         v156 = angle7 + only_wide(angle7 < low6, whole_turn);
-    const wide_mask v157 = beyond(v153, low6, high6), v158 = beyond(v154, low6, high6),
-        v159 = beyond(v155, low6, high6), v160 = beyond(v156, low6, high6);
+    const wide_mask v157 = beyond(v153, 6), v158 = beyond(v154, 6), v159 = beyond(v155, 6),
+        v160 = beyond(v156, 6);
     const wide q6_ppp = pick_wide(v157, angle4, v153), q6_pmp = pick_wide(v158, angle5, v154),
         q6_mpp = pick_wide(v159, angle6, v155), q6_mmp = pick_wide(v160, angle7, v156);
-    const wide_mask v161 = beyond(free_joints[0], low7, high7);
+    const wide_mask v161 = beyond(free_joints[0], 7);
     const wide q4_ppp = v17 + v145, q4_mpp = v18 + v146, v162 = free_joints[0] + (w4 - w4),
         q7_ppp = v17 + v162, q7_mpp = v18 + v162;
-    const wide_mask outside_ppp = v161 | v157 | v149 | v147 | beyond(angle12, low3, high3) |
-        beyond(angle8, low1, high1) | beyond(angle16, low2, high2),
-        outside_ppm = v161 | v157 | v149 | v147 | beyond(q3_ppm, low3, high3) | beyond(q1_ppm, low1,
-            high1) | beyond(-angle16, low2, high2),
-        outside_pmp = v161 | v158 | v150 | v147 | beyond(angle13, low3, high3) | beyond(angle9,
-            low1, high1) | beyond(angle17, low2, high2),
-        outside_pmm = v161 | v158 | v150 | v147 | beyond(q3_pmm, low3, high3) | beyond(q1_pmm, low1,
-            high1) | beyond(-angle17, low2, high2),
-        outside_mpp = v161 | v159 | v151 | v148 | beyond(angle14, low3, high3) | beyond(angle10,
-            low1, high1) | beyond(angle18, low2, high2),
-        outside_mpm = v161 | v159 | v151 | v148 | beyond(q3_mpm, low3, high3) | beyond(q1_mpm, low1,
-            high1) | beyond(-angle18, low2, high2),
-        outside_mmp = v161 | v160 | v152 | v148 | beyond(angle15, low3, high3) | beyond(angle11,
-            low1, high1) | beyond(angle19, low2, high2),
-        outside_mmm = v161 | v160 | v152 | v148 | beyond(q3_mmm, low3, high3) | beyond(q1_mmm, low1,
-            high1) | beyond(-angle19, low2, high2),
-        doubt1 = (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8) | (v74 <= m9) | (v41 <= m8) |
-            (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <= doubt_limit_squared2) |
-            (abs_wide(D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 * (reach_slack2 + 2.0 *
-            abs_wide(Z4))) | (N5_p <= doubt_limit_squared2);
+    const wide_mask doubt1 = (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8) | (v74 <= m9) |
+        (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 *
+        (reach_slack2 + 2.0 * abs_wide(Z4))) | (N5_p <= doubt_limit_squared2);
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v161 | v157 | v149 | v147 | beyond(angle12, 3) | beyond(angle8, 1) |
+        beyond(angle16, 2));
     q[7] = q1_ppm; q[8] = -angle16; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
-    kind[1] = kind_of(q[7] != q[7], outside_ppm);
+    kind[1] = kind_of(q[7], v161 | v157 | v149 | v147 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
+        beyond(-angle16, 2));
     q[14] = angle9; q[15] = angle17; q[16] = angle13; q[17] = q4_ppp; q[18] = q5_pmp;
     q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14] != q[14], outside_pmp);
+    kind[2] = kind_of(q[14], v161 | v158 | v150 | v147 | beyond(angle13, 3) | beyond(angle9, 1) |
+        beyond(angle17, 2));
     q[21] = q1_pmm; q[22] = -angle17; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
     q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21] != q[21], outside_pmm);
+    kind[3] = kind_of(q[21], v161 | v158 | v150 | v147 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
+        beyond(-angle17, 2));
     q[28] = angle10; q[29] = angle18; q[30] = angle14; q[31] = q4_mpp; q[32] = angle3;
     q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28] != q[28], outside_mpp);
+    kind[4] = kind_of(q[28], v161 | v159 | v151 | v148 | beyond(angle14, 3) | beyond(angle10, 1) |
+        beyond(angle18, 2));
     q[35] = q1_mpm; q[36] = -angle18; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
     q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35] != q[35], outside_mpm);
+    kind[5] = kind_of(q[35], v161 | v159 | v151 | v148 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
+        beyond(-angle18, 2));
     q[42] = angle11; q[43] = angle19; q[44] = angle15; q[45] = q4_mpp; q[46] = q5_mmp;
     q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42] != q[42], outside_mmp);
+    kind[6] = kind_of(q[42], v161 | v160 | v152 | v148 | beyond(angle15, 3) | beyond(angle11, 1) |
+        beyond(angle19, 2));
     q[49] = q1_mmm; q[50] = -angle19; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
     q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49] != q[49], outside_mmm);
+    kind[7] = kind_of(q[49], v161 | v160 | v152 | v148 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
+        beyond(-angle19, 2));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -692,7 +681,7 @@ HELPER int solve_regular(
     const four D5 = N5 - v9, w5 = sqrt_four(D5), v10 = w5 - w5;
     const double v11 = reach_slack1 * (reach_slack1 + 2.0 * fabs(Z5));
     const four inverse5 = 1.0 / N5, v12 = v8 * w5, v13 = inverse5 * v12, v14 = v8 * Z5,
-        s5 = inverse5 * v14, v15 = copysign_four(all_four(half_turn), v14), v16 = m6 * (1.0 - e2);
+        s5 = inverse5 * v14, v15 = signed_four(half_turn, v14), v16 = m6 * (1.0 - e2);
 
     /* theta6 */
     const double v17 = m7 + m3 * Z4;
@@ -736,7 +725,7 @@ HELPER int solve_regular(
         v75 = v13 * v69, v76 = v13 * v67, v77 = s5 * v65, v78 = T33 * s5, v79 = v13 * v70;
 
     /* joint values */
-    const int v85 = beyond(free_joints[0], low7, high7);
+    const int v85 = beyond(free_joints[0], 7);
     const double v86 = free_joints[0] + (w4 - w4);
     const four q7_p = v10 + v86;
     const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11),
@@ -752,17 +741,16 @@ HELPER int solve_regular(
         angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
-        q1_m = angle4 - copysign_four(all_four(half_turn), -v38) * h1,
-        q3_m = angle5 - h1 * copysign_four(all_four(half_turn), s3),
-        v80 = q4_ + only_four(q4_ <= -half_turn, m10);
-    const four_mask v81 = beyond(v80, low4, high4), v82 = beyond(q5_p, low5, high5);
+        q1_m = angle4 - signed_four(half_turn, -v38), q3_m = angle5 - signed_four(half_turn, s3),
+        v80 = q4_ + only_four(q4_ <= -half_turn, whole_turn);
+    const four_mask v81 = beyond(v80, 4), v82 = beyond(q5_p, 5);
     const four v83 = angle3 + only_four(angle3 < low6, whole_turn);
-    const four_mask v84 = beyond(v83, low6, high6);
+    const four_mask v84 = beyond(v83, 6);
     const four q6_p = pick_four(v84, angle3, v83), q4_p = v10 + v80;
-    const four_mask outside_p = where_four(v85) | v84 | v82 | v81 | beyond(angle5, low3, high3) |
-        beyond(angle4, low1, high1) | beyond(angle6, low2, high2),
-        outside_m = where_four(v85) | v84 | v82 | v81 | beyond(q3_m, low3, high3) | beyond(q1_m,
-            low1, high1) | beyond(-angle6, low2, high2);
+    const four_mask outside_p = where_four(v85) | v84 | v82 | v81 | beyond(angle5, 3) |
+        beyond(angle4, 1) | beyond(angle6, 2),
+        outside_m = where_four(v85) | v84 | v82 | v81 | beyond(q3_m, 3) | beyond(q1_m, 1) |
+            beyond(-angle6, 2);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -802,29 +790,19 @@ HELPER unsigned solve_tile(
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, given, found, kind);
-    if (56 >= LANES) {
-        for (int i = 0; i < 56; i += LANES) {
-            const int from = i + LANES <= 56 ? i : 56 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 56 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 56; i++)
-            for (int k = 0; k < LANES; k++)
-                q[56 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 56; i += LANES) {
+        const int from = i + LANES <= 56 ? i : 56 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 56 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -987,6 +965,12 @@ static void solve(
     }
 }
 
+static void take(const double from[7], double to[7])
+{
+    for (int i = 0; i < 7; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -995,27 +979,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[7])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 7; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -1046,8 +1009,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -1111,8 +1073,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 7; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -1131,13 +1092,74 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[7])
+{
+    static const double weights[6] = { 0.7178750897343862, 0.7178750897343862, 0.7178750897343862,
+        1.0, 1.0, 1.0 };
+    double x[7], P[16], J[42], enough = 0.0;
+    int held[7] = { 0, 0, 0, 0, 0, 0, 1 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[7] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        franka_panda_fk(x, P);
+        franka_panda_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 42; i++)
+            J[i] *= held[i % 7] ? 0.0 : weights[i / 7];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 7 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[7] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 42; i++)
+                s[i % 7] += J[i] * e[i / 7];
+            for (int i = 0; i < 7; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 7; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 42; i++)
+                w[i / 7] += J[i] * p[i % 7];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 7; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 7; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
-    static const double zeros[7] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
@@ -1158,10 +1180,12 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++) {
         if (status[row] == FRANKA_PANDA_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 7; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = FRANKA_PANDA_OUT_OF_LIMITS;
         }
         count += status[row] != FRANKA_PANDA_OUT_OF_LIMITS;
@@ -1204,8 +1228,7 @@ int franka_panda_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 7; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

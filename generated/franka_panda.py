@@ -114,21 +114,21 @@ k5 = 15.193911990243306  # 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4
 doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.897300001  # least of joint 1
-high1 = 2.897300001  # most of joint 1
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low2 = -1.762800001  # least of joint 2
-high2 = 1.762800001  # most of joint 2
-low3 = -2.897300001  # least of joint 3
-high3 = 2.897300001  # most of joint 3
-low4 = -3.071800001  # least of joint 4
-high4 = -0.069799999  # most of joint 4
-low5 = -2.897300001  # least of joint 5
-high5 = 2.897300001  # most of joint 5
-low6 = -0.017500001  # least of joint 6
-high6 = 3.752500001  # most of joint 6
-low7 = -2.897300001  # least of joint 7
-high7 = 2.897300001  # most of joint 7
+low1 = -2.897300001
+high1 = 2.897300001
+low2 = -1.762800001
+high2 = 1.762800001
+low3 = -2.897300001
+high3 = 2.897300001
+low4 = -3.071800001
+high4 = -0.069799999
+low5 = -2.897300001
+high5 = 2.897300001
+low6 = -0.017500001
+high6 = 3.752500001
+low7 = -2.897300001
+high7 = 2.897300001
 m1 = 1.754896834873102  # a coefficient of c4
 m2 = 3.4805529861209807  # a coefficient of c4
 m3 = 1.2446337324912609  # a coefficient of v7
@@ -137,8 +137,6 @@ m5 = 0.2674017784649193  # a coefficient of v7
 m7 = 0.384  # a coefficient of Y1_6
 m8 = 3.765342321601e-12  # doubt_limit_squared2^2 [m^4]
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -417,7 +415,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 1e41f181fccbe2d2"
+_KEY = "franka_panda 1fa2099d4ae84d23"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -720,12 +718,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -744,6 +736,12 @@ def _beyond_limits(values):
     for i in range(7):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -885,6 +883,97 @@ def _choose(pose, q_free, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False, True])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.7178750897343862, 0.7178750897343862, 0.7178750897343862, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(7):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(7), math.inf
+    for _ in range(7):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(7), np.zeros(6), 0.0, 0.0
+        for j in range(7):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(7):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(7):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(7):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 7)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(7):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(7)
+    for i in range(7):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(7):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -898,6 +987,7 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1236,24 +1326,24 @@ def _regular(pose, q_free, q, status):
     v9 = turn1 + angle1
 
     # theta5, type 2: A7 U0^-1 A1 [3, 4]
-    q5_pmp = math.copysign(half_turn, v24) * h1 - angle2
-    q5_mmp = math.copysign(half_turn, v25) * h1 - angle3
+    q5_pmp = math.copysign(half_turn, v24) - angle2
+    q5_mmp = math.copysign(half_turn, v25) - angle3
 
     # theta1, type 2: U1 (A4 A5 A6 A7)^-1 [2, 3]
-    q1_ppm = angle8 - h1 * math.copysign(half_turn, -v69)
-    q1_pmm = angle9 - h1 * math.copysign(half_turn, -v70)
-    q1_mpm = angle10 - h1 * math.copysign(half_turn, -v71)
-    q1_mmm = angle11 - h1 * math.copysign(half_turn, v72)
+    q1_ppm = angle8 - math.copysign(half_turn, -v69)
+    q1_pmm = angle9 - math.copysign(half_turn, -v70)
+    q1_mpm = angle10 - math.copysign(half_turn, -v71)
+    q1_mmm = angle11 - math.copysign(half_turn, v72)
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    q3_ppm = angle12 - h1 * math.copysign(half_turn, s3_pp)
-    q3_pmm = angle13 - h1 * math.copysign(half_turn, s3_pm)
-    q3_mpm = angle14 - h1 * math.copysign(half_turn, s3_mp)
-    q3_mmm = angle15 - h1 * math.copysign(half_turn, s3_mm)
+    q3_ppm = angle12 - math.copysign(half_turn, s3_pp)
+    q3_pmm = angle13 - math.copysign(half_turn, s3_pm)
+    q3_mpm = angle14 - math.copysign(half_turn, s3_mp)
+    q3_mmm = angle15 - math.copysign(half_turn, s3_mm)
 
     # joint values
-    v145 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
-    v146 = (m10 if -v9 <= -half_turn else 0.0) - v9
+    v145 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
+    v146 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
     v147 = v145 < low4 or high4 < v145
     v148 = v146 < low4 or high4 < v146
     v149 = angle2 < low5 or high5 < angle2
@@ -1421,7 +1511,7 @@ def _unseeded(T, q_free, q, status):
 def ik_into(T, q_free, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1965,18 +2055,18 @@ def _in_tiles(T, q_free, q, status):
             angle19 = work[1008 + k]
             q4__p = angle1 - turn1
             v9 = turn1 + angle1
-            q5_pmp = math.copysign(half_turn, v24) * h1 - angle2
-            q5_mmp = math.copysign(half_turn, v25) * h1 - angle3
-            q1_ppm = angle8 - h1 * math.copysign(half_turn, -v69)
-            q1_pmm = angle9 - h1 * math.copysign(half_turn, -v70)
-            q1_mpm = angle10 - h1 * math.copysign(half_turn, -v71)
-            q1_mmm = angle11 - h1 * math.copysign(half_turn, v72)
-            q3_ppm = angle12 - h1 * math.copysign(half_turn, s3_pp)
-            q3_pmm = angle13 - h1 * math.copysign(half_turn, s3_pm)
-            q3_mpm = angle14 - h1 * math.copysign(half_turn, s3_mp)
-            q3_mmm = angle15 - h1 * math.copysign(half_turn, s3_mm)
-            v145 = q4__p + (m10 if q4__p <= -half_turn else 0.0)
-            v146 = (m10 if -v9 <= -half_turn else 0.0) - v9
+            q5_pmp = math.copysign(half_turn, v24) - angle2
+            q5_mmp = math.copysign(half_turn, v25) - angle3
+            q1_ppm = angle8 - math.copysign(half_turn, -v69)
+            q1_pmm = angle9 - math.copysign(half_turn, -v70)
+            q1_mpm = angle10 - math.copysign(half_turn, -v71)
+            q1_mmm = angle11 - math.copysign(half_turn, v72)
+            q3_ppm = angle12 - math.copysign(half_turn, s3_pp)
+            q3_pmm = angle13 - math.copysign(half_turn, s3_pm)
+            q3_mpm = angle14 - math.copysign(half_turn, s3_mp)
+            q3_mmm = angle15 - math.copysign(half_turn, s3_mm)
+            v145 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
+            v146 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
             v147 = v145 < low4 or high4 < v145
             v148 = v146 < low4 or high4 < v146
             v149 = angle2 < low5 or high5 < angle2

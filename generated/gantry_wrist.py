@@ -87,7 +87,6 @@ d6 = 0.12  # joint offset 6 [m]
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -401,10 +400,10 @@ def _regular(pose, q, status):
     angle3 = room[2]
 
     # theta4, type 2: U4[3, 3]
-    q4_m = angle1 - math.copysign(half_turn, T23) * h1
+    q4_m = angle1 - math.copysign(half_turn, T23)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_m = angle3 - h1 * math.copysign(half_turn, v2)
+    q6_m = angle3 - math.copysign(half_turn, v2)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -666,8 +665,8 @@ def _in_tiles(T, q, status):
             angle1 = work[352 + k]
             angle2 = work[368 + k]
             angle3 = work[384 + k]
-            q4_m = angle1 - math.copysign(half_turn, T23) * h1
-            q6_m = angle3 - h1 * math.copysign(half_turn, v2)
+            q4_m = angle1 - math.copysign(half_turn, T23)
+            q6_m = angle3 - math.copysign(half_turn, v2)
             _448 = q1_p
             work[448 + k] = _448
             _464 = q2_p

@@ -3556,6 +3556,12 @@ static void solve(
     }
 }
 
+static void take(const double from[5], double to[5])
+{
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -3571,8 +3577,7 @@ static double turned(int joint, double given, double towards)
 int general_5r_pointing_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
 {
-    static const double zeros[5] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -3588,9 +3593,8 @@ int general_5r_pointing_ik(
         if (status[row] == GENERAL_5R_POINTING_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = GENERAL_5R_POINTING_OUT_OF_LIMITS;
         }
         count += status[row] != GENERAL_5R_POINTING_OUT_OF_LIMITS;
@@ -3624,8 +3628,7 @@ int general_5r_pointing_ik_nearest(const double T[16], const double q_seed[5], d
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 5; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -111,6 +111,7 @@ k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 8.049678400000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 turn1 = 0.960070362405688  # a constant angle [rad]
 m1 = 8.0496784e-07  # doubt_limit1^2 [m^2]
 m3 = 2.097315436241611  # a coefficient of Y1_2
@@ -120,8 +121,6 @@ m6 = 1.9739439399921042  # a coefficient of c23
 m7 = 0.027188235294117635  # a coefficient of c23
 m8 = 0.019031764705882342  # a coefficient of c23
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -634,8 +633,8 @@ def _regular(pose, q, status):
     v29 = v27 + X4_pm * X4_pm
     v30 = v27 + X4_mp * X4_mp
     v31 = v27 + X4_mm * X4_mm
-    v32 = math.copysign(half_turn, Y4) * h1
-    v33 = math.copysign(half_turn, -Y4) * h1
+    v32 = math.copysign(half_turn, Y4)
+    v33 = math.copysign(half_turn, -Y4)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v34 = w1 * (v2 * (wx * T22 + Y1 * T12))
@@ -726,26 +725,26 @@ def _regular(pose, q, status):
     q4_mmm = angle5 - v33
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle6 - h1 * math.copysign(half_turn, v38)
-    q6_pmm = angle7 - h1 * math.copysign(half_turn, v39)
-    q6_mpm = angle8 - h1 * math.copysign(half_turn, v40)
-    q6_mmm = angle9 - h1 * math.copysign(half_turn, v41)
+    q6_ppm = angle6 - math.copysign(half_turn, v38)
+    q6_pmm = angle7 - math.copysign(half_turn, v39)
+    q6_mpm = angle8 - math.copysign(half_turn, v40)
+    q6_mmm = angle9 - math.copysign(half_turn, v41)
 
     # joint values
     v43 = angle10 - offset2
     v44 = angle11 - offset2
     v45 = angle12 - offset2
     v46 = angle13 - offset2
-    q2_ppp = v43 - (m10 if half_turn < v43 else 0.0)
-    q2_pmp = v44 - (m10 if half_turn < v44 else 0.0)
-    q2_mpp = v45 - (m10 if half_turn < v45 else 0.0)
-    q2_mmp = v46 - (m10 if half_turn < v46 else 0.0)
+    q2_ppp = v43 - (whole_turn if half_turn < v43 else 0.0)
+    q2_pmp = v44 - (whole_turn if half_turn < v44 else 0.0)
+    q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
+    q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
     v47 = angle14 - turn1 - offset3
     v48 = offset3 + (turn1 + angle14)
     v49 = angle15 - turn1 - offset3
     v50 = offset3 + (turn1 + angle15)
-    q3_ppp = v47 - (m10 if half_turn < v47 else 0.0)
-    q3_mpp = v49 - (m10 if half_turn < v49 else 0.0)
+    q3_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
+    q3_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
     v51 = angle16 - offset5
     v52 = offset5 + angle16
     v53 = angle17 - offset5
@@ -754,16 +753,16 @@ def _regular(pose, q, status):
     v56 = offset5 + angle18
     v57 = angle19 - offset5
     v58 = offset5 + angle19
-    q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
-    q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
-    q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
-    q5_pmm = (m10 if -v54 <= -half_turn else 0.0) - v54
-    q5_mpp = v55 + (m10 if v55 <= -half_turn else 0.0)
-    q5_mpm = (m10 if -v56 <= -half_turn else 0.0) - v56
-    q5_mmp = v57 + (m10 if v57 <= -half_turn else 0.0)
-    q5_mmm = (m10 if -v58 <= -half_turn else 0.0) - v58
+    q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
+    q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
+    q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
+    q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
     q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -784,14 +783,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = -(v48 + (m10 if half_turn < -v48 else 0.0))
+    q[2, 2] = -(v48 + (whole_turn if half_turn < -v48 else 0.0))
     q[2, 3] = angle3
     q[2, 4] = q5_pmp
     q[2, 5] = angle7
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = -(v48 + (m10 if half_turn < -v48 else 0.0))
+    q[3, 2] = -(v48 + (whole_turn if half_turn < -v48 else 0.0))
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmm
     q[3, 5] = q6_pmm
@@ -812,14 +811,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = -(v50 + (m10 if half_turn < -v50 else 0.0))
+    q[6, 2] = -(v50 + (whole_turn if half_turn < -v50 else 0.0))
     q[6, 3] = angle5
     q[6, 4] = q5_mmp
     q[6, 5] = angle9
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = -(v50 + (m10 if half_turn < -v50 else 0.0))
+    q[7, 2] = -(v50 + (whole_turn if half_turn < -v50 else 0.0))
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmm
     q[7, 5] = q6_mmm
@@ -1100,8 +1099,8 @@ def _in_tiles(T, q, status):
             v29 = v27 + X4_pm * X4_pm
             v30 = v27 + X4_mp * X4_mp
             v31 = v27 + X4_mm * X4_mm
-            v32 = math.copysign(half_turn, Y4) * h1
-            v33 = math.copysign(half_turn, -Y4) * h1
+            v32 = math.copysign(half_turn, Y4)
+            v33 = math.copysign(half_turn, -Y4)
             v34 = w1 * (v2 * (wx * T22 + Y1 * T12))
             v35 = w1 * (v2 * (Y1 * T22 - wx * T12))
             v36 = w1 * (v2 * (wx * T21 + Y1 * T11))
@@ -1202,24 +1201,24 @@ def _in_tiles(T, q, status):
             q4_pmm = angle3 - v32
             q4_mpm = angle4 - v33
             q4_mmm = angle5 - v33
-            q6_ppm = angle6 - h1 * math.copysign(half_turn, v38)
-            q6_pmm = angle7 - h1 * math.copysign(half_turn, v39)
-            q6_mpm = angle8 - h1 * math.copysign(half_turn, v40)
-            q6_mmm = angle9 - h1 * math.copysign(half_turn, v41)
+            q6_ppm = angle6 - math.copysign(half_turn, v38)
+            q6_pmm = angle7 - math.copysign(half_turn, v39)
+            q6_mpm = angle8 - math.copysign(half_turn, v40)
+            q6_mmm = angle9 - math.copysign(half_turn, v41)
             v43 = angle10 - offset2
             v44 = angle11 - offset2
             v45 = angle12 - offset2
             v46 = angle13 - offset2
-            q2_ppp = v43 - (m10 if half_turn < v43 else 0.0)
-            q2_pmp = v44 - (m10 if half_turn < v44 else 0.0)
-            q2_mpp = v45 - (m10 if half_turn < v45 else 0.0)
-            q2_mmp = v46 - (m10 if half_turn < v46 else 0.0)
+            q2_ppp = v43 - (whole_turn if half_turn < v43 else 0.0)
+            q2_pmp = v44 - (whole_turn if half_turn < v44 else 0.0)
+            q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
+            q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
             v47 = angle14 - turn1 - offset3
             v48 = offset3 + (turn1 + angle14)
             v49 = angle15 - turn1 - offset3
             v50 = offset3 + (turn1 + angle15)
-            q3_ppp = v47 - (m10 if half_turn < v47 else 0.0)
-            q3_mpp = v49 - (m10 if half_turn < v49 else 0.0)
+            q3_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
+            q3_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
             v51 = angle16 - offset5
             v52 = offset5 + angle16
             v53 = angle17 - offset5
@@ -1228,16 +1227,16 @@ def _in_tiles(T, q, status):
             v56 = offset5 + angle18
             v57 = angle19 - offset5
             v58 = offset5 + angle19
-            q5_ppp = v51 + (m10 if v51 <= -half_turn else 0.0)
-            q5_ppm = (m10 if -v52 <= -half_turn else 0.0) - v52
-            q5_pmp = v53 + (m10 if v53 <= -half_turn else 0.0)
-            q5_pmm = (m10 if -v54 <= -half_turn else 0.0) - v54
-            q5_mpp = v55 + (m10 if v55 <= -half_turn else 0.0)
-            q5_mpm = (m10 if -v56 <= -half_turn else 0.0) - v56
-            q5_mmp = v57 + (m10 if v57 <= -half_turn else 0.0)
-            q5_mmm = (m10 if -v58 <= -half_turn else 0.0) - v58
+            q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
+            q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
+            q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
+            q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
             q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp
@@ -1258,7 +1257,7 @@ def _in_tiles(T, q, status):
             work[1168 + k] = _1168
             _1184 = q2_pmp
             work[1184 + k] = _1184
-            _1200 = -(v48 + (m10 if half_turn < -v48 else 0.0))
+            _1200 = -(v48 + (whole_turn if half_turn < -v48 else 0.0))
             work[1200 + k] = _1200
             _1216 = angle3
             work[1216 + k] = _1216
@@ -1292,7 +1291,7 @@ def _in_tiles(T, q, status):
             work[1440 + k] = _1440
             _1456 = q2_mmp
             work[1456 + k] = _1456
-            _1472 = -(v50 + (m10 if half_turn < -v50 else 0.0))
+            _1472 = -(v50 + (whole_turn if half_turn < -v50 else 0.0))
             work[1472 + k] = _1472
             _1488 = angle5
             work[1488 + k] = _1488

@@ -105,6 +105,7 @@ pose_slack1 = 6.778e-06  # a pose may be rounded by this [m]
 k1 = 0.055421000000000005  # a2^2 + a3^2 [m^2]
 k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 4.5941283999999983e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 2.631578947368421  # a coefficient of S2
@@ -115,8 +116,6 @@ m8 = 0.139  # a coefficient of v12
 m9 = 1.0000000000000002e-10  # pose_slack^2
 m10 = 4.5941284e-11  # pose_slack1^2 [m^2]
 m11 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
-m12 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -331,7 +330,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 924ced09cc379223"
+_KEY = "katana_400 2a640f0b810718fb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -928,12 +927,22 @@ def _regular(pose, q, status):
     v70 = angle2 - (angle6 - angle4) - offset4
     v71 = offset4 + (angle2 + (angle4 + angle7))
     v72 = offset4 + (angle2 + (angle8 - angle4))
-    v73 = v69 - (m12 if half_turn < v69 else 0.0) + (m12 if v69 <= -half_turn else 0.0)
-    v74 = v70 - (m12 if half_turn < v70 else 0.0) + (m12 if v70 <= -half_turn else 0.0)
-    v75 = (m12 if -v71 <= -half_turn else 0.0) - (v71 + (m12 if half_turn < -v71 else 0.0))
-    v76 = (m12 if -v72 <= -half_turn else 0.0) - (v72 + (m12 if half_turn < -v72 else 0.0))
+    v73 = (
+        v69 - (whole_turn if half_turn < v69 else 0.0) + (whole_turn if v69 <= -half_turn else 0.0)
+    )
+    v74 = (
+        v70 - (whole_turn if half_turn < v70 else 0.0) + (whole_turn if v70 <= -half_turn else 0.0)
+    )
+    v75 = (
+        (whole_turn if -v71 <= -half_turn else 0.0) - (v71 + (whole_turn if half_turn < -v71 else
+        0.0))
+    )
+    v76 = (
+        (whole_turn if -v72 <= -half_turn else 0.0) - (v72 + (whole_turn if half_turn < -v72 else
+        0.0))
+    )
     v82 = angle1 + v13
-    v83 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
+    v83 = v13 + (angle1 - math.copysign(half_turn, v3))
     q1_pp = v78 + v82
     q1_pm = v79 + v82
     q1_mp = v80 + v83
@@ -946,12 +955,12 @@ def _regular(pose, q, status):
     q3_pm = v79 - angle4
     q3_mp = angle4 + v80
     q3_mm = v81 - angle4
-    q4_pp = v78 + (v73 - (m12 if half_turn < v73 else 0.0))
-    q4_pm = v79 + (v74 - (m12 if half_turn < v74 else 0.0))
-    q4_mp = v80 + (v75 - (m12 if half_turn < v75 else 0.0))
-    q4_mm = v81 + (v76 - (m12 if half_turn < v76 else 0.0))
+    q4_pp = v78 + (v73 - (whole_turn if half_turn < v73 else 0.0))
+    q4_pm = v79 + (v74 - (whole_turn if half_turn < v74 else 0.0))
+    q4_mp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
+    q4_mm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
     v84 = angle3 + v13
-    v85 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
+    v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
     q5_pp = v78 + v84
     q5_pm = v79 + v84
     q5_mp = v80 + v85
@@ -1359,12 +1368,24 @@ def _in_tiles(T, q, status):
             v70 = angle2 - (angle6 - angle4) - offset4
             v71 = offset4 + (angle2 + (angle4 + angle7))
             v72 = offset4 + (angle2 + (angle8 - angle4))
-            v73 = v69 - (m12 if half_turn < v69 else 0.0) + (m12 if v69 <= -half_turn else 0.0)
-            v74 = v70 - (m12 if half_turn < v70 else 0.0) + (m12 if v70 <= -half_turn else 0.0)
-            v75 = (m12 if -v71 <= -half_turn else 0.0) - (v71 + (m12 if half_turn < -v71 else 0.0))
-            v76 = (m12 if -v72 <= -half_turn else 0.0) - (v72 + (m12 if half_turn < -v72 else 0.0))
+            v73 = (
+                v69 - (whole_turn if half_turn < v69 else 0.0) + (whole_turn if v69 <= -half_turn
+                else 0.0)
+            )
+            v74 = (
+                v70 - (whole_turn if half_turn < v70 else 0.0) + (whole_turn if v70 <= -half_turn
+                else 0.0)
+            )
+            v75 = (
+                (whole_turn if -v71 <= -half_turn else 0.0) - (v71 + (whole_turn if half_turn < -v71
+                else 0.0))
+            )
+            v76 = (
+                (whole_turn if -v72 <= -half_turn else 0.0) - (v72 + (whole_turn if half_turn < -v72
+                else 0.0))
+            )
             v82 = angle1 + v13
-            v83 = v13 + (angle1 - math.copysign(half_turn, v3) * h1)
+            v83 = v13 + (angle1 - math.copysign(half_turn, v3))
             q1_pp = v78 + v82
             q1_pm = v79 + v82
             q1_mp = v80 + v83
@@ -1377,12 +1398,12 @@ def _in_tiles(T, q, status):
             q3_pm = v79 - angle4
             q3_mp = angle4 + v80
             q3_mm = v81 - angle4
-            q4_pp = v78 + (v73 - (m12 if half_turn < v73 else 0.0))
-            q4_pm = v79 + (v74 - (m12 if half_turn < v74 else 0.0))
-            q4_mp = v80 + (v75 - (m12 if half_turn < v75 else 0.0))
-            q4_mm = v81 + (v76 - (m12 if half_turn < v76 else 0.0))
+            q4_pp = v78 + (v73 - (whole_turn if half_turn < v73 else 0.0))
+            q4_pm = v79 + (v74 - (whole_turn if half_turn < v74 else 0.0))
+            q4_mp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
+            q4_mm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
             v84 = angle3 + v13
-            v85 = v13 + (angle3 - h1 * math.copysign(half_turn, -Z2_5))
+            v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
             q5_pp = v78 + v84
             q5_pm = v79 + v84
             q5_mp = v80 + v85

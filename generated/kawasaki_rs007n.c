@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -73,14 +89,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -100,6 +114,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -110,10 +125,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -125,21 +140,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -181,7 +188,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -215,11 +221,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -233,16 +238,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KAWASAKI_RS007N_UNREACHABLE) \
-        | (~(none) & (outside) & KAWASAKI_RS007N_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KAWASAKI_RS007N_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KAWASAKI_RS007N_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KAWASAKI_RS007N_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KAWASAKI_RS007N_UNREACHABLE \
         : (outside) ? (int)KAWASAKI_RS007N_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.36; /* joint offset 1 [m] */
@@ -273,19 +278,14 @@ static const double k1 = 0.26625; /* 2 * d4 * a2 [m^2] */
 static const double k2 = 0.26665; /* a2^2 + d4^2 [m^2] */
 static const double k3 = 14.106548524322777; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low2 = -2.356194491192345; /* least of joint 2 */
-static const double high2 = 2.356194491192345; /* most of joint 2 */
-static const double low3 = -2.705260341591211; /* least of joint 3 */
-static const double high3 = 2.705260341591211; /* most of joint 3 */
-static const double low5 = -2.181661565992912; /* least of joint 5 */
-static const double high5 = 2.181661565992912; /* most of joint 5 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1.3642239999999994e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 1.4084507042253522; /* a coefficient of S2 */
 static const double m3 = 0.020563380281690184; /* a coefficient of S2 */
 static const double m4 = 1.861107122175999e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m5 = 1e-06; /* doubt_limit^2 */
-static const double m7 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m6 */
+static const double low2 = -2.356194491192345, high2 = 2.356194491192345, low3 = -2.705260341591211,
+high3 = 2.705260341591211, low5 = -2.181661565992912, high5 = 2.181661565992912;
 
 const char *const kawasaki_rs007n_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -392,35 +392,19 @@ void kawasaki_rs007n_jacobian(const double q[6], double J[36])
     J[30] = -1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -v8; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -433,7 +417,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -441,6 +425,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -490,39 +495,36 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 
     /* joint values */
     const wide angle1 = atan2_wide(wy, -X1), v60 = angle1 - offset1,
-        v61 = angle1 - copysign_wide(all_wide(half_turn), wy) * h1 - offset1,
-        angle2 = atan2_wide(S2_pp, C2_pp), v62 = angle2 - offset2,
-        angle3 = atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
+        v61 = angle1 - signed_wide(half_turn, wy) - offset1, angle2 = atan2_wide(S2_pp, C2_pp),
+        v62 = angle2 - offset2, angle3 = atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
         angle4 = atan2_wide(S2_pm, C2_mp), v64 = angle4 - offset2,
         angle5 = atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2,
-        q2_ppp = v62 - only_wide(half_turn < v62, m7),
-        q2_pmp = v63 - only_wide(half_turn < v63, m7),
-        q2_mpp = v64 - only_wide(half_turn < v64, m7),
-        q2_mmp = v65 - only_wide(half_turn < v65, m7), angle6 = atan2_wide(v5, -v6),
-        v66 = angle6 - offset3,
-        v67 = h1 * copysign_wide(all_wide(half_turn), v5) - angle6 - offset3,
-        q3_ppp = v66 + only_wide(v66 <= -half_turn, m7),
-        q3_pmp = v67 + only_wide(v67 <= -half_turn, m7), angle7 = atan2_wide(-v46, v41),
+        q2_ppp = v62 - only_wide(half_turn < v62, whole_turn),
+        q2_pmp = v63 - only_wide(half_turn < v63, whole_turn),
+        q2_mpp = v64 - only_wide(half_turn < v64, whole_turn),
+        q2_mmp = v65 - only_wide(half_turn < v65, whole_turn), angle6 = atan2_wide(v5, -v6),
+        v66 = angle6 - offset3, v67 = signed_wide(half_turn, v5) - angle6 - offset3,
+        q3_ppp = v66 + only_wide(v66 <= -half_turn, whole_turn),
+        q3_pmp = v67 + only_wide(v67 <= -half_turn, whole_turn), angle7 = atan2_wide(-v46, v41),
         angle8 = atan2_wide(-v46, v42), angle9 = atan2_wide(v46, v43),
-        angle10 = atan2_wide(v46, v44), v68 = h1 * copysign_wide(all_wide(half_turn), -v46),
-        v69 = h1 * copysign_wide(all_wide(half_turn), v46), v70 = angle7 - offset4,
-        v71 = angle7 - v68 - offset4, v72 = angle8 - offset4, v73 = angle8 - v68 - offset4,
-        v74 = angle9 - offset4, v75 = angle9 - v69 - offset4, v76 = angle10 - offset4,
-        v77 = angle10 - v69 - offset4,
+        angle10 = atan2_wide(v46, v44), v68 = signed_wide(half_turn, -v46),
+        v69 = signed_wide(half_turn, v46), v70 = angle7 - offset4, v71 = angle7 - v68 - offset4,
+        v72 = angle8 - offset4, v73 = angle8 - v68 - offset4, v74 = angle9 - offset4,
+        v75 = angle9 - v69 - offset4, v76 = angle10 - offset4, v77 = angle10 - v69 - offset4,
         angle11 = atan2_wide(sqrt_wide(v48), T33 * c2m3_pp + v35 * v40),
         angle12 = atan2_wide(sqrt_wide(v49), T33 * c2m3_pm + v37 * v40),
         angle13 = atan2_wide(sqrt_wide(v50), T33 * c2m3_mp - v38 * v40),
         angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40), v78 = angle11 - offset5,
         v79 = offset5 + angle11, v80 = angle12 - offset5, v81 = offset5 + angle12,
         v82 = angle13 - offset5, v83 = offset5 + angle13, v84 = angle14 - offset5,
-        v85 = offset5 + angle14, q5_ppp = v78 + only_wide(v78 <= -half_turn, m7),
-        q5_ppm = only_wide(-v79 <= -half_turn, m7) - v79,
-        q5_pmp = v80 + only_wide(v80 <= -half_turn, m7),
-        q5_pmm = only_wide(-v81 <= -half_turn, m7) - v81,
-        q5_mpp = v82 + only_wide(v82 <= -half_turn, m7),
-        q5_mpm = only_wide(-v83 <= -half_turn, m7) - v83,
-        q5_mmp = v84 + only_wide(v84 <= -half_turn, m7),
-        q5_mmm = only_wide(-v85 <= -half_turn, m7) - v85,
+        v85 = offset5 + angle14, q5_ppp = v78 + only_wide(v78 <= -half_turn, whole_turn),
+        q5_ppm = only_wide(-v79 <= -half_turn, whole_turn) - v79,
+        q5_pmp = v80 + only_wide(v80 <= -half_turn, whole_turn),
+        q5_pmm = only_wide(-v81 <= -half_turn, whole_turn) - v81,
+        q5_mpp = v82 + only_wide(v82 <= -half_turn, whole_turn),
+        q5_mpm = only_wide(-v83 <= -half_turn, whole_turn) - v83,
+        q5_mmp = v84 + only_wide(v84 <= -half_turn, whole_turn),
+        q5_mmm = only_wide(-v85 <= -half_turn, whole_turn) - v85,
         v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59)),
         v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59)),
         angle15 = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))),
@@ -531,55 +533,53 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             * v56 - v45 * (v38 * T32 + c2m3_mp * v57)))),
         angle18 = atan2_wide(-(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))), -(v55 * (v44
             * v56 - v45 * (v39 * T32 + c2m3_mm * v57)))), v88 = angle15 - offset6,
-        v89 = angle15 - h1 * copysign_wide(all_wide(half_turn), v86) - offset6,
-        v90 = angle16 - offset6,
-        v91 = angle16 - h1 * copysign_wide(all_wide(half_turn), v87) - offset6,
-        v92 = angle17 - offset6,
-        v93 = angle17 - h1 * copysign_wide(all_wide(half_turn), -(v54 * (v43 * v58 - v45 * (v38 *
-            T31 + c2m3_mp * v59)))) - offset6, v94 = angle18 - offset6,
-        v95 = angle18 - h1 * copysign_wide(all_wide(half_turn), -(v55 * (v44 * v58 - v45 * (v39 *
-            T31 + c2m3_mm * v59)))) - offset6;
-    const wide_mask v96 = beyond(q3_ppp, low3, high3), v97 = beyond(q3_pmp, low3, high3);
-    const wide q1_ppp = v4 + (v60 - only_wide(half_turn < v60, m7)),
-        q1_mpp = v4 + (v61 - only_wide(half_turn < v61, m7));
-    const wide_mask v98 = v96 | beyond(q2_ppp, low2, high2),
-        v99 = v97 | beyond(q2_pmp, low2, high2), v100 = v96 | beyond(q2_mpp, low2, high2),
-        v101 = v97 | beyond(q2_mmp, low2, high2), outside_ppp = v98 | beyond(q5_ppp, low5, high5),
-        outside_ppm = v98 | beyond(q5_ppm, low5, high5),
-        outside_pmp = v99 | beyond(q5_pmp, low5, high5),
-        outside_pmm = v99 | beyond(q5_pmm, low5, high5),
-        outside_mpp = v100 | beyond(q5_mpp, low5, high5),
-        outside_mpm = v100 | beyond(q5_mpm, low5, high5),
-        outside_mmp = v101 | beyond(q5_mmp, low5, high5),
-        outside_mmm = v101 | beyond(q5_mmm, low5, high5),
+        v89 = angle15 - signed_wide(half_turn, v86) - offset6, v90 = angle16 - offset6,
+        v91 = angle16 - signed_wide(half_turn, v87) - offset6, v92 = angle17 - offset6,
+        v93 = angle17 - signed_wide(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
+            v59)))) - offset6, v94 = angle18 - offset6,
+        v95 = angle18 - signed_wide(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
+            v59)))) - offset6;
+    const wide_mask v96 = beyond(q3_ppp, 3), v97 = beyond(q3_pmp, 3);
+    const wide q1_ppp = v4 + (v60 - only_wide(half_turn < v60, whole_turn)),
+        q1_mpp = v4 + (v61 - only_wide(half_turn < v61, whole_turn));
+    const wide_mask v98 = v96 | beyond(q2_ppp, 2), v99 = v97 | beyond(q2_pmp, 2),
+        v100 = v96 | beyond(q2_mpp, 2), v101 = v97 | beyond(q2_mmp, 2),
         doubt1 = (v51 <= m5) | (v27 <= m4) | (v50 <= m5) | (v26 <= m4) | (v49 <= m5) | (v25 <= m4) |
             (v48 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
             (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v23 <= m4);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, m7);
-    q[4] = q5_ppp; q[5] = v88 + only_wide(v88 <= -half_turn, m7);
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, m7);
-    q[10] = q5_ppm; q[11] = v89 + only_wide(v89 <= -half_turn, m7);
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v72 + only_wide(v72 <= -half_turn, m7);
-    q[16] = q5_pmp; q[17] = v90 + only_wide(v90 <= -half_turn, m7);
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v73 + only_wide(v73 <= -half_turn, m7);
-    q[22] = q5_pmm; q[23] = v91 + only_wide(v91 <= -half_turn, m7);
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = v74 + only_wide(v74 <= -half_turn, m7);
-    q[28] = q5_mpp; q[29] = v92 + only_wide(v92 <= -half_turn, m7);
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = v75 + only_wide(v75 <= -half_turn, m7);
-    q[34] = q5_mpm; q[35] = v93 + only_wide(v93 <= -half_turn, m7);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = v76 + only_wide(v76 <= -half_turn, m7);
-    q[40] = q5_mmp; q[41] = v94 + only_wide(v94 <= -half_turn, m7);
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = v77 + only_wide(v77 <= -half_turn, m7);
-    q[46] = q5_mmm; q[47] = v95 + only_wide(v95 <= -half_turn, m7);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
+    q[3] = v70 + only_wide(v70 <= -half_turn, whole_turn); q[4] = q5_ppp;
+    q[5] = v88 + only_wide(v88 <= -half_turn, whole_turn);
+    kind[0] = kind_of(q[0], v98 | beyond(q5_ppp, 5));
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
+    q[9] = v71 + only_wide(v71 <= -half_turn, whole_turn); q[10] = q5_ppm;
+    q[11] = v89 + only_wide(v89 <= -half_turn, whole_turn);
+    kind[1] = kind_of(q[6], v98 | beyond(q5_ppm, 5));
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
+    q[15] = v72 + only_wide(v72 <= -half_turn, whole_turn); q[16] = q5_pmp;
+    q[17] = v90 + only_wide(v90 <= -half_turn, whole_turn);
+    kind[2] = kind_of(q[12], v99 | beyond(q5_pmp, 5));
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
+    q[21] = v73 + only_wide(v73 <= -half_turn, whole_turn); q[22] = q5_pmm;
+    q[23] = v91 + only_wide(v91 <= -half_turn, whole_turn);
+    kind[3] = kind_of(q[18], v99 | beyond(q5_pmm, 5));
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
+    q[27] = v74 + only_wide(v74 <= -half_turn, whole_turn); q[28] = q5_mpp;
+    q[29] = v92 + only_wide(v92 <= -half_turn, whole_turn);
+    kind[4] = kind_of(q[24], v100 | beyond(q5_mpp, 5));
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
+    q[33] = v75 + only_wide(v75 <= -half_turn, whole_turn); q[34] = q5_mpm;
+    q[35] = v93 + only_wide(v93 <= -half_turn, whole_turn);
+    kind[5] = kind_of(q[30], v100 | beyond(q5_mpm, 5));
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
+    q[39] = v76 + only_wide(v76 <= -half_turn, whole_turn); q[40] = q5_mmp;
+    q[41] = v94 + only_wide(v94 <= -half_turn, whole_turn);
+    kind[6] = kind_of(q[36], v101 | beyond(q5_mmp, 5));
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
+    q[45] = v77 + only_wide(v77 <= -half_turn, whole_turn); q[46] = q5_mmm;
+    q[47] = v95 + only_wide(v95 <= -half_turn, whole_turn);
+    kind[7] = kind_of(q[42], v101 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -631,7 +631,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v36 = copysign(half_turn, wy), v39 = copysign(half_turn, v5);
-    const four v41 = copysign_four(all_four(half_turn), -(e1 * v28)) * h1,
+    const four v41 = signed_four(half_turn, -(e1 * v28)),
         v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
     const int doubt1 = (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
@@ -644,20 +644,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
         angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
-        q2_p = v38 - only_four(half_turn < v38, m7),
+        q2_p = v38 - only_four(half_turn < v38, whole_turn),
         v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3,
-        q3_p = v40 + only_four(v40 <= -half_turn, m7), v42 = angle4 - offset4,
-        v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, m7),
-        q4_m = v43 + only_four(v43 <= -half_turn, m7), v44 = angle5 - offset5,
-        v45 = offset5 + angle5, q5_p = v44 + only_four(v44 <= -half_turn, m7),
-        q5_m = only_four(-v45 <= -half_turn, m7) - v45, v47 = angle6 - offset6,
-        v48 = angle6 - h1 * copysign_four(all_four(half_turn), v46) - offset6,
-        q6_p = v47 + only_four(v47 <= -half_turn, m7),
-        q6_m = v48 + only_four(v48 <= -half_turn, m7);
-    const four_mask v49 = beyond(q3_p, low3, high3);
-    const four q1_p = v4 + (v37 - only_four(half_turn < v37, m7));
-    const four_mask v50 = v49 | beyond(q2_p, low2, high2),
-        outside_p = v50 | beyond(q5_p, low5, high5), outside_m = v50 | beyond(q5_m, low5, high5);
+        q3_p = v40 + only_four(v40 <= -half_turn, whole_turn), v42 = angle4 - offset4,
+        v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, whole_turn),
+        q4_m = v43 + only_four(v43 <= -half_turn, whole_turn), v44 = angle5 - offset5,
+        v45 = offset5 + angle5, q5_p = v44 + only_four(v44 <= -half_turn, whole_turn),
+        q5_m = only_four(-v45 <= -half_turn, whole_turn) - v45, v47 = angle6 - offset6,
+        v48 = angle6 - signed_four(half_turn, v46) - offset6,
+        q6_p = v47 + only_four(v47 <= -half_turn, whole_turn),
+        q6_m = v48 + only_four(v48 <= -half_turn, whole_turn);
+    const four_mask v49 = beyond(q3_p, 3);
+    const four q1_p = v4 + (v37 - only_four(half_turn < v37, whole_turn));
+    const four_mask v50 = v49 | beyond(q2_p, 2), outside_p = v50 | beyond(q5_p, 5),
+        outside_m = v50 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -688,29 +688,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -844,6 +834,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -851,27 +847,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -902,8 +877,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -966,8 +940,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -986,12 +959,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.8561643835616439, 0.8561643835616439, 0.8561643835616439,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        kawasaki_rs007n_fk(x, P);
+        kawasaki_rs007n_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -1012,10 +1046,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == KAWASAKI_RS007N_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KAWASAKI_RS007N_OUT_OF_LIMITS;
         }
         count += status[row] != KAWASAKI_RS007N_OUT_OF_LIMITS;
@@ -1056,8 +1092,7 @@ int kawasaki_rs007n_ik_nearest(const double T[16], const double q_seed[6], doubl
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

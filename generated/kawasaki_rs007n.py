@@ -114,19 +114,18 @@ k1 = 0.26625  # 2 * d4 * a2 [m^2]
 k2 = 0.26665  # a2^2 + d4^2 [m^2]
 k3 = 14.106548524322777  # 1 / ((2 * d4 * a2)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-low2 = -2.356194491192345  # least of joint 2
-high2 = 2.356194491192345  # most of joint 2
-low3 = -2.705260341591211  # least of joint 3
-high3 = 2.705260341591211  # most of joint 3
-low5 = -2.181661565992912  # least of joint 5
-high5 = 2.181661565992912  # most of joint 5
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low2 = -2.356194491192345
+high2 = 2.356194491192345
+low3 = -2.705260341591211
+high3 = 2.705260341591211
+low5 = -2.181661565992912
+high5 = 2.181661565992912
 m1 = 1.3642239999999994e-06  # doubt_limit1^2 [m^2]
 m2 = 1.4084507042253522  # a coefficient of S2
 m3 = 0.020563380281690184  # a coefficient of S2
 m4 = 1.861107122175999e-12  # doubt_limit_squared2^2 [m^4]
 m5 = 1e-06  # doubt_limit^2
-m7 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -379,7 +378,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n b2b84e550c4e054e"
+_KEY = "kawasaki_rs007n 1b8c35dd0f333fd4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -623,12 +622,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -647,6 +640,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -788,6 +787,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.8561643835616439, 0.8561643835616439, 0.8561643835616439, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -801,6 +891,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -915,8 +1006,8 @@ def _regular(pose, q, status):
     v59 = w1 * (v2 * (X1 * T11 + wy * T21))
 
     # joint values
-    v68 = h1 * math.copysign(half_turn, -v46)
-    v69 = h1 * math.copysign(half_turn, v46)
+    v68 = math.copysign(half_turn, -v46)
+    v69 = math.copysign(half_turn, v46)
     v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
     v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
     doubt1 = (
@@ -987,19 +1078,19 @@ def _regular(pose, q, status):
 
     # joint values
     v60 = angle1 - offset1
-    v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
+    v61 = angle1 - math.copysign(half_turn, wy) - offset1
     v62 = angle2 - offset2
     v63 = angle3 - offset2
     v64 = angle4 - offset2
     v65 = angle5 - offset2
-    q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
-    q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
-    q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
-    q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
+    q2_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
+    q2_pmp = v63 - (whole_turn if half_turn < v63 else 0.0)
+    q2_mpp = v64 - (whole_turn if half_turn < v64 else 0.0)
+    q2_mmp = v65 - (whole_turn if half_turn < v65 else 0.0)
     v66 = angle6 - offset3
-    v67 = h1 * math.copysign(half_turn, v5) - angle6 - offset3
-    q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
-    q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
+    v67 = math.copysign(half_turn, v5) - angle6 - offset3
+    q3_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+    q3_pmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
     v70 = angle7 - offset4
     v71 = angle7 - v68 - offset4
     v72 = angle8 - offset4
@@ -1008,14 +1099,14 @@ def _regular(pose, q, status):
     v75 = angle9 - v69 - offset4
     v76 = angle10 - offset4
     v77 = angle10 - v69 - offset4
-    q4_ppp = v70 + (m7 if v70 <= -half_turn else 0.0)
-    q4_ppm = v71 + (m7 if v71 <= -half_turn else 0.0)
-    q4_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
-    q4_pmm = v73 + (m7 if v73 <= -half_turn else 0.0)
-    q4_mpp = v74 + (m7 if v74 <= -half_turn else 0.0)
-    q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
-    q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
-    q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
+    q4_ppp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+    q4_ppm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+    q4_pmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+    q4_pmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+    q4_mpp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+    q4_mpm = v75 + (whole_turn if v75 <= -half_turn else 0.0)
+    q4_mmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+    q4_mmm = v77 + (whole_turn if v77 <= -half_turn else 0.0)
     v78 = angle11 - offset5
     v79 = offset5 + angle11
     v80 = angle12 - offset5
@@ -1024,40 +1115,40 @@ def _regular(pose, q, status):
     v83 = offset5 + angle13
     v84 = angle14 - offset5
     v85 = offset5 + angle14
-    q5_ppp = v78 + (m7 if v78 <= -half_turn else 0.0)
-    q5_ppm = (m7 if -v79 <= -half_turn else 0.0) - v79
-    q5_pmp = v80 + (m7 if v80 <= -half_turn else 0.0)
-    q5_pmm = (m7 if -v81 <= -half_turn else 0.0) - v81
-    q5_mpp = v82 + (m7 if v82 <= -half_turn else 0.0)
-    q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
-    q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
-    q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
+    q5_ppp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
+    q5_pmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
+    q5_mpp = v82 + (whole_turn if v82 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v83 <= -half_turn else 0.0) - v83
+    q5_mmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v85 <= -half_turn else 0.0) - v85
     v88 = angle15 - offset6
-    v89 = angle15 - h1 * math.copysign(half_turn, v86) - offset6
+    v89 = angle15 - math.copysign(half_turn, v86) - offset6
     v90 = angle16 - offset6
-    v91 = angle16 - h1 * math.copysign(half_turn, v87) - offset6
+    v91 = angle16 - math.copysign(half_turn, v87) - offset6
     v92 = angle17 - offset6
     v93 = (
-        angle17 - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
-        v59)))) - offset6
+        angle17 - math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp * v59))))
+        - offset6
     )
     v94 = angle18 - offset6
     v95 = (
-        angle18 - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
-        v59)))) - offset6
+        angle18 - math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))))
+        - offset6
     )
-    q6_ppp = v88 + (m7 if v88 <= -half_turn else 0.0)
-    q6_ppm = v89 + (m7 if v89 <= -half_turn else 0.0)
-    q6_pmp = v90 + (m7 if v90 <= -half_turn else 0.0)
-    q6_pmm = v91 + (m7 if v91 <= -half_turn else 0.0)
-    q6_mpp = v92 + (m7 if v92 <= -half_turn else 0.0)
-    q6_mpm = v93 + (m7 if v93 <= -half_turn else 0.0)
-    q6_mmp = v94 + (m7 if v94 <= -half_turn else 0.0)
-    q6_mmm = v95 + (m7 if v95 <= -half_turn else 0.0)
+    q6_ppp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
+    q6_ppm = v89 + (whole_turn if v89 <= -half_turn else 0.0)
+    q6_pmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
+    q6_pmm = v91 + (whole_turn if v91 <= -half_turn else 0.0)
+    q6_mpp = v92 + (whole_turn if v92 <= -half_turn else 0.0)
+    q6_mpm = v93 + (whole_turn if v93 <= -half_turn else 0.0)
+    q6_mmp = v94 + (whole_turn if v94 <= -half_turn else 0.0)
+    q6_mmm = v95 + (whole_turn if v95 <= -half_turn else 0.0)
     v96 = q3_ppp < low3 or high3 < q3_ppp
     v97 = q3_pmp < low3 or high3 < q3_pmp
-    q1_ppp = v4 + (v60 - (m7 if half_turn < v60 else 0.0))
-    q1_mpp = v4 + (v61 - (m7 if half_turn < v61 else 0.0))
+    q1_ppp = v4 + (v60 - (whole_turn if half_turn < v60 else 0.0))
+    q1_mpp = v4 + (v61 - (whole_turn if half_turn < v61 else 0.0))
     v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
     v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
     v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
@@ -1175,7 +1266,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1434,8 +1525,8 @@ def _in_tiles(T, q, status):
             v57 = w1 * (v2 * (X1 * T12 + wy * T22))
             v58 = s1 * T11 - v3 * T21
             v59 = w1 * (v2 * (X1 * T11 + wy * T21))
-            v68 = h1 * math.copysign(half_turn, -v46)
-            v69 = h1 * math.copysign(half_turn, v46)
+            v68 = math.copysign(half_turn, -v46)
+            v69 = math.copysign(half_turn, v46)
             v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59))
             v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59))
             doubt1 = (
@@ -1540,19 +1631,19 @@ def _in_tiles(T, q, status):
             angle17 = work[832 + k]
             angle18 = work[848 + k]
             v60 = angle1 - offset1
-            v61 = angle1 - math.copysign(half_turn, wy) * h1 - offset1
+            v61 = angle1 - math.copysign(half_turn, wy) - offset1
             v62 = angle2 - offset2
             v63 = angle3 - offset2
             v64 = angle4 - offset2
             v65 = angle5 - offset2
-            q2_ppp = v62 - (m7 if half_turn < v62 else 0.0)
-            q2_pmp = v63 - (m7 if half_turn < v63 else 0.0)
-            q2_mpp = v64 - (m7 if half_turn < v64 else 0.0)
-            q2_mmp = v65 - (m7 if half_turn < v65 else 0.0)
+            q2_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
+            q2_pmp = v63 - (whole_turn if half_turn < v63 else 0.0)
+            q2_mpp = v64 - (whole_turn if half_turn < v64 else 0.0)
+            q2_mmp = v65 - (whole_turn if half_turn < v65 else 0.0)
             v66 = angle6 - offset3
-            v67 = h1 * math.copysign(half_turn, v5) - angle6 - offset3
-            q3_ppp = v66 + (m7 if v66 <= -half_turn else 0.0)
-            q3_pmp = v67 + (m7 if v67 <= -half_turn else 0.0)
+            v67 = math.copysign(half_turn, v5) - angle6 - offset3
+            q3_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+            q3_pmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
             v70 = angle7 - offset4
             v71 = angle7 - v68 - offset4
             v72 = angle8 - offset4
@@ -1561,14 +1652,14 @@ def _in_tiles(T, q, status):
             v75 = angle9 - v69 - offset4
             v76 = angle10 - offset4
             v77 = angle10 - v69 - offset4
-            q4_ppp = v70 + (m7 if v70 <= -half_turn else 0.0)
-            q4_ppm = v71 + (m7 if v71 <= -half_turn else 0.0)
-            q4_pmp = v72 + (m7 if v72 <= -half_turn else 0.0)
-            q4_pmm = v73 + (m7 if v73 <= -half_turn else 0.0)
-            q4_mpp = v74 + (m7 if v74 <= -half_turn else 0.0)
-            q4_mpm = v75 + (m7 if v75 <= -half_turn else 0.0)
-            q4_mmp = v76 + (m7 if v76 <= -half_turn else 0.0)
-            q4_mmm = v77 + (m7 if v77 <= -half_turn else 0.0)
+            q4_ppp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+            q4_ppm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+            q4_pmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+            q4_pmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+            q4_mpp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+            q4_mpm = v75 + (whole_turn if v75 <= -half_turn else 0.0)
+            q4_mmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+            q4_mmm = v77 + (whole_turn if v77 <= -half_turn else 0.0)
             v78 = angle11 - offset5
             v79 = offset5 + angle11
             v80 = angle12 - offset5
@@ -1577,40 +1668,40 @@ def _in_tiles(T, q, status):
             v83 = offset5 + angle13
             v84 = angle14 - offset5
             v85 = offset5 + angle14
-            q5_ppp = v78 + (m7 if v78 <= -half_turn else 0.0)
-            q5_ppm = (m7 if -v79 <= -half_turn else 0.0) - v79
-            q5_pmp = v80 + (m7 if v80 <= -half_turn else 0.0)
-            q5_pmm = (m7 if -v81 <= -half_turn else 0.0) - v81
-            q5_mpp = v82 + (m7 if v82 <= -half_turn else 0.0)
-            q5_mpm = (m7 if -v83 <= -half_turn else 0.0) - v83
-            q5_mmp = v84 + (m7 if v84 <= -half_turn else 0.0)
-            q5_mmm = (m7 if -v85 <= -half_turn else 0.0) - v85
+            q5_ppp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
+            q5_pmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
+            q5_mpp = v82 + (whole_turn if v82 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v83 <= -half_turn else 0.0) - v83
+            q5_mmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v85 <= -half_turn else 0.0) - v85
             v88 = angle15 - offset6
-            v89 = angle15 - h1 * math.copysign(half_turn, v86) - offset6
+            v89 = angle15 - math.copysign(half_turn, v86) - offset6
             v90 = angle16 - offset6
-            v91 = angle16 - h1 * math.copysign(half_turn, v87) - offset6
+            v91 = angle16 - math.copysign(half_turn, v87) - offset6
             v92 = angle17 - offset6
             v93 = (
-                angle17 - h1 * math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 +
-                c2m3_mp * v59)))) - offset6
+                angle17 - math.copysign(half_turn, -(v54 * (v43 * v58 - v45 * (v38 * T31 + c2m3_mp *
+                v59)))) - offset6
             )
             v94 = angle18 - offset6
             v95 = (
-                angle18 - h1 * math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 +
-                c2m3_mm * v59)))) - offset6
+                angle18 - math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
+                v59)))) - offset6
             )
-            q6_ppp = v88 + (m7 if v88 <= -half_turn else 0.0)
-            q6_ppm = v89 + (m7 if v89 <= -half_turn else 0.0)
-            q6_pmp = v90 + (m7 if v90 <= -half_turn else 0.0)
-            q6_pmm = v91 + (m7 if v91 <= -half_turn else 0.0)
-            q6_mpp = v92 + (m7 if v92 <= -half_turn else 0.0)
-            q6_mpm = v93 + (m7 if v93 <= -half_turn else 0.0)
-            q6_mmp = v94 + (m7 if v94 <= -half_turn else 0.0)
-            q6_mmm = v95 + (m7 if v95 <= -half_turn else 0.0)
+            q6_ppp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
+            q6_ppm = v89 + (whole_turn if v89 <= -half_turn else 0.0)
+            q6_pmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
+            q6_pmm = v91 + (whole_turn if v91 <= -half_turn else 0.0)
+            q6_mpp = v92 + (whole_turn if v92 <= -half_turn else 0.0)
+            q6_mpm = v93 + (whole_turn if v93 <= -half_turn else 0.0)
+            q6_mmp = v94 + (whole_turn if v94 <= -half_turn else 0.0)
+            q6_mmm = v95 + (whole_turn if v95 <= -half_turn else 0.0)
             v96 = q3_ppp < low3 or high3 < q3_ppp
             v97 = q3_pmp < low3 or high3 < q3_pmp
-            q1_ppp = v4 + (v60 - (m7 if half_turn < v60 else 0.0))
-            q1_mpp = v4 + (v61 - (m7 if half_turn < v61 else 0.0))
+            q1_ppp = v4 + (v60 - (whole_turn if half_turn < v60 else 0.0))
+            q1_mpp = v4 + (v61 - (whole_turn if half_turn < v61 else 0.0))
             v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
             v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
             v100 = v96 or q2_mpp < low2 or high2 < q2_mpp

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -73,14 +89,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -100,6 +114,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -110,10 +125,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -125,21 +140,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -181,7 +188,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -215,11 +221,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -233,16 +238,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KINOVA_J2S6S300_UNREACHABLE) \
-        | (~(none) & (outside) & KINOVA_J2S6S300_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KINOVA_J2S6S300_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KINOVA_J2S6S300_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KINOVA_J2S6S300_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KINOVA_J2S6S300_UNREACHABLE \
         : (outside) ? (int)KINOVA_J2S6S300_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.2755; /* joint offset 1 [m] */
@@ -280,19 +285,13 @@ static const double k7 = 15.371345486276748; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.6212928899999995e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low2 = 0.820304747437335; /* least of joint 2 */
-static const double high2 = 5.462880559742252; /* most of joint 2 */
 static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double low3 = 0.3316125568789226; /* least of joint 3 */
-static const double high3 = 5.951572750300664; /* most of joint 3 */
-static const double low5 = 0.5235987745982988; /* least of joint 5 */
-static const double high5 = 5.759586532581287; /* most of joint 5 */
 static const double m1 = 1.2195121951219514; /* a coefficient of S2 */
 static const double m2 = 0.08700963109756096; /* a coefficient of S2 */
 static const double m3 = 2.6285906351645502e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m4 = 1e-06; /* doubt_limit^2 */
-static const double m6 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m5 */
+static const double low2 = 0.820304747437335, high2 = 5.462880559742252, low3 = 0.3316125568789226,
+high3 = 5.951572750300664, low5 = 0.5235987745982988, high5 = 5.759586532581287;
 
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -396,35 +395,19 @@ void kinova_j2s6s300_jacobian(const double q[6], double J[36])
     J[30] = -1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -v8; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -437,7 +420,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -445,6 +428,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -490,8 +494,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v40 = v37 + X4_pm * X4_pm, v41 = v38 + X4_mp * X4_mp, v42 = v38 + X4_mm * X4_mm,
         angle1 = atan2_wide(-v35, -X4_pp), angle2 = atan2_wide(-v35, -X4_pm),
         angle3 = atan2_wide(-v36, -X4_mp), angle4 = atan2_wide(-v36, -X4_mm),
-        v43 = copysign_wide(all_wide(half_turn), -v35) * h1,
-        v44 = copysign_wide(all_wide(half_turn), -v36) * h1;
+        v43 = signed_wide(half_turn, -v35), v44 = signed_wide(half_turn, -v36);
 
     /* theta5 */
     const wide angle5 = atan2_wide(-sqrt_wide(v39), -(T33 * c2m3_pp + s2m3_pp * v33)),
@@ -515,37 +518,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle12 = atan2_wide(S2_pm, C2_pm), v57 = angle12 - offset2,
         angle13 = atan2_wide(S2_pm, -C2_pm), v58 = angle13 - offset2,
         angle14 = atan2_wide(S2_pp, -C2_pp), v59 = angle14 - offset2,
-        q2__pp = v56 + only_wide(v56 <= -half_turn, m6),
-        q2__pm = v57 + only_wide(v57 <= -half_turn, m6),
-        q2__mp = v58 + only_wide(v58 <= -half_turn, m6),
-        q2__mm = v59 + only_wide(v59 <= -half_turn, m6), angle15 = atan2_wide(-v5, v7),
-        v60 = angle15 - offset3,
-        v61 = h1 * copysign_wide(all_wide(half_turn), -v5) - angle15 - offset3,
-        q3__p = v60 + only_wide(v60 <= -half_turn, m6),
-        q3__m = v61 + only_wide(v61 <= -half_turn, m6),
+        q2__pp = v56 + only_wide(v56 <= -half_turn, whole_turn),
+        q2__pm = v57 + only_wide(v57 <= -half_turn, whole_turn),
+        q2__mp = v58 + only_wide(v58 <= -half_turn, whole_turn),
+        q2__mm = v59 + only_wide(v59 <= -half_turn, whole_turn), angle15 = atan2_wide(-v5, v7),
+        v60 = angle15 - offset3, v61 = signed_wide(half_turn, -v5) - angle15 - offset3,
+        q3__p = v60 + only_wide(v60 <= -half_turn, whole_turn),
+        q3__m = v61 + only_wide(v61 <= -half_turn, whole_turn),
         angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46),
         angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)),
         angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)),
         angle19 = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32)),
-        v62 = angle16 - offset6,
-        v63 = angle16 - h1 * copysign_wide(all_wide(half_turn), s6_pp) - offset6,
-        v64 = angle17 - offset6,
-        v65 = angle17 - h1 * copysign_wide(all_wide(half_turn), s6_pm) - offset6,
-        v66 = angle18 - offset6,
-        v67 = angle18 - h1 * copysign_wide(all_wide(half_turn), s6_mp) - offset6,
-        v68 = angle19 - offset6,
-        v69 = angle19 - h1 * copysign_wide(all_wide(half_turn), s6_mm) - offset6,
+        v62 = angle16 - offset6, v63 = angle16 - signed_wide(half_turn, s6_pp) - offset6,
+        v64 = angle17 - offset6, v65 = angle17 - signed_wide(half_turn, s6_pm) - offset6,
+        v66 = angle18 - offset6, v67 = angle18 - signed_wide(half_turn, s6_mp) - offset6,
+        v68 = angle19 - offset6, v69 = angle19 - signed_wide(half_turn, s6_mm) - offset6,
         v70 = q2__pp + only_wide(q2__pp < low2, whole_turn),
         v71 = q2__pm + only_wide(q2__pm < low2, whole_turn),
         v72 = q2__mp + only_wide(q2__mp < low2, whole_turn),
         v73 = q2__mm + only_wide(q2__mm < low2, whole_turn);
-    const wide_mask v74 = beyond(v70, low2, high2), v75 = beyond(v71, low2, high2),
-        v76 = beyond(v72, low2, high2), v77 = beyond(v73, low2, high2);
+    const wide_mask v74 = beyond(v70, 2), v75 = beyond(v71, 2), v76 = beyond(v72, 2),
+        v77 = beyond(v73, 2);
     const wide q2_ppp = pick_wide(v74, q2__pp, v70), q2_pmp = pick_wide(v75, q2__pm, v71),
         q2_mpp = pick_wide(v76, q2__mp, v72), q2_mmp = pick_wide(v77, q2__mm, v73),
         v78 = q3__p + only_wide(q3__p < low3, whole_turn),
         v79 = q3__m + only_wide(q3__m < low3, whole_turn);
-    const wide_mask v80 = beyond(v78, low3, high3), v81 = beyond(v79, low3, high3);
+    const wide_mask v80 = beyond(v78, 3), v81 = beyond(v79, 3);
     const wide v82 = angle5 + only_wide(angle5 < low5, whole_turn),
         v83 = only_wide(-angle5 < low5, whole_turn) - angle5,
         v84 = angle6 + only_wide(angle6 < low5, whole_turn),
@@ -554,46 +552,42 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v87 = only_wide(-angle7 < low5, whole_turn) - angle7,
         v88 = angle8 + only_wide(angle8 < low5, whole_turn),
         v89 = only_wide(-angle8 < low5, whole_turn) - angle8;
-    const wide_mask v90 = beyond(v82, low5, high5), v91 = beyond(v83, low5, high5),
-        v92 = beyond(v84, low5, high5), v93 = beyond(v85, low5, high5),
-        v94 = beyond(v86, low5, high5), v95 = beyond(v87, low5, high5),
-        v96 = beyond(v88, low5, high5), v97 = beyond(v89, low5, high5);
-    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, m6)),
-        q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, m6)),
+    const wide_mask v90 = beyond(v82, 5), v91 = beyond(v83, 5), v92 = beyond(v84, 5),
+        v93 = beyond(v85, 5), v94 = beyond(v86, 5), v95 = beyond(v87, 5), v96 = beyond(v88, 5),
+        v97 = beyond(v89, 5);
+    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, whole_turn)),
+        q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, whole_turn)),
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
-        outside_ppp = v90 | v98, outside_ppm = v91 | v98, outside_pmp = v92 | v99,
-        outside_pmm = v93 | v99, outside_mpp = v94 | v100, outside_mpm = v95 | v100,
-        outside_mmp = v96 | v101, outside_mmm = v97 | v101,
         doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v42 <= m4) | (v24 <= m3) |
             (v41 <= m4) | (v40 <= m4) | (v23 <= m3) | (v39 <= m4) | ((shortest3_reach <= N3) & (N3
             <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v22 <=
             m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
-    q[5] = v62 - only_wide(half_turn < v62, m6);
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    q[5] = v62 - only_wide(half_turn < v62, whole_turn);
+    kind[0] = kind_of(q[0], v90 | v98);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
-    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 - only_wide(half_turn < v63, m6);
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 - only_wide(half_turn < v63, whole_turn);
+    kind[1] = kind_of(q[6], v91 | v98);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
-    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 - only_wide(half_turn < v64, m6);
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 - only_wide(half_turn < v64, whole_turn);
+    kind[2] = kind_of(q[12], v92 | v99);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
-    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 - only_wide(half_turn < v65, m6);
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 - only_wide(half_turn < v65, whole_turn);
+    kind[3] = kind_of(q[18], v93 | v99);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
-    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 - only_wide(half_turn < v66, m6);
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 - only_wide(half_turn < v66, whole_turn);
+    kind[4] = kind_of(q[24], v94 | v100);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
-    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 - only_wide(half_turn < v67, m6);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 - only_wide(half_turn < v67, whole_turn);
+    kind[5] = kind_of(q[30], v95 | v100);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
-    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 - only_wide(half_turn < v68, m6);
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 - only_wide(half_turn < v68, whole_turn);
+    kind[6] = kind_of(q[36], v96 | v101);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
-    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 - only_wide(half_turn < v69, m6);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 - only_wide(half_turn < v69, whole_turn);
+    kind[7] = kind_of(q[42], v97 | v101);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -637,7 +631,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v23 = e2 * c3, c2m3 = w2 * (v22 * (v18 * v23 - v6 * v11)),
         s2m3 = w2 * (v22 * (v11 * v23 + v6 * v18)), v24 = T13 * c1 - T23 * s1,
         X4 = T33 * s2m3 - c2m3 * v24, v25 = T23 * c1 + T13 * s1, v26 = v25 * v25,
-        v27 = v26 + X4 * X4, v28 = copysign_four(all_four(half_turn), -v25) * h1;
+        v27 = v26 + X4 * X4, v28 = signed_four(half_turn, -v25);
 
     /* theta6 */
     const four v29 = c1 * T22 + s1 * T12, v30 = c1 * T12 - s1 * T22, v31 = c1 * T21 + s1 * T11,
@@ -658,20 +652,22 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = v34 + only_four(v34 <= -half_turn, m6),
+        q2_ = v34 + only_four(v34 <= -half_turn, whole_turn),
         v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
-        q3_ = v36 + only_four(v36 <= -half_turn, m6), v37 = angle6 - offset6,
-        v38 = angle6 - h1 * copysign_four(all_four(half_turn), s6) - offset6,
-        q6_p = v37 - only_four(half_turn < v37, m6), q6_m = v38 - only_four(half_turn < v38, m6),
+        q3_ = v36 + only_four(v36 <= -half_turn, whole_turn), v37 = angle6 - offset6,
+        v38 = angle6 - signed_four(half_turn, s6) - offset6,
+        q6_p = v37 - only_four(half_turn < v37, whole_turn),
+        q6_m = v38 - only_four(half_turn < v38, whole_turn),
         v39 = q2_ + only_four(q2_ < low2, whole_turn);
-    const four_mask v40 = beyond(v39, low2, high2);
+    const four_mask v40 = beyond(v39, 2);
     const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low3, whole_turn);
-    const four_mask v42 = beyond(v41, low3, high3);
+    const four_mask v42 = beyond(v41, 3);
     const four v43 = angle2 + only_four(angle2 < low5, whole_turn),
         v44 = only_four(-angle2 < low5, whole_turn) - angle2;
-    const four_mask v45 = beyond(v43, low5, high5), v46 = beyond(v44, low5, high5);
+    const four_mask v45 = beyond(v43, 5), v46 = beyond(v44, 5);
     const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44),
-        q1_p = v4 + (v33 + only_four(v33 <= -half_turn, m6)), q3_p = v1 + pick_four(v42, q3_, v41);
+        q1_p = v4 + (v33 + only_four(v33 <= -half_turn, whole_turn)),
+        q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42, outside_p = v45 | v47, outside_m = v46 | v47;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -703,29 +699,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -859,6 +845,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -866,27 +858,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -917,8 +888,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -981,8 +951,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -1001,12 +970,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.7853608733212912, 0.7853608733212912, 0.7853608733212912,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        kinova_j2s6s300_fk(x, P);
+        kinova_j2s6s300_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -1027,10 +1057,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == KINOVA_J2S6S300_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KINOVA_J2S6S300_OUT_OF_LIMITS;
         }
         count += status[row] != KINOVA_J2S6S300_OUT_OF_LIMITS;
@@ -1071,8 +1103,7 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -118,19 +118,17 @@ k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
 k7 = 15.371345486276748  # 1 / ((2 * d4 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.6212928899999995e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low2 = 0.820304747437335  # least of joint 2
-high2 = 5.462880559742252  # most of joint 2
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low3 = 0.3316125568789226  # least of joint 3
-high3 = 5.951572750300664  # most of joint 3
-low5 = 0.5235987745982988  # least of joint 5
-high5 = 5.759586532581287  # most of joint 5
+low2 = 0.820304747437335
+high2 = 5.462880559742252
+low3 = 0.3316125568789226
+high3 = 5.951572750300664
+low5 = 0.5235987745982988
+high5 = 5.759586532581287
 m1 = 1.2195121951219514  # a coefficient of S2
 m2 = 0.08700963109756096  # a coefficient of S2
 m3 = 2.6285906351645502e-12  # doubt_limit_squared2^2 [m^4]
 m4 = 1e-06  # doubt_limit^2
-m6 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m5
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -381,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 85a4c0089f3701c3"
+_KEY = "kinova_j2s6s300 e9e0e6c4c104527e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -625,12 +623,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -649,6 +641,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -790,6 +788,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.7853608733212912, 0.7853608733212912, 0.7853608733212912, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -803,6 +892,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -903,8 +993,8 @@ def _regular(pose, q, status):
     v40 = v37 + X4_pm * X4_pm
     v41 = v38 + X4_mp * X4_mp
     v42 = v38 + X4_mm * X4_mm
-    v43 = math.copysign(half_turn, -v35) * h1
-    v44 = math.copysign(half_turn, -v36) * h1
+    v43 = math.copysign(half_turn, -v35)
+    v44 = math.copysign(half_turn, -v36)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
     v45 = T33 * v29
@@ -1006,30 +1096,30 @@ def _regular(pose, q, status):
     v57 = angle12 - offset2
     v58 = angle13 - offset2
     v59 = angle14 - offset2
-    q2__pp = v56 + (m6 if v56 <= -half_turn else 0.0)
-    q2__pm = v57 + (m6 if v57 <= -half_turn else 0.0)
-    q2__mp = v58 + (m6 if v58 <= -half_turn else 0.0)
-    q2__mm = v59 + (m6 if v59 <= -half_turn else 0.0)
+    q2__pp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
+    q2__pm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+    q2__mp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+    q2__mm = v59 + (whole_turn if v59 <= -half_turn else 0.0)
     v60 = angle15 - offset3
-    v61 = h1 * math.copysign(half_turn, -v5) - angle15 - offset3
-    q3__p = v60 + (m6 if v60 <= -half_turn else 0.0)
-    q3__m = v61 + (m6 if v61 <= -half_turn else 0.0)
+    v61 = math.copysign(half_turn, -v5) - angle15 - offset3
+    q3__p = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+    q3__m = v61 + (whole_turn if v61 <= -half_turn else 0.0)
     v62 = angle16 - offset6
-    v63 = angle16 - h1 * math.copysign(half_turn, s6_pp) - offset6
+    v63 = angle16 - math.copysign(half_turn, s6_pp) - offset6
     v64 = angle17 - offset6
-    v65 = angle17 - h1 * math.copysign(half_turn, s6_pm) - offset6
+    v65 = angle17 - math.copysign(half_turn, s6_pm) - offset6
     v66 = angle18 - offset6
-    v67 = angle18 - h1 * math.copysign(half_turn, s6_mp) - offset6
+    v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
     v68 = angle19 - offset6
-    v69 = angle19 - h1 * math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v62 - (m6 if half_turn < v62 else 0.0)
-    q6_ppm = v63 - (m6 if half_turn < v63 else 0.0)
-    q6_pmp = v64 - (m6 if half_turn < v64 else 0.0)
-    q6_pmm = v65 - (m6 if half_turn < v65 else 0.0)
-    q6_mpp = v66 - (m6 if half_turn < v66 else 0.0)
-    q6_mpm = v67 - (m6 if half_turn < v67 else 0.0)
-    q6_mmp = v68 - (m6 if half_turn < v68 else 0.0)
-    q6_mmm = v69 - (m6 if half_turn < v69 else 0.0)
+    v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
+    q6_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
+    q6_ppm = v63 - (whole_turn if half_turn < v63 else 0.0)
+    q6_pmp = v64 - (whole_turn if half_turn < v64 else 0.0)
+    q6_pmm = v65 - (whole_turn if half_turn < v65 else 0.0)
+    q6_mpp = v66 - (whole_turn if half_turn < v66 else 0.0)
+    q6_mpm = v67 - (whole_turn if half_turn < v67 else 0.0)
+    q6_mmp = v68 - (whole_turn if half_turn < v68 else 0.0)
+    q6_mmm = v69 - (whole_turn if half_turn < v69 else 0.0)
     v70 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
     v71 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
     v72 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
@@ -1070,8 +1160,8 @@ def _regular(pose, q, status):
     q5_mpm = -angle7 if v95 else v87
     q5_mmp = angle8 if v96 else v88
     q5_mmm = -angle8 if v97 else v89
-    q1_ppp = v4 + (v54 + (m6 if v54 <= -half_turn else 0.0))
-    q1_mpp = v4 + (v55 + (m6 if v55 <= -half_turn else 0.0))
+    q1_ppp = v4 + (v54 + (whole_turn if v54 <= -half_turn else 0.0))
+    q1_mpp = v4 + (v55 + (whole_turn if v55 <= -half_turn else 0.0))
     q3_ppp = v1 + (q3__p if v80 else v78)
     q3_pmp = v1 + (q3__m if v81 else v79)
     v98 = v74 or v80
@@ -1191,7 +1281,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1440,8 +1530,8 @@ def _in_tiles(T, q, status):
             v40 = v37 + X4_pm * X4_pm
             v41 = v38 + X4_mp * X4_mp
             v42 = v38 + X4_mm * X4_mm
-            v43 = math.copysign(half_turn, -v35) * h1
-            v44 = math.copysign(half_turn, -v36) * h1
+            v43 = math.copysign(half_turn, -v35)
+            v44 = math.copysign(half_turn, -v36)
             v45 = T33 * v29
             v46 = c1_p * T22 + s1_p * T12
             v47 = c1_m * T22 + s1_m * T12
@@ -1550,30 +1640,30 @@ def _in_tiles(T, q, status):
             v57 = angle12 - offset2
             v58 = angle13 - offset2
             v59 = angle14 - offset2
-            q2__pp = v56 + (m6 if v56 <= -half_turn else 0.0)
-            q2__pm = v57 + (m6 if v57 <= -half_turn else 0.0)
-            q2__mp = v58 + (m6 if v58 <= -half_turn else 0.0)
-            q2__mm = v59 + (m6 if v59 <= -half_turn else 0.0)
+            q2__pp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
+            q2__pm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+            q2__mp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+            q2__mm = v59 + (whole_turn if v59 <= -half_turn else 0.0)
             v60 = angle15 - offset3
-            v61 = h1 * math.copysign(half_turn, -v5) - angle15 - offset3
-            q3__p = v60 + (m6 if v60 <= -half_turn else 0.0)
-            q3__m = v61 + (m6 if v61 <= -half_turn else 0.0)
+            v61 = math.copysign(half_turn, -v5) - angle15 - offset3
+            q3__p = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+            q3__m = v61 + (whole_turn if v61 <= -half_turn else 0.0)
             v62 = angle16 - offset6
-            v63 = angle16 - h1 * math.copysign(half_turn, s6_pp) - offset6
+            v63 = angle16 - math.copysign(half_turn, s6_pp) - offset6
             v64 = angle17 - offset6
-            v65 = angle17 - h1 * math.copysign(half_turn, s6_pm) - offset6
+            v65 = angle17 - math.copysign(half_turn, s6_pm) - offset6
             v66 = angle18 - offset6
-            v67 = angle18 - h1 * math.copysign(half_turn, s6_mp) - offset6
+            v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
             v68 = angle19 - offset6
-            v69 = angle19 - h1 * math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v62 - (m6 if half_turn < v62 else 0.0)
-            q6_ppm = v63 - (m6 if half_turn < v63 else 0.0)
-            q6_pmp = v64 - (m6 if half_turn < v64 else 0.0)
-            q6_pmm = v65 - (m6 if half_turn < v65 else 0.0)
-            q6_mpp = v66 - (m6 if half_turn < v66 else 0.0)
-            q6_mpm = v67 - (m6 if half_turn < v67 else 0.0)
-            q6_mmp = v68 - (m6 if half_turn < v68 else 0.0)
-            q6_mmm = v69 - (m6 if half_turn < v69 else 0.0)
+            v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
+            q6_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
+            q6_ppm = v63 - (whole_turn if half_turn < v63 else 0.0)
+            q6_pmp = v64 - (whole_turn if half_turn < v64 else 0.0)
+            q6_pmm = v65 - (whole_turn if half_turn < v65 else 0.0)
+            q6_mpp = v66 - (whole_turn if half_turn < v66 else 0.0)
+            q6_mpm = v67 - (whole_turn if half_turn < v67 else 0.0)
+            q6_mmp = v68 - (whole_turn if half_turn < v68 else 0.0)
+            q6_mmm = v69 - (whole_turn if half_turn < v69 else 0.0)
             v70 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
             v71 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
             v72 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
@@ -1614,8 +1704,8 @@ def _in_tiles(T, q, status):
             q5_mpm = -angle7 if v95 else v87
             q5_mmp = angle8 if v96 else v88
             q5_mmm = -angle8 if v97 else v89
-            q1_ppp = v4 + (v54 + (m6 if v54 <= -half_turn else 0.0))
-            q1_mpp = v4 + (v55 + (m6 if v55 <= -half_turn else 0.0))
+            q1_ppp = v4 + (v54 + (whole_turn if v54 <= -half_turn else 0.0))
+            q1_mpp = v4 + (v55 + (whole_turn if v55 <= -half_turn else 0.0))
             q3_ppp = v1 + (q3__p if v80 else v78)
             q3_pmp = v1 + (q3__m if v81 else v79)
             v98 = v74 or v80

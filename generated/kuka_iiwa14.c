@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v cos_##v(v x) \
 { \
     for (int k = 0; k < lanes; k++) \
@@ -121,10 +136,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -138,21 +153,14 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] +
+        free_joints[0]);
 }
 
 #if LANES > 1
@@ -202,7 +210,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
     const four x = *(const four_at *)(T + 0);
@@ -236,11 +243,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -254,16 +260,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_IIWA14_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KUKA_IIWA14_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_IIWA14_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KUKA_IIWA14_UNREACHABLE \
         : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.36; /* joint offset 1 [m] */
@@ -296,24 +302,14 @@ static const double k3 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.705636e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.9670597293903604; /* least of joint 1 */
-static const double high1 = 2.9670597293903604; /* most of joint 1 */
-static const double low2 = -2.0943951033931953; /* least of joint 2 */
-static const double high2 = 2.0943951033931953; /* most of joint 2 */
-static const double low3 = -2.9670597293903604; /* least of joint 3 */
-static const double high3 = 2.9670597293903604; /* most of joint 3 */
-static const double low4 = -2.0943951033931953; /* least of joint 4 */
-static const double high4 = 2.0943951033931953; /* most of joint 4 */
-static const double low5 = -2.9670597293903604; /* least of joint 5 */
-static const double high5 = 2.9670597293903604; /* most of joint 5 */
-static const double low6 = -2.0943951033931953; /* least of joint 6 */
-static const double high6 = 2.0943951033931953; /* most of joint 6 */
-static const double low7 = -3.054326191990077; /* least of joint 7 */
-static const double high7 = 3.054326191990077; /* most of joint 7 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 2.9091941644959998e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m2 = 1e-06; /* doubt_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
+low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.9670597293903604,
+high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
+low5 = -2.9670597293903604, high5 = 2.9670597293903604, low6 = -2.0943951033931953,
+high6 = 2.0943951033931953, low7 = -3.054326191990077, high7 = 3.054326191990077;
 
 const char *const kuka_iiwa14_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -415,35 +411,19 @@ void kuka_iiwa14_jacobian(const double q[7], double J[42])
     J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = J64; J[39] = J65; J[40] = J66; J[41] = J67;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -456,7 +436,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -464,6 +444,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[7])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 7; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -522,11 +523,10 @@ HELPER wide_mask solve_wide(
         v49 = X5_pm * X5_pm + v47 * v47, v50 = X5_mp * X5_mp + Y5_mp * Y5_mp,
         v51 = X5_mm * X5_mm + Y5_mm * Y5_mm, angle1 = atan2_wide(Y5_pp, -X5_pp),
         angle2 = atan2_wide(-v47, -X5_pm), angle3 = atan2_wide(Y5_mp, -X5_mp),
-        angle4 = atan2_wide(Y5_mm, -X5_mm),
-        q5_ppm = angle1 - copysign_wide(all_wide(half_turn), Y5_pp) * h1,
-        q5_pmm = angle2 - copysign_wide(all_wide(half_turn), -v47) * h1,
-        q5_mpm = angle3 - copysign_wide(all_wide(half_turn), Y5_mp) * h1,
-        q5_mmm = angle4 - copysign_wide(all_wide(half_turn), Y5_mm) * h1;
+        angle4 = atan2_wide(Y5_mm, -X5_mm), q5_ppm = angle1 - signed_wide(half_turn, Y5_pp),
+        q5_pmm = angle2 - signed_wide(half_turn, -v47),
+        q5_mpm = angle3 - signed_wide(half_turn, Y5_mp),
+        q5_mmm = angle4 - signed_wide(half_turn, Y5_mm);
 
     /* theta6 */
     const wide v52 = v5 * v28, v53 = v5 * v30, v54 = T33 * v3, v55 = T13 * v3, v56 = T23 * v3,
@@ -564,38 +564,37 @@ HELPER wide_mask solve_wide(
             factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 * T12)))) + Y5_mm * (v3 *
             (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 - s1_mm * v67)) - v22 * (v65 +
             (s1_mm * v64 - v13 * v63)))))),
-        q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), -(X5_pp * (c3 * v70 - factor2_pp *
-            (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) +
-            factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 +
-            s1_pp * v78)))))), q7_pmm = angle6 - h1 * copysign_wide(all_wide(half_turn), v81),
-        q7_mpm = angle7 - h1 * copysign_wide(all_wide(half_turn), -(X5_mp * (c3 * v72 - factor2_pm *
-            (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm
-            * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 *
-            v74)))))),
-        q7_mmm = angle8 - h1 * copysign_wide(all_wide(half_turn), -(X5_mm * (c3 * v73 - factor2_mm *
-            (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) +
-            factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 -
-            v13 * v74))))));
+        q7_ppm = angle5 - signed_wide(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 -
+            v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp *
+            (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp *
+            v78)))))), q7_pmm = angle6 - signed_wide(half_turn, v81),
+        q7_mpm = angle7 - signed_wide(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3
+            * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 +
+            (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74)))))),
+        q7_mmm = angle8 - signed_wide(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 -
+            v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm *
+            (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 *
+            v74))))));
 
     /* joint values */
     const wide angle9 = atan2_wide(s1_pp, c1_pp), v83 = angle9 - offset1,
         angle10 = atan2_wide(s1_pm, c1_pm), v84 = angle10 - offset1,
         angle11 = atan2_wide(s1_mp, -v12), v85 = angle11 - offset1,
         angle12 = atan2_wide(s1_mm, -v13), v86 = angle12 - offset1,
-        q1_ppp = v83 + only_wide(v83 <= -half_turn, m4),
-        q1_pmp = v84 + only_wide(v84 <= -half_turn, m4),
-        q1_mpp = v85 + only_wide(v85 <= -half_turn, m4),
-        q1_mmp = v86 + only_wide(v86 <= -half_turn, m4), angle13 = atan2_wide(S2_pp, -v22),
+        q1_ppp = v83 + only_wide(v83 <= -half_turn, whole_turn),
+        q1_pmp = v84 + only_wide(v84 <= -half_turn, whole_turn),
+        q1_mpp = v85 + only_wide(v85 <= -half_turn, whole_turn),
+        q1_mmp = v86 + only_wide(v86 <= -half_turn, whole_turn), angle13 = atan2_wide(S2_pp, -v22),
         v87 = angle13 - offset2, angle14 = atan2_wide(-S2_mp, -v23), v88 = angle14 - offset2,
         angle15 = atan2_wide(S2_mp, -v23), v89 = angle15 - offset2,
         angle16 = atan2_wide(-S2_pp, -v22), v90 = angle16 - offset2,
-        q2_ppp = v87 + only_wide(v87 <= -half_turn, m4),
-        q2_pmp = v88 + only_wide(v88 <= -half_turn, m4),
-        q2_mpp = v89 + only_wide(v89 <= -half_turn, m4),
-        q2_mmp = v90 + only_wide(v90 <= -half_turn, m4), angle17 = atan2_wide(-v4, -v2),
+        q2_ppp = v87 + only_wide(v87 <= -half_turn, whole_turn),
+        q2_pmp = v88 + only_wide(v88 <= -half_turn, whole_turn),
+        q2_mpp = v89 + only_wide(v89 <= -half_turn, whole_turn),
+        q2_mmp = v90 + only_wide(v90 <= -half_turn, whole_turn), angle17 = atan2_wide(-v4, -v2),
         v91 = angle17 - offset4, v92 = offset4 + angle17,
-        q4__p = v91 + only_wide(v91 <= -half_turn, m4),
-        q4__m = only_wide(-v92 <= -half_turn, m4) - v92,
+        q4__p = v91 + only_wide(v91 <= -half_turn, whole_turn),
+        q4__m = only_wide(-v92 <= -half_turn, whole_turn) - v92,
         angle18 = atan2_wide(sqrt_wide(v48), v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp *
             v56 - v57) + v22 * (v54 + (c1_pp * v52 + s1_pp * v53)))),
         angle19 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 +
@@ -606,37 +605,21 @@ HELPER wide_mask solve_wide(
             - v13 * v55)) + v22 * (v54 + (v13 * v52 - s1_mm * v53))))), v93 = angle18 - offset6,
         v94 = offset6 + angle18, v95 = angle19 - offset6, v96 = offset6 + angle19,
         v97 = angle20 - offset6, v98 = offset6 + angle20, v99 = angle21 - offset6,
-        v100 = offset6 + angle21, q6_ppp = v93 + only_wide(v93 <= -half_turn, m4),
-        q6_ppm = only_wide(-v94 <= -half_turn, m4) - v94,
-        q6_pmp = v95 + only_wide(v95 <= -half_turn, m4),
-        q6_pmm = only_wide(-v96 <= -half_turn, m4) - v96,
-        q6_mpp = v97 + only_wide(v97 <= -half_turn, m4),
-        q6_mpm = only_wide(-v98 <= -half_turn, m4) - v98,
-        q6_mmp = v99 + only_wide(v99 <= -half_turn, m4),
-        q6_mmm = only_wide(-v100 <= -half_turn, m4) - v100;
-    const wide_mask v101 = beyond(free_joints[0], low3, high3), v102 = beyond(q4__p, low4, high4),
-        v103 = beyond(q4__m, low4, high4);
+        v100 = offset6 + angle21, q6_ppp = v93 + only_wide(v93 <= -half_turn, whole_turn),
+        q6_ppm = only_wide(-v94 <= -half_turn, whole_turn) - v94,
+        q6_pmp = v95 + only_wide(v95 <= -half_turn, whole_turn),
+        q6_pmm = only_wide(-v96 <= -half_turn, whole_turn) - v96,
+        q6_mpp = v97 + only_wide(v97 <= -half_turn, whole_turn),
+        q6_mpm = only_wide(-v98 <= -half_turn, whole_turn) - v98,
+        q6_mmp = v99 + only_wide(v99 <= -half_turn, whole_turn),
+        q6_mmm = only_wide(-v100 <= -half_turn, whole_turn) - v100;
+    const wide_mask v101 = beyond(free_joints[0], 3), v102 = beyond(q4__p, 4),
+        v103 = beyond(q4__m, 4);
     const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4)), q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
-    const wide_mask v104 = v102 | v101 | beyond(q1_ppp, low1, high1) | beyond(q2_ppp, low2, high2),
-        v105 = v102 | v101 | beyond(q1_pmp, low1, high1) | beyond(q2_pmp, low2, high2),
-        v106 = v103 | v101 | beyond(q1_mpp, low1, high1) | beyond(q2_mpp, low2, high2),
-        v107 = v103 | v101 | beyond(q1_mmp, low1, high1) | beyond(q2_mmp, low2, high2),
-        outside_ppp = beyond(angle5, low7, high7) | beyond(q6_ppp, low6, high6) | v104 |
-            beyond(angle1, low5, high5),
-        outside_ppm = beyond(q7_ppm, low7, high7) | beyond(q6_ppm, low6, high6) | v104 |
-            beyond(q5_ppm, low5, high5),
-        outside_pmp = beyond(angle6, low7, high7) | beyond(q6_pmp, low6, high6) | v105 |
-            beyond(angle2, low5, high5),
-        outside_pmm = beyond(q7_pmm, low7, high7) | beyond(q6_pmm, low6, high6) | v105 |
-            beyond(q5_pmm, low5, high5),
-        outside_mpp = beyond(angle7, low7, high7) | beyond(q6_mpp, low6, high6) | v106 |
-            beyond(angle3, low5, high5),
-        outside_mpm = beyond(q7_mpm, low7, high7) | beyond(q6_mpm, low6, high6) | v106 |
-            beyond(q5_mpm, low5, high5),
-        outside_mmp = beyond(angle8, low7, high7) | beyond(q6_mmp, low6, high6) | v107 |
-            beyond(angle4, low5, high5),
-        outside_mmm = beyond(q7_mmm, low7, high7) | beyond(q6_mmm, low6, high6) | v107 |
-            beyond(q5_mmm, low5, high5),
+    const wide_mask v104 = v102 | v101 | beyond(q1_ppp, 1) | beyond(q2_ppp, 2),
+        v105 = v102 | v101 | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
+        v106 = v103 | v101 | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
+        v107 = v103 | v101 | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
         doubt1 = (N1 <= doubt_limit_squared2) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) &
             (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v51 <= m2) | (v27 <= m1) |
             (v50 <= m2) | (v49 <= m2) | (v26 <= m1) | (v48 <= m2) | (abs_wide(D1) <= reach_slack1 *
@@ -644,28 +627,28 @@ HELPER wide_mask solve_wide(
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
     q[6] = angle5;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], beyond(angle5, 7) | beyond(q6_ppp, 6) | v104 | beyond(angle1, 5));
     q[7] = q1_ppp; q[8] = q2_ppp; q[9] = q3_ppp; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
-    kind[1] = kind_of(q[7] != q[7], outside_ppm);
+    kind[1] = kind_of(q[7], beyond(q7_ppm, 7) | beyond(q6_ppm, 6) | v104 | beyond(q5_ppm, 5));
     q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_ppp; q[17] = q4_ppp; q[18] = angle2; q[19] = q6_pmp;
     q[20] = angle6;
-    kind[2] = kind_of(q[14] != q[14], outside_pmp);
+    kind[2] = kind_of(q[14], beyond(angle6, 7) | beyond(q6_pmp, 6) | v105 | beyond(angle2, 5));
     q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_ppp; q[24] = q4_ppp; q[25] = q5_pmm; q[26] = q6_pmm;
     q[27] = q7_pmm;
-    kind[3] = kind_of(q[21] != q[21], outside_pmm);
+    kind[3] = kind_of(q[21], beyond(q7_pmm, 7) | beyond(q6_pmm, 6) | v105 | beyond(q5_pmm, 5));
     q[28] = q1_mpp; q[29] = q2_mpp; q[30] = q3_ppp; q[31] = q4_mpp; q[32] = angle3; q[33] = q6_mpp;
     q[34] = angle7;
-    kind[4] = kind_of(q[28] != q[28], outside_mpp);
+    kind[4] = kind_of(q[28], beyond(angle7, 7) | beyond(q6_mpp, 6) | v106 | beyond(angle3, 5));
     q[35] = q1_mpp; q[36] = q2_mpp; q[37] = q3_ppp; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
-    kind[5] = kind_of(q[35] != q[35], outside_mpm);
+    kind[5] = kind_of(q[35], beyond(q7_mpm, 7) | beyond(q6_mpm, 6) | v106 | beyond(q5_mpm, 5));
     q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_ppp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mmp;
     q[48] = angle8;
-    kind[6] = kind_of(q[42] != q[42], outside_mmp);
+    kind[6] = kind_of(q[42], beyond(angle8, 7) | beyond(q6_mmp, 6) | v107 | beyond(angle4, 5));
     q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_ppp; q[52] = q4_mpp; q[53] = q5_mmm; q[54] = q6_mmm;
     q[55] = q7_mmm;
-    kind[7] = kind_of(q[49] != q[49], outside_mmm);
+    kind[7] = kind_of(q[49], beyond(q7_mmm, 7) | beyond(q6_mmm, 6) | v107 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -732,7 +715,7 @@ HELPER int solve_regular(
     const four v64 = e1 * v60;
 
     /* joint values */
-    const int v70 = beyond(free_joints[0], low3, high3);
+    const int v70 = beyond(free_joints[0], 3);
     const double q3_p = v6 + (free_joints[0] + (w4 - w4));
     const four_mask doubt2 = (v23 <= m1) | (v39 <= m2);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
@@ -750,24 +733,20 @@ HELPER int solve_regular(
             v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
         packed6 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 }),
         angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
-    const four q5_m = angle1 - copysign_four(all_four(half_turn), Y5) * h1,
-        q7_m = angle2 - h1 * copysign_four(all_four(half_turn), -(X5 * (c3 * v57 - factor2 * (S2 *
-            v56 - v22 * (s3 * (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 *
-            (v64 - (c1 * v58 + s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62)))))),
-        v65 = angle3 - offset1, q1_p = v65 + only_four(v65 <= -half_turn, m4),
-        v66 = angle4 - offset2, q2_p = v66 + only_four(v66 <= -half_turn, m4),
-        v67 = e1 * angle5 - offset4, q4_ = v67 + only_four(v67 <= -half_turn, m4),
-        v68 = angle6 - offset6, v69 = offset6 + angle6,
-        q6_p = v68 + only_four(v68 <= -half_turn, m4),
-        q6_m = only_four(-v69 <= -half_turn, m4) - v69;
-    const four_mask v71 = beyond(q4_, low4, high4);
+    const four q5_m = angle1 - signed_four(half_turn, Y5),
+        q7_m = angle2 - signed_four(half_turn, -(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 *
+            (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 +
+            s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62)))))), v65 = angle3 - offset1,
+        q1_p = v65 + only_four(v65 <= -half_turn, whole_turn), v66 = angle4 - offset2,
+        q2_p = v66 + only_four(v66 <= -half_turn, whole_turn), v67 = e1 * angle5 - offset4,
+        q4_ = v67 + only_four(v67 <= -half_turn, whole_turn), v68 = angle6 - offset6,
+        v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, whole_turn),
+        q6_m = only_four(-v69 <= -half_turn, whole_turn) - v69;
+    const four_mask v71 = beyond(q4_, 4);
     const four q4_p = v6 + q4_;
-    const four_mask v72 = v71 | where_four(v70) | beyond(q1_p, low1, high1) | beyond(q2_p, low2,
-        high2),
-        outside_p = beyond(angle2, low7, high7) | beyond(q6_p, low6, high6) | v72 | beyond(angle1,
-            low5, high5),
-        outside_m = beyond(q7_m, low7, high7) | beyond(q6_m, low6, high6) | v72 | beyond(q5_m, low5,
-            high5);
+    const four_mask v72 = v71 | where_four(v70) | beyond(q1_p, 1) | beyond(q2_p, 2),
+        outside_p = beyond(angle2, 7) | beyond(q6_p, 6) | v72 | beyond(angle1, 5),
+        outside_m = beyond(q7_m, 7) | beyond(q6_m, 6) | v72 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -806,29 +785,19 @@ HELPER unsigned solve_tile(
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, given, found, kind);
-    if (56 >= LANES) {
-        for (int i = 0; i < 56; i += LANES) {
-            const int from = i + LANES <= 56 ? i : 56 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 56 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 56; i++)
-            for (int k = 0; k < LANES; k++)
-                q[56 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 56; i += LANES) {
+        const int from = i + LANES <= 56 ? i : 56 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 56 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -993,6 +962,12 @@ static void solve(
     }
 }
 
+static void take(const double from[7], double to[7])
+{
+    for (int i = 0; i < 7; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -1001,27 +976,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[7])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 7; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -1052,8 +1006,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -1117,8 +1070,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 7; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -1137,13 +1089,74 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[7])
+{
+    static const double weights[6] = { 0.7656967840735068, 0.7656967840735068, 0.7656967840735068,
+        1.0, 1.0, 1.0 };
+    double x[7], P[16], J[42], enough = 0.0;
+    int held[7] = { 0, 0, 1, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[7] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        kuka_iiwa14_fk(x, P);
+        kuka_iiwa14_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 42; i++)
+            J[i] *= held[i % 7] ? 0.0 : weights[i / 7];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 7 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[7] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 42; i++)
+                s[i % 7] += J[i] * e[i / 7];
+            for (int i = 0; i < 7; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 7; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 42; i++)
+                w[i / 7] += J[i] * p[i % 7];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 7; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 7; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
-    static const double zeros[7] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
@@ -1164,10 +1177,12 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++) {
         if (status[row] == KUKA_IIWA14_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 7; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KUKA_IIWA14_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_IIWA14_OUT_OF_LIMITS;
@@ -1210,8 +1225,7 @@ int kuka_iiwa14_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 7; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

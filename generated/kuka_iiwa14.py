@@ -116,24 +116,23 @@ k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604  # least of joint 1
-high1 = 2.9670597293903604  # most of joint 1
-low2 = -2.0943951033931953  # least of joint 2
-high2 = 2.0943951033931953  # most of joint 2
-low3 = -2.9670597293903604  # least of joint 3
-high3 = 2.9670597293903604  # most of joint 3
-low4 = -2.0943951033931953  # least of joint 4
-high4 = 2.0943951033931953  # most of joint 4
-low5 = -2.9670597293903604  # least of joint 5
-high5 = 2.9670597293903604  # most of joint 5
-low6 = -2.0943951033931953  # least of joint 6
-high6 = 2.0943951033931953  # most of joint 6
-low7 = -3.054326191990077  # least of joint 7
-high7 = 3.054326191990077  # most of joint 7
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low1 = -2.9670597293903604
+high1 = 2.9670597293903604
+low2 = -2.0943951033931953
+high2 = 2.0943951033931953
+low3 = -2.9670597293903604
+high3 = 2.9670597293903604
+low4 = -2.0943951033931953
+high4 = 2.0943951033931953
+low5 = -2.9670597293903604
+high5 = 2.9670597293903604
+low6 = -2.0943951033931953
+high6 = 2.0943951033931953
+low7 = -3.054326191990077
+high7 = 3.054326191990077
 m1 = 2.9091941644959998e-12  # doubt_limit_squared2^2 [m^4]
 m2 = 1e-06  # doubt_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -410,7 +409,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 d1b293b29b968e84"
+_KEY = "kuka_iiwa14 e9011c93b7783e92"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -707,12 +706,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -731,6 +724,12 @@ def _beyond_limits(values):
     for i in range(7):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -872,6 +871,97 @@ def _choose(pose, q_free, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, True, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.7656967840735068, 0.7656967840735068, 0.7656967840735068, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(7):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(7), math.inf
+    for _ in range(7):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(7), np.zeros(6), 0.0, 0.0
+        for j in range(7):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(7):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(7):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(7):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 7)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(7):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(7)
+    for i in range(7):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(7):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -885,6 +975,7 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1073,8 +1164,8 @@ def _regular(pose, q_free, q, status):
     # joint values
     v91 = angle17 - offset4
     v92 = offset4 + angle17
-    q4__p = v91 + (m4 if v91 <= -half_turn else 0.0)
-    q4__m = (m4 if -v92 <= -half_turn else 0.0) - v92
+    q4__p = v91 + (whole_turn if v91 <= -half_turn else 0.0)
+    q4__m = (whole_turn if -v92 <= -half_turn else 0.0) - v92
     v102 = q4__p < low4 or high4 < q4__p
     v103 = q4__m < low4 or high4 < q4__m
     q3_ppp = v6 + (q_free[0] + (w4 - w4))
@@ -1194,27 +1285,27 @@ def _regular(pose, q_free, q, status):
     angle21 = room[19]
 
     # theta5, type 2: U5[3, 3]
-    q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-    q5_pmm = angle2 - math.copysign(half_turn, -v47) * h1
-    q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
-    q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
+    q5_ppm = angle1 - math.copysign(half_turn, Y5_pp)
+    q5_pmm = angle2 - math.copysign(half_turn, -v47)
+    q5_mpm = angle3 - math.copysign(half_turn, Y5_mp)
+    q5_mmm = angle4 - math.copysign(half_turn, Y5_mm)
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
     q7_ppm = (
-        angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22
-        * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76
-        - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))))
+        angle5 - math.copysign(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 *
+        (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 -
+        (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78))))))
     )
-    q7_pmm = angle6 - h1 * math.copysign(half_turn, v81)
+    q7_pmm = angle6 - math.copysign(half_turn, v81)
     q7_mpm = (
-        angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 *
+        angle7 - math.copysign(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 *
         (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12
         * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))))
     )
     q7_mmm = (
-        angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 -
-        v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp *
-        (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))))
+        angle8 - math.copysign(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 *
+        (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79
+        + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74))))))
     )
 
     # joint values
@@ -1222,18 +1313,18 @@ def _regular(pose, q_free, q, status):
     v84 = angle10 - offset1
     v85 = angle11 - offset1
     v86 = angle12 - offset1
-    q1_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
-    q1_pmp = v84 + (m4 if v84 <= -half_turn else 0.0)
-    q1_mpp = v85 + (m4 if v85 <= -half_turn else 0.0)
-    q1_mmp = v86 + (m4 if v86 <= -half_turn else 0.0)
+    q1_ppp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
+    q1_pmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
+    q1_mpp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
+    q1_mmp = v86 + (whole_turn if v86 <= -half_turn else 0.0)
     v87 = angle13 - offset2
     v88 = angle14 - offset2
     v89 = angle15 - offset2
     v90 = angle16 - offset2
-    q2_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
-    q2_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-    q2_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
-    q2_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+    q2_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
+    q2_pmp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
+    q2_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
+    q2_mmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
     v93 = angle18 - offset6
     v94 = offset6 + angle18
     v95 = angle19 - offset6
@@ -1242,14 +1333,14 @@ def _regular(pose, q_free, q, status):
     v98 = offset6 + angle20
     v99 = angle21 - offset6
     v100 = offset6 + angle21
-    q6_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v94 <= -half_turn else 0.0) - v94
-    q6_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
-    q6_pmm = (m4 if -v96 <= -half_turn else 0.0) - v96
-    q6_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v98 <= -half_turn else 0.0) - v98
-    q6_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
-    q6_mmm = (m4 if -v100 <= -half_turn else 0.0) - v100
+    q6_ppp = v93 + (whole_turn if v93 <= -half_turn else 0.0)
+    q6_ppm = (whole_turn if -v94 <= -half_turn else 0.0) - v94
+    q6_pmp = v95 + (whole_turn if v95 <= -half_turn else 0.0)
+    q6_pmm = (whole_turn if -v96 <= -half_turn else 0.0) - v96
+    q6_mpp = v97 + (whole_turn if v97 <= -half_turn else 0.0)
+    q6_mpm = (whole_turn if -v98 <= -half_turn else 0.0) - v98
+    q6_mmp = v99 + (whole_turn if v99 <= -half_turn else 0.0)
+    q6_mmm = (whole_turn if -v100 <= -half_turn else 0.0) - v100
     v104 = v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
     v105 = v102 or v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
     v106 = v103 or v101 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
@@ -1401,7 +1492,7 @@ def _unseeded(T, q_free, q, status):
 def ik_into(T, q_free, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1797,8 +1888,8 @@ def _in_tiles(T, q_free, q, status):
             v82 = S2_mp * v58
             v91 = angle17 - offset4
             v92 = offset4 + angle17
-            q4__p = v91 + (m4 if v91 <= -half_turn else 0.0)
-            q4__m = (m4 if -v92 <= -half_turn else 0.0) - v92
+            q4__p = v91 + (whole_turn if v91 <= -half_turn else 0.0)
+            q4__m = (whole_turn if -v92 <= -half_turn else 0.0) - v92
             v102 = q4__p < low4 or high4 < q4__p
             v103 = q4__m < low4 or high4 < q4__m
             q3_ppp = v6 + (given1 + (w4 - w4))
@@ -1992,45 +2083,44 @@ def _in_tiles(T, q_free, q, status):
             angle19 = work[1568 + k]
             angle20 = work[1584 + k]
             angle21 = work[1600 + k]
-            q5_ppm = angle1 - math.copysign(half_turn, Y5_pp) * h1
-            q5_pmm = angle2 - math.copysign(half_turn, -v47) * h1
-            q5_mpm = angle3 - math.copysign(half_turn, Y5_mp) * h1
-            q5_mmm = angle4 - math.copysign(half_turn, Y5_mm) * h1
+            q5_ppm = angle1 - math.copysign(half_turn, Y5_pp)
+            q5_pmm = angle2 - math.copysign(half_turn, -v47)
+            q5_mpm = angle3 - math.copysign(half_turn, Y5_mp)
+            q5_mmm = angle4 - math.copysign(half_turn, Y5_mm)
             q7_ppm = (
-                angle5 - h1 * math.copysign(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp *
-                v69 - v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) +
-                factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp *
-                v77 + s1_pp * v78))))))
+                angle5 - math.copysign(half_turn, -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 -
+                v22 * (s3 * (c1_pp * T11 + s1_pp * T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp *
+                (v22 * (v76 - (c1_pp * v74 + s1_pp * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp *
+                v78))))))
             )
-            q7_pmm = angle6 - h1 * math.copysign(half_turn, v81)
+            q7_pmm = angle6 - math.copysign(half_turn, v81)
             q7_mpm = (
-                angle7 - h1 * math.copysign(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23
-                * (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm *
-                (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 *
-                v74))))))
+                angle7 - math.copysign(half_turn, -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 *
+                (s3 * (s1_mp * T21 - v12 * T11)))) + Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp
+                * (v79 + (v12 * v77 - s1_mp * v78)) - v23 * (v76 + (s1_mp * v75 - v12 * v74))))))
             )
             q7_mmm = (
-                angle8 - h1 * math.copysign(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp *
-                v69 - v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) +
-                factor2_mm * (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75
-                - v13 * v74))))))
+                angle8 - math.copysign(half_turn, -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 -
+                v22 * (s3 * (s1_mm * T21 - v13 * T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm *
+                (-S2_pp * (v79 + (v13 * v77 - s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 *
+                v74))))))
             )
             v83 = angle9 - offset1
             v84 = angle10 - offset1
             v85 = angle11 - offset1
             v86 = angle12 - offset1
-            q1_ppp = v83 + (m4 if v83 <= -half_turn else 0.0)
-            q1_pmp = v84 + (m4 if v84 <= -half_turn else 0.0)
-            q1_mpp = v85 + (m4 if v85 <= -half_turn else 0.0)
-            q1_mmp = v86 + (m4 if v86 <= -half_turn else 0.0)
+            q1_ppp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
+            q1_pmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
+            q1_mpp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
+            q1_mmp = v86 + (whole_turn if v86 <= -half_turn else 0.0)
             v87 = angle13 - offset2
             v88 = angle14 - offset2
             v89 = angle15 - offset2
             v90 = angle16 - offset2
-            q2_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
-            q2_pmp = v88 + (m4 if v88 <= -half_turn else 0.0)
-            q2_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
-            q2_mmp = v90 + (m4 if v90 <= -half_turn else 0.0)
+            q2_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
+            q2_pmp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
+            q2_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
+            q2_mmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
             v93 = angle18 - offset6
             v94 = offset6 + angle18
             v95 = angle19 - offset6
@@ -2039,14 +2129,14 @@ def _in_tiles(T, q_free, q, status):
             v98 = offset6 + angle20
             v99 = angle21 - offset6
             v100 = offset6 + angle21
-            q6_ppp = v93 + (m4 if v93 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v94 <= -half_turn else 0.0) - v94
-            q6_pmp = v95 + (m4 if v95 <= -half_turn else 0.0)
-            q6_pmm = (m4 if -v96 <= -half_turn else 0.0) - v96
-            q6_mpp = v97 + (m4 if v97 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v98 <= -half_turn else 0.0) - v98
-            q6_mmp = v99 + (m4 if v99 <= -half_turn else 0.0)
-            q6_mmm = (m4 if -v100 <= -half_turn else 0.0) - v100
+            q6_ppp = v93 + (whole_turn if v93 <= -half_turn else 0.0)
+            q6_ppm = (whole_turn if -v94 <= -half_turn else 0.0) - v94
+            q6_pmp = v95 + (whole_turn if v95 <= -half_turn else 0.0)
+            q6_pmm = (whole_turn if -v96 <= -half_turn else 0.0) - v96
+            q6_mpp = v97 + (whole_turn if v97 <= -half_turn else 0.0)
+            q6_mpm = (whole_turn if -v98 <= -half_turn else 0.0) - v98
+            q6_mmp = v99 + (whole_turn if v99 <= -half_turn else 0.0)
+            q6_mmm = (whole_turn if -v100 <= -half_turn else 0.0) - v100
             v104 = (
                 v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
             )

@@ -17,6 +17,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -74,14 +90,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -101,6 +115,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v cos_##v(v x) \
 { \
     for (int k = 0; k < lanes; k++) \
@@ -123,10 +138,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -140,21 +155,14 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] + free_joints[0]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11] +
+        free_joints[0]);
 }
 
 #if LANES > 1
@@ -204,7 +212,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
     const four x = *(const four_at *)(T + 0);
@@ -238,11 +245,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -256,16 +262,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_IIWA14_ARM_ANGLE_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KUKA_IIWA14_ARM_ANGLE_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_IIWA14_ARM_ANGLE_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KUKA_IIWA14_ARM_ANGLE_UNREACHABLE \
         : (outside) ? (int)KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.36; /* joint offset 1 [m] */
@@ -293,24 +299,14 @@ static const double k1 = 0.336; /* 2 * d5 * d3 [m^2] */
 static const double k2 = 0.33640000000000003; /* d3^2 + d5^2 [m^2] */
 static const double k3 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.9670597293903604; /* least of joint 1 */
-static const double high1 = 2.9670597293903604; /* most of joint 1 */
-static const double low2 = -2.0943951033931953; /* least of joint 2 */
-static const double high2 = 2.0943951033931953; /* most of joint 2 */
-static const double low3 = -2.9670597293903604; /* least of joint 3 */
-static const double high3 = 2.9670597293903604; /* most of joint 3 */
-static const double low4 = -2.0943951033931953; /* least of joint 4 */
-static const double high4 = 2.0943951033931953; /* most of joint 4 */
-static const double low5 = -2.9670597293903604; /* least of joint 5 */
-static const double high5 = 2.9670597293903604; /* most of joint 5 */
-static const double low6 = -2.0943951033931953; /* least of joint 6 */
-static const double high6 = 2.0943951033931953; /* most of joint 6 */
-static const double low7 = -3.054326191990077; /* least of joint 7 */
-static const double high7 = 3.054326191990077; /* most of joint 7 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1e-24; /* free_limit^2 */
 static const double m2 = 1e-06; /* doubt_limit^2 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
+static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
+low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.9670597293903604,
+high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
+low5 = -2.9670597293903604, high5 = 2.9670597293903604, low6 = -2.0943951033931953,
+high6 = 2.0943951033931953, low7 = -3.054326191990077, high7 = 3.054326191990077;
 
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -442,35 +438,19 @@ double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
     return psi;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -483,7 +463,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -491,6 +471,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[7])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 7; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -540,8 +541,8 @@ HELPER wide_mask solve_wide(
         v39 = w1_m * v37, v40 = v32 * (b22_p * (nx * side_p) + X1_p * (ny * side_p)),
         v41 = v33 * (b22_m * (nx * side_m) - v29 * (ny * side_m)), v42 = w1_p * v40,
         v43 = w1_m * v41, angle1 = atan2_wide(-v36, -v40), angle2 = atan2_wide(-v37, -v41),
-        q3_pmp = angle1 - copysign_wide(all_wide(half_turn), -v36) * h1,
-        q3_mmp = angle2 - copysign_wide(all_wide(half_turn), -v37) * h1;
+        q3_pmp = angle1 - signed_wide(half_turn, -v36),
+        q3_mmp = angle2 - signed_wide(half_turn, -v37);
 
     /* theta5 */
     const wide v44 = w1_p * (v32 * (T23 * b22_p - T13 * X1_p)),
@@ -557,8 +558,8 @@ HELPER wide_mask solve_wide(
         factor5_p = w5_p * (1.0 / v55), factor5_m = w5_m * (1.0 / v56), v57 = X5_p * factor5_p,
         v58 = v54 * factor5_m, s5_p = Y5_p * factor5_p, s5_m = Y5_m * factor5_m,
         angle3 = atan2_wide(Y5_p, -X5_p), angle4 = atan2_wide(Y5_m, v54),
-        q5_ppm = angle3 - h1 * copysign_wide(all_wide(half_turn), Y5_p),
-        q5_mpm = angle4 - h1 * copysign_wide(all_wide(half_turn), Y5_m);
+        q5_ppm = angle3 - signed_wide(half_turn, Y5_p),
+        q5_mpm = angle4 - signed_wide(half_turn, Y5_m);
 
     /* theta7 */
     const wide v59 = w1_p * (v32 * (b22_p * T12 + X1_p * T22)),
@@ -579,82 +580,70 @@ HELPER wide_mask solve_wide(
             (arm * (v16 * (side_p * v76))) - v65)) - (v42 * (v3 * v63) + v38 * (v3 * v59)))),
         angle6 = atan2_wide(v75, s5_m * (v5 * (w1_m * v62 + (v65 + uz * (arm * (v16 * (side_m *
             v76))))) + (v43 * (v3 * v64) + v39 * (v3 * v60))) - v58 * (v43 * v60 - v39 * v64)),
-        q7_ppm = angle5 - h1 * copysign_wide(all_wide(half_turn), v74),
-        q7_mpm = angle6 - h1 * copysign_wide(all_wide(half_turn), v75);
+        q7_ppm = angle5 - signed_wide(half_turn, v74),
+        q7_mpm = angle6 - signed_wide(half_turn, v75);
 
     /* joint values */
     const wide angle7 = atan2_wide(b22_p, -X1_p), angle8 = atan2_wide(b22_m, v29),
-        v77 = angle7 - offset1,
-        v78 = angle7 - h1 * copysign_wide(all_wide(half_turn), b22_p) - offset1,
-        v79 = angle8 - offset1,
-        v80 = angle8 - h1 * copysign_wide(all_wide(half_turn), b22_m) - offset1,
-        q1_ppp = v77 + only_wide(v77 <= -half_turn, m4),
-        q1_pmp = v78 + only_wide(v78 <= -half_turn, m4),
-        q1_mpp = v79 + only_wide(v79 <= -half_turn, m4),
-        q1_mmp = v80 + only_wide(v80 <= -half_turn, m4), angle9 = atan2_wide(w1_p, c2_p),
+        v77 = angle7 - offset1, v78 = angle7 - signed_wide(half_turn, b22_p) - offset1,
+        v79 = angle8 - offset1, v80 = angle8 - signed_wide(half_turn, b22_m) - offset1,
+        q1_ppp = v77 + only_wide(v77 <= -half_turn, whole_turn),
+        q1_pmp = v78 + only_wide(v78 <= -half_turn, whole_turn),
+        q1_mpp = v79 + only_wide(v79 <= -half_turn, whole_turn),
+        q1_mmp = v80 + only_wide(v80 <= -half_turn, whole_turn), angle9 = atan2_wide(w1_p, c2_p),
         angle10 = atan2_wide(w1_m, -v35), v81 = angle9 - offset2, v82 = offset2 + angle9,
         v83 = angle10 - offset2, v84 = offset2 + angle10,
-        q2_ppp = v81 + only_wide(v81 <= -half_turn, m4),
-        q2_pmp = only_wide(-v82 <= -half_turn, m4) - v82,
-        q2_mpp = v83 + only_wide(v83 <= -half_turn, m4),
-        q2_mmp = only_wide(-v84 <= -half_turn, m4) - v84, angle11 = atan2_wide(-v4, -v2),
+        q2_ppp = v81 + only_wide(v81 <= -half_turn, whole_turn),
+        q2_pmp = only_wide(-v82 <= -half_turn, whole_turn) - v82,
+        q2_mpp = v83 + only_wide(v83 <= -half_turn, whole_turn),
+        q2_mmp = only_wide(-v84 <= -half_turn, whole_turn) - v84, angle11 = atan2_wide(-v4, -v2),
         v85 = angle11 - offset4, v86 = offset4 + angle11,
-        q4_ppp = v85 + only_wide(v85 <= -half_turn, m4),
-        q4_mpp = only_wide(-v86 <= -half_turn, m4) - v86,
+        q4_ppp = v85 + only_wide(v85 <= -half_turn, whole_turn),
+        q4_mpp = only_wide(-v86 <= -half_turn, whole_turn) - v86,
         angle12 = atan2_wide(w5_p, -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))),
         angle13 = atan2_wide(w5_m, v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53),
         v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6,
-        v90 = offset6 + angle13, q6_ppp = v87 + only_wide(v87 <= -half_turn, m4),
-        q6_ppm = only_wide(-v88 <= -half_turn, m4) - v88,
-        q6_mpp = v89 + only_wide(v89 <= -half_turn, m4),
-        q6_mpm = only_wide(-v90 <= -half_turn, m4) - v90;
-    const wide_mask v91 = beyond(q4_ppp, low4, high4), v92 = beyond(q4_mpp, low4, high4),
-        v93 = beyond(angle3, low5, high5), v94 = beyond(q5_ppm, low5, high5),
-        v95 = beyond(angle4, low5, high5), v96 = beyond(q5_mpm, low5, high5),
-        v97 = beyond(q6_ppp, low6, high6), v98 = beyond(q6_ppm, low6, high6),
-        v99 = beyond(q6_mpp, low6, high6), v100 = beyond(q6_mpm, low6, high6),
-        v101 = beyond(angle5, low7, high7), v102 = beyond(q7_ppm, low7, high7),
-        v103 = beyond(angle6, low7, high7), v104 = beyond(q7_mpm, low7, high7),
-        v105 = v91 | beyond(angle1, low3, high3) | beyond(q1_ppp, low1, high1) | beyond(q2_ppp,
-            low2, high2),
-        v106 = v91 | beyond(q3_pmp, low3, high3) | beyond(q1_pmp, low1, high1) | beyond(q2_pmp,
-            low2, high2),
-        v107 = v92 | beyond(angle2, low3, high3) | beyond(q1_mpp, low1, high1) | beyond(q2_mpp,
-            low2, high2),
-        v108 = v92 | beyond(q3_mmp, low3, high3) | beyond(q1_mmp, low1, high1) | beyond(q2_mmp,
-            low2, high2), outside_ppp = v101 | v97 | v93 | v105,
-        outside_ppm = v102 | v98 | v94 | v105, outside_pmp = v101 | v97 | v93 | v106,
-        outside_pmm = v102 | v98 | v94 | v106, outside_mpp = v103 | v99 | v95 | v107,
-        outside_mpm = v104 | v100 | v96 | v107, outside_mmp = v103 | v99 | v95 | v108,
-        outside_mmm = v104 | v100 | v96 | v108,
+        v90 = offset6 + angle13, q6_ppp = v87 + only_wide(v87 <= -half_turn, whole_turn),
+        q6_ppm = only_wide(-v88 <= -half_turn, whole_turn) - v88,
+        q6_mpp = v89 + only_wide(v89 <= -half_turn, whole_turn),
+        q6_mpm = only_wide(-v90 <= -half_turn, whole_turn) - v90;
+    const wide_mask v91 = beyond(q4_ppp, 4), v92 = beyond(q4_mpp, 4), v93 = beyond(angle3, 5),
+        v94 = beyond(q5_ppm, 5), v95 = beyond(angle4, 5), v96 = beyond(q5_mpm, 5),
+        v97 = beyond(q6_ppp, 6), v98 = beyond(q6_ppm, 6), v99 = beyond(q6_mpp, 6),
+        v100 = beyond(q6_mpm, 6), v101 = beyond(angle5, 7), v102 = beyond(q7_ppm, 7),
+        v103 = beyond(angle6, 7), v104 = beyond(q7_mpm, 7),
+        v105 = v91 | beyond(angle1, 3) | beyond(q1_ppp, 1) | beyond(q2_ppp, 2),
+        v106 = v91 | beyond(q3_pmp, 3) | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
+        v107 = v92 | beyond(angle2, 3) | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
+        v108 = v92 | beyond(q3_mmp, 3) | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
         doubt1 = (v56 <= m2) | (v31 <= m2) | (v55 <= m2) | ((shortest4_reach <= V4) & (V4 <=
             longest4_reach) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v30 <=
             m2);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle1; q[3] = q4_ppp; q[4] = angle3; q[5] = q6_ppp;
     q[6] = angle5;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v101 | v97 | v93 | v105);
     q[7] = q1_ppp; q[8] = q2_ppp; q[9] = angle1; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
-    kind[1] = kind_of(q[7] != q[7], outside_ppm);
+    kind[1] = kind_of(q[7], v102 | v98 | v94 | v105);
     q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_pmp; q[17] = q4_ppp; q[18] = angle3; q[19] = q6_ppp;
     q[20] = angle5;
-    kind[2] = kind_of(q[14] != q[14], outside_pmp);
+    kind[2] = kind_of(q[14], v101 | v97 | v93 | v106);
     q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_pmp; q[24] = q4_ppp; q[25] = q5_ppm; q[26] = q6_ppm;
     q[27] = q7_ppm;
-    kind[3] = kind_of(q[21] != q[21], outside_pmm);
+    kind[3] = kind_of(q[21], v102 | v98 | v94 | v106);
     q[28] = q1_mpp; q[29] = q2_mpp; q[30] = angle2; q[31] = q4_mpp; q[32] = angle4; q[33] = q6_mpp;
     q[34] = angle6;
-    kind[4] = kind_of(q[28] != q[28], outside_mpp);
+    kind[4] = kind_of(q[28], v103 | v99 | v95 | v107);
     q[35] = q1_mpp; q[36] = q2_mpp; q[37] = angle2; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
-    kind[5] = kind_of(q[35] != q[35], outside_mpm);
+    kind[5] = kind_of(q[35], v104 | v100 | v96 | v107);
     q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mpp;
     q[48] = angle6;
-    kind[6] = kind_of(q[42] != q[42], outside_mmp);
+    kind[6] = kind_of(q[42], v103 | v99 | v95 | v108);
     q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_mmp; q[52] = q4_mpp; q[53] = q5_mpm; q[54] = q6_mpm;
     q[55] = q7_mpm;
-    kind[7] = kind_of(q[49] != q[49], outside_mmm);
+    kind[7] = kind_of(q[49], v104 | v100 | v96 | v108);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -710,7 +699,7 @@ HELPER int solve_regular(
     /* theta3 */
     const four v30 = v28 * (b22 * (ux * v21 + e1 * v23) + X1 * (uy * v21 + e1 * v24)),
         v31 = w1 * v30, v32 = v28 * (b22 * (nx * side) + X1 * (ny * side)), v33 = w1 * v32,
-        v34 = copysign_four(all_four(half_turn), -v30), v35 = m3 * (e2 - 1.0);
+        v34 = signed_four(half_turn, -v30), v35 = m3 * (e2 - 1.0);
 
     /* theta5 */
     const four v36 = w1 * (v28 * (T23 * b22 - T13 * X1)), v37 = c2 * v36 + T33 * w1,
@@ -732,7 +721,7 @@ HELPER int solve_regular(
         * (side * (v13 * (e1 * T31))))) - v50))) - (v33 * (v3 * v49) + v31 * (v3 * v47)));
 
     /* joint values */
-    const four v52 = copysign_four(all_four(half_turn), b22);
+    const four v52 = signed_four(half_turn, b22);
     const four_mask doubt2 = (v27 <= m2) | (v41 <= m2);
 
     const four packed1 = atan2_four(__builtin_shufflevector(-v30, Y5, 0, 5, 2, 7),
@@ -751,21 +740,17 @@ HELPER int solve_regular(
         angle7 = __builtin_shufflevector(packed3, packed3, 1, 1, 3, 3),
         packed4 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 }),
         angle6 = __builtin_shufflevector(packed4, packed4, 0, 0, 0, 0);
-    const four q3_p = angle1 + v34 * v35,
-        q5_m = angle2 - copysign_four(all_four(half_turn), Y5) * h1,
-        q7_m = angle3 - h1 * copysign_four(all_four(half_turn), v51),
-        v53 = angle4 + v35 * v52 - offset1, q1_p = v53 + only_four(v53 <= -half_turn, m4),
-        v54 = e2 * angle5 - offset2, q2_p = v54 + only_four(v54 <= -half_turn, m4),
-        v55 = e1 * angle6 - offset4, q4_p = v55 + only_four(v55 <= -half_turn, m4),
-        v56 = angle7 - offset6, v57 = offset6 + angle7,
-        q6_p = v56 + only_four(v56 <= -half_turn, m4),
-        q6_m = only_four(-v57 <= -half_turn, m4) - v57;
-    const four_mask v58 = beyond(q4_p, low4, high4), v59 = beyond(angle2, low5, high5),
-        v60 = beyond(q5_m, low5, high5), v61 = beyond(q6_p, low6, high6),
-        v62 = beyond(q6_m, low6, high6), v63 = beyond(angle3, low7, high7),
-        v64 = beyond(q7_m, low7, high7),
-        v65 = v58 | beyond(q3_p, low3, high3) | beyond(q1_p, low1, high1) | beyond(q2_p, low2,
-            high2), outside_p = v63 | v61 | v59 | v65, outside_m = v64 | v62 | v60 | v65;
+    const four q3_p = angle1 + v34 * v35, q5_m = angle2 - signed_four(half_turn, Y5),
+        q7_m = angle3 - signed_four(half_turn, v51), v53 = angle4 + v35 * v52 - offset1,
+        q1_p = v53 + only_four(v53 <= -half_turn, whole_turn), v54 = e2 * angle5 - offset2,
+        q2_p = v54 + only_four(v54 <= -half_turn, whole_turn), v55 = e1 * angle6 - offset4,
+        q4_p = v55 + only_four(v55 <= -half_turn, whole_turn), v56 = angle7 - offset6,
+        v57 = offset6 + angle7, q6_p = v56 + only_four(v56 <= -half_turn, whole_turn),
+        q6_m = only_four(-v57 <= -half_turn, whole_turn) - v57;
+    const four_mask v58 = beyond(q4_p, 4), v59 = beyond(angle2, 5), v60 = beyond(q5_m, 5),
+        v61 = beyond(q6_p, 6), v62 = beyond(q6_m, 6), v63 = beyond(angle3, 7),
+        v64 = beyond(q7_m, 7), v65 = v58 | beyond(q3_p, 3) | beyond(q1_p, 1) | beyond(q2_p, 2),
+        outside_p = v63 | v61 | v59 | v65, outside_m = v64 | v62 | v60 | v65;
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -804,29 +789,19 @@ HELPER unsigned solve_tile(
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, given, found, kind);
-    if (56 >= LANES) {
-        for (int i = 0; i < 56; i += LANES) {
-            const int from = i + LANES <= 56 ? i : 56 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 56 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 56; i++)
-            for (int k = 0; k < LANES; k++)
-                q[56 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 56; i += LANES) {
+        const int from = i + LANES <= 56 ? i : 56 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 56 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -986,6 +961,12 @@ static void solve(
     }
 }
 
+static void take(const double from[7], double to[7])
+{
+    for (int i = 0; i < 7; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -994,27 +975,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[7])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 7; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -1045,8 +1005,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -1110,8 +1069,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 7; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -1135,8 +1093,7 @@ APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8])
 {
-    static const double zeros[7] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
@@ -1159,9 +1116,8 @@ APART int ik_carefully(
         if (status[row] == KUKA_IIWA14_ARM_ANGLE_UNREACHABLE)
             continue;
         for (int i = 0; i < 7; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
@@ -1205,8 +1161,7 @@ int kuka_iiwa14_arm_angle_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 7; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

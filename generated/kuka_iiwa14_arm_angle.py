@@ -113,24 +113,23 @@ k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604  # least of joint 1
-high1 = 2.9670597293903604  # most of joint 1
-low2 = -2.0943951033931953  # least of joint 2
-high2 = 2.0943951033931953  # most of joint 2
-low3 = -2.9670597293903604  # least of joint 3
-high3 = 2.9670597293903604  # most of joint 3
-low4 = -2.0943951033931953  # least of joint 4
-high4 = 2.0943951033931953  # most of joint 4
-low5 = -2.9670597293903604  # least of joint 5
-high5 = 2.9670597293903604  # most of joint 5
-low6 = -2.0943951033931953  # least of joint 6
-high6 = 2.0943951033931953  # most of joint 6
-low7 = -3.054326191990077  # least of joint 7
-high7 = 3.054326191990077  # most of joint 7
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low1 = -2.9670597293903604
+high1 = 2.9670597293903604
+low2 = -2.0943951033931953
+high2 = 2.0943951033931953
+low3 = -2.9670597293903604
+high3 = 2.9670597293903604
+low4 = -2.0943951033931953
+high4 = 2.0943951033931953
+low5 = -2.9670597293903604
+high5 = 2.9670597293903604
+low6 = -2.0943951033931953
+high6 = 2.0943951033931953
+low7 = -3.054326191990077
+high7 = 3.054326191990077
 m1 = 1e-24  # free_limit^2
 m2 = 1e-06  # doubt_limit^2
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -466,7 +465,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 8595f39312db23d3"
+_KEY = "kuka_iiwa14_arm_angle b8daead475eec915"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -741,12 +740,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -765,6 +758,12 @@ def _beyond_limits(values):
     for i in range(7):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -1080,8 +1079,8 @@ def _regular(pose, q_free, q, status):
     # joint values
     v85 = angle11 - offset4
     v86 = offset4 + angle11
-    q4_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
-    q4_mpp = (m4 if -v86 <= -half_turn else 0.0) - v86
+    q4_ppp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
+    q4_mpp = (whole_turn if -v86 <= -half_turn else 0.0) - v86
     v91 = q4_ppp < low4 or high4 < q4_ppp
     v92 = q4_mpp < low4 or high4 < q4_mpp
     doubt1 = (
@@ -1138,42 +1137,42 @@ def _regular(pose, q_free, q, status):
     angle13 = room[11]
 
     # theta3, type 3: B1[3, 1] and B1[3, 3]
-    q3_pmp = angle1 - math.copysign(half_turn, -v36) * h1
-    q3_mmp = angle2 - math.copysign(half_turn, -v37) * h1
+    q3_pmp = angle1 - math.copysign(half_turn, -v36)
+    q3_mmp = angle2 - math.copysign(half_turn, -v37)
 
     # theta5, type 2: U5[3, 3]
-    q5_ppm = angle3 - h1 * math.copysign(half_turn, Y5_p)
-    q5_mpm = angle4 - h1 * math.copysign(half_turn, Y5_m)
+    q5_ppm = angle3 - math.copysign(half_turn, Y5_p)
+    q5_mpm = angle4 - math.copysign(half_turn, Y5_m)
 
     # theta7, type 3: U5[3, 2] and U5[3, 1]
-    q7_ppm = angle5 - h1 * math.copysign(half_turn, v74)
-    q7_mpm = angle6 - h1 * math.copysign(half_turn, v75)
+    q7_ppm = angle5 - math.copysign(half_turn, v74)
+    q7_mpm = angle6 - math.copysign(half_turn, v75)
 
     # joint values
     v77 = angle7 - offset1
-    v78 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
+    v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
     v79 = angle8 - offset1
-    v80 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
-    q1_ppp = v77 + (m4 if v77 <= -half_turn else 0.0)
-    q1_pmp = v78 + (m4 if v78 <= -half_turn else 0.0)
-    q1_mpp = v79 + (m4 if v79 <= -half_turn else 0.0)
-    q1_mmp = v80 + (m4 if v80 <= -half_turn else 0.0)
+    v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
+    q1_ppp = v77 + (whole_turn if v77 <= -half_turn else 0.0)
+    q1_pmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+    q1_mpp = v79 + (whole_turn if v79 <= -half_turn else 0.0)
+    q1_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
     v81 = angle9 - offset2
     v82 = offset2 + angle9
     v83 = angle10 - offset2
     v84 = offset2 + angle10
-    q2_ppp = v81 + (m4 if v81 <= -half_turn else 0.0)
-    q2_pmp = (m4 if -v82 <= -half_turn else 0.0) - v82
-    q2_mpp = v83 + (m4 if v83 <= -half_turn else 0.0)
-    q2_mmp = (m4 if -v84 <= -half_turn else 0.0) - v84
+    q2_ppp = v81 + (whole_turn if v81 <= -half_turn else 0.0)
+    q2_pmp = (whole_turn if -v82 <= -half_turn else 0.0) - v82
+    q2_mpp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
+    q2_mmp = (whole_turn if -v84 <= -half_turn else 0.0) - v84
     v87 = angle12 - offset6
     v88 = offset6 + angle12
     v89 = angle13 - offset6
     v90 = offset6 + angle13
-    q6_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
-    q6_ppm = (m4 if -v88 <= -half_turn else 0.0) - v88
-    q6_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
-    q6_mpm = (m4 if -v90 <= -half_turn else 0.0) - v90
+    q6_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
+    q6_ppm = (whole_turn if -v88 <= -half_turn else 0.0) - v88
+    q6_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
+    q6_mpm = (whole_turn if -v90 <= -half_turn else 0.0) - v90
     v93 = angle3 < low5 or high5 < angle3
     v94 = q5_ppm < low5 or high5 < q5_ppm
     v95 = angle4 < low5 or high5 < angle4
@@ -1697,8 +1696,8 @@ def _in_tiles(T, q_free, q, status):
             )
             v85 = angle11 - offset4
             v86 = offset4 + angle11
-            q4_ppp = v85 + (m4 if v85 <= -half_turn else 0.0)
-            q4_mpp = (m4 if -v86 <= -half_turn else 0.0) - v86
+            q4_ppp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
+            q4_mpp = (whole_turn if -v86 <= -half_turn else 0.0) - v86
             v91 = q4_ppp < low4 or high4 < q4_ppp
             v92 = q4_mpp < low4 or high4 < q4_mpp
             doubt1 = (
@@ -1776,36 +1775,36 @@ def _in_tiles(T, q_free, q, status):
             angle10 = work[1152 + k]
             angle12 = work[1168 + k]
             angle13 = work[1184 + k]
-            q3_pmp = angle1 - math.copysign(half_turn, -v36) * h1
-            q3_mmp = angle2 - math.copysign(half_turn, -v37) * h1
-            q5_ppm = angle3 - h1 * math.copysign(half_turn, Y5_p)
-            q5_mpm = angle4 - h1 * math.copysign(half_turn, Y5_m)
-            q7_ppm = angle5 - h1 * math.copysign(half_turn, v74)
-            q7_mpm = angle6 - h1 * math.copysign(half_turn, v75)
+            q3_pmp = angle1 - math.copysign(half_turn, -v36)
+            q3_mmp = angle2 - math.copysign(half_turn, -v37)
+            q5_ppm = angle3 - math.copysign(half_turn, Y5_p)
+            q5_mpm = angle4 - math.copysign(half_turn, Y5_m)
+            q7_ppm = angle5 - math.copysign(half_turn, v74)
+            q7_mpm = angle6 - math.copysign(half_turn, v75)
             v77 = angle7 - offset1
-            v78 = angle7 - h1 * math.copysign(half_turn, b22_p) - offset1
+            v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
             v79 = angle8 - offset1
-            v80 = angle8 - h1 * math.copysign(half_turn, b22_m) - offset1
-            q1_ppp = v77 + (m4 if v77 <= -half_turn else 0.0)
-            q1_pmp = v78 + (m4 if v78 <= -half_turn else 0.0)
-            q1_mpp = v79 + (m4 if v79 <= -half_turn else 0.0)
-            q1_mmp = v80 + (m4 if v80 <= -half_turn else 0.0)
+            v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
+            q1_ppp = v77 + (whole_turn if v77 <= -half_turn else 0.0)
+            q1_pmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+            q1_mpp = v79 + (whole_turn if v79 <= -half_turn else 0.0)
+            q1_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
             v81 = angle9 - offset2
             v82 = offset2 + angle9
             v83 = angle10 - offset2
             v84 = offset2 + angle10
-            q2_ppp = v81 + (m4 if v81 <= -half_turn else 0.0)
-            q2_pmp = (m4 if -v82 <= -half_turn else 0.0) - v82
-            q2_mpp = v83 + (m4 if v83 <= -half_turn else 0.0)
-            q2_mmp = (m4 if -v84 <= -half_turn else 0.0) - v84
+            q2_ppp = v81 + (whole_turn if v81 <= -half_turn else 0.0)
+            q2_pmp = (whole_turn if -v82 <= -half_turn else 0.0) - v82
+            q2_mpp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
+            q2_mmp = (whole_turn if -v84 <= -half_turn else 0.0) - v84
             v87 = angle12 - offset6
             v88 = offset6 + angle12
             v89 = angle13 - offset6
             v90 = offset6 + angle13
-            q6_ppp = v87 + (m4 if v87 <= -half_turn else 0.0)
-            q6_ppm = (m4 if -v88 <= -half_turn else 0.0) - v88
-            q6_mpp = v89 + (m4 if v89 <= -half_turn else 0.0)
-            q6_mpm = (m4 if -v90 <= -half_turn else 0.0) - v90
+            q6_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
+            q6_ppm = (whole_turn if -v88 <= -half_turn else 0.0) - v88
+            q6_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
+            q6_mpm = (whole_turn if -v90 <= -half_turn else 0.0) - v90
             v93 = angle3 < low5 or high5 < angle3
             v94 = q5_ppm < low5 or high5 < q5_ppm
             v95 = angle4 < low5 or high5 < angle4

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_KR210_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_KR210_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KUKA_KR210_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KUKA_KR210_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_KR210_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KUKA_KR210_UNREACHABLE \
         : (outside) ? (int)KUKA_KR210_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.75; /* joint offset 1 [m] */
@@ -272,6 +277,7 @@ static const double k4 = 0.07101907039587806; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.7698848999999998e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1.7698848999999998e-05; /* doubt_limit1^2 [m^2] */
 static const double m3 = 0.009587574503443538; /* a coefficient of v4 */
 static const double m4 = 1.016127365600848; /* a coefficient of v4 */
@@ -280,8 +286,6 @@ static const double m6 = 0.03658058516163053; /* a coefficient of c3 */
 static const double m7 = 0.4; /* a coefficient of X2_2 */
 static const double m8 = 0.27616640000000003; /* a coefficient of X2_2 */
 static const double m9 = 1e-06; /* doubt_limit^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_kr210_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -368,35 +372,19 @@ void kuka_kr210_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = -y4_z; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -409,7 +397,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -463,8 +451,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v33 = v29 + factor2_m * (v26 * v32), v34 = factor2_m * v27,
         v35 = v29 + factor2_m * (v27 * v34), angle6 = atan2_wide(-v28, factor2_p * -X4_pp),
         angle7 = atan2_wide(-v28, factor2_p * -X4_pm), angle8 = atan2_wide(v28, v32),
-        angle9 = atan2_wide(v28, v34), v36 = copysign_wide(all_wide(half_turn), -v28) * h1,
-        v37 = copysign_wide(all_wide(half_turn), v28) * h1;
+        angle9 = atan2_wide(v28, v34), v36 = signed_wide(half_turn, -v28),
+        v37 = signed_wide(half_turn, v28);
 
     /* theta5 */
     const wide angle10 = atan2_wide(sqrt_wide(v30), -(factor2_p * (T33 * c23_pp + s23_pp * v25))),
@@ -489,11 +477,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(S2_pm, C2_pm), v47 = angle19 - offset2,
         angle20 = atan2_wide(S2_mp, C2_mp), v48 = angle20 - offset2,
         angle21 = atan2_wide(S2_mm, C2_mm), v49 = angle21 - offset2,
-        q2_ppp = v46 - only_wide(half_turn < v46, m10),
-        q2_pmp = v47 - only_wide(half_turn < v47, m10),
-        q2_mpp = v48 - only_wide(half_turn < v48, m10),
-        q2_mmp = v49 - only_wide(half_turn < v49, m10), q1_ppp = angle1 + (w3_p - w3_p),
-        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+        q2_ppp = v46 - only_wide(half_turn < v46, whole_turn),
+        q2_pmp = v47 - only_wide(half_turn < v47, whole_turn),
+        q2_mpp = v48 - only_wide(half_turn < v48, whole_turn),
+        q2_mmp = v49 - only_wide(half_turn < v49, whole_turn), q1_ppp = angle1 + (w3_p - w3_p),
+        q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
         doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
@@ -501,28 +489,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (v31 <= m9) | (v1 <= m1) | (v30 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = angle2; q[3] = angle6; q[4] = angle10; q[5] = angle14;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = angle2; q[9] = angle6 - v36; q[10] = -angle10;
-    q[11] = angle14 - h1 * copysign_wide(all_wide(half_turn), v42);
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[11] = angle14 - signed_wide(half_turn, v42);
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = angle3; q[15] = angle7; q[16] = angle11;
     q[17] = angle15;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = angle3; q[21] = angle7 - v36; q[22] = -angle11;
-    q[23] = angle15 - h1 * copysign_wide(all_wide(half_turn), v43);
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[23] = angle15 - signed_wide(half_turn, v43);
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = angle4; q[27] = angle8; q[28] = angle12;
     q[29] = angle16;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = angle4; q[33] = angle8 - v37; q[34] = -angle12;
-    q[35] = angle16 - h1 * copysign_wide(all_wide(half_turn), v44);
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[35] = angle16 - signed_wide(half_turn, v44);
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = angle5; q[39] = angle9; q[40] = angle13;
     q[41] = angle17;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = angle5; q[45] = angle9 - v37; q[46] = -angle13;
-    q[47] = angle17 - h1 * copysign_wide(all_wide(half_turn), v45);
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[47] = angle17 - signed_wide(half_turn, v45);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -563,7 +551,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v15 = w1 * (v2 * (T13 * Y1 + t14 * T23)), v16 = v15 * v15;
     const four v17 = v16 + factor2 * (X4 * (factor2 * X4));
     const four_mask doubt3 = v17 <= m9;
-    const four v18 = copysign_four(all_four(half_turn), -(e1 * v15)) * h1;
+    const four v18 = signed_four(half_turn, -(e1 * v15));
 
     /* theta6 */
     const double v19 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v20 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
@@ -580,8 +568,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle6 = atan2_four(S2, C2),
         packed6 = atan2_four((four){ Y1, Y1, Y1, Y1 }, (four){ -t14, -t14, -t14, -t14 }),
         angle1 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
-    const four q4_m = angle3 - v18, q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v23),
-        v24 = angle6 - offset2, q2_p = v24 - only_four(half_turn < v24, m10),
+    const four q4_m = angle3 - v18, q6_m = angle5 - signed_four(half_turn, v23),
+        v24 = angle6 - offset2, q2_p = v24 - only_four(half_turn < v24, whole_turn),
         q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
@@ -610,29 +598,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -757,6 +735,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -773,8 +757,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -793,9 +776,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == KUKA_KR210_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KUKA_KR210_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_KR210_OUT_OF_LIMITS;
@@ -836,8 +818,7 @@ int kuka_kr210_ik_nearest(const double T[16], const double q_seed[6], double q[6
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -109,6 +109,7 @@ k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.7698848999999998e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1.7698848999999998e-05  # doubt_limit1^2 [m^2]
 m3 = 0.009587574503443538  # a coefficient of v4
 m4 = 1.016127365600848  # a coefficient of v4
@@ -117,8 +118,6 @@ m6 = 0.03658058516163053  # a coefficient of c3
 m7 = 0.4  # a coefficient of X2_2
 m8 = 0.27616640000000003  # a coefficient of X2_2
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -629,8 +628,8 @@ def _regular(pose, q, status):
     v33 = v29 + factor2_m * (v26 * v32)
     v34 = factor2_m * v27
     v35 = v29 + factor2_m * (v27 * v34)
-    v36 = math.copysign(half_turn, -v28) * h1
-    v37 = math.copysign(half_turn, v28) * h1
+    v36 = math.copysign(half_turn, -v28)
+    v37 = math.copysign(half_turn, v28)
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
     v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
@@ -726,22 +725,22 @@ def _regular(pose, q, status):
     q4_mmm = angle9 - v37
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    q6_ppm = angle14 - h1 * math.copysign(half_turn, v42)
-    q6_pmm = angle15 - h1 * math.copysign(half_turn, v43)
-    q6_mpm = angle16 - h1 * math.copysign(half_turn, v44)
-    q6_mmm = angle17 - h1 * math.copysign(half_turn, v45)
+    q6_ppm = angle14 - math.copysign(half_turn, v42)
+    q6_pmm = angle15 - math.copysign(half_turn, v43)
+    q6_mpm = angle16 - math.copysign(half_turn, v44)
+    q6_mmm = angle17 - math.copysign(half_turn, v45)
 
     # joint values
     v46 = angle18 - offset2
     v47 = angle19 - offset2
     v48 = angle20 - offset2
     v49 = angle21 - offset2
-    q2_ppp = v46 - (m10 if half_turn < v46 else 0.0)
-    q2_pmp = v47 - (m10 if half_turn < v47 else 0.0)
-    q2_mpp = v48 - (m10 if half_turn < v48 else 0.0)
-    q2_mmp = v49 - (m10 if half_turn < v49 else 0.0)
+    q2_ppp = v46 - (whole_turn if half_turn < v46 else 0.0)
+    q2_pmp = v47 - (whole_turn if half_turn < v47 else 0.0)
+    q2_mpp = v48 - (whole_turn if half_turn < v48 else 0.0)
+    q2_mmp = v49 - (whole_turn if half_turn < v49 else 0.0)
     q1_ppp = angle1 + (w3_p - w3_p)
-    q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+    q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1091,8 +1090,8 @@ def _in_tiles(T, q, status):
             v33 = v29 + factor2_m * (v26 * v32)
             v34 = factor2_m * v27
             v35 = v29 + factor2_m * (v27 * v34)
-            v36 = math.copysign(half_turn, -v28) * h1
-            v37 = math.copysign(half_turn, v28) * h1
+            v36 = math.copysign(half_turn, -v28)
+            v37 = math.copysign(half_turn, v28)
             v38 = w1 * (v2 * (t14 * T22 + Y1 * T12))
             v39 = w1 * (v2 * (Y1 * T22 - t14 * T12))
             v40 = w1 * (v2 * (t14 * T21 + Y1 * T11))
@@ -1198,20 +1197,20 @@ def _in_tiles(T, q, status):
             q4_pmm = angle7 - v36
             q4_mpm = angle8 - v37
             q4_mmm = angle9 - v37
-            q6_ppm = angle14 - h1 * math.copysign(half_turn, v42)
-            q6_pmm = angle15 - h1 * math.copysign(half_turn, v43)
-            q6_mpm = angle16 - h1 * math.copysign(half_turn, v44)
-            q6_mmm = angle17 - h1 * math.copysign(half_turn, v45)
+            q6_ppm = angle14 - math.copysign(half_turn, v42)
+            q6_pmm = angle15 - math.copysign(half_turn, v43)
+            q6_mpm = angle16 - math.copysign(half_turn, v44)
+            q6_mmm = angle17 - math.copysign(half_turn, v45)
             v46 = angle18 - offset2
             v47 = angle19 - offset2
             v48 = angle20 - offset2
             v49 = angle21 - offset2
-            q2_ppp = v46 - (m10 if half_turn < v46 else 0.0)
-            q2_pmp = v47 - (m10 if half_turn < v47 else 0.0)
-            q2_mpp = v48 - (m10 if half_turn < v48 else 0.0)
-            q2_mmp = v49 - (m10 if half_turn < v49 else 0.0)
+            q2_ppp = v46 - (whole_turn if half_turn < v46 else 0.0)
+            q2_pmp = v47 - (whole_turn if half_turn < v47 else 0.0)
+            q2_mpp = v48 - (whole_turn if half_turn < v48 else 0.0)
+            q2_mmp = v49 - (whole_turn if half_turn < v49 else 0.0)
             q1_ppp = angle1 + (w3_p - w3_p)
-            q1_mpp = angle1 - math.copysign(half_turn, Y1) * h1 + (w3_m - w3_m)
+            q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             _1104 = q1_ppp
             work[1104 + k] = _1104
             _1120 = q2_ppp

@@ -101,13 +101,13 @@ doubtful_slack1 = 0.022  # a row may miss the pose by this before it is tightene
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 4.8399999999999986e-06  # square of a length that fixes no angle [m^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.625  # a coefficient of Y1_2
 m3 = 1e-24  # exact_slack^2
 m4 = 4.839999999999998e-24  # exact_slack1^2 [m^2]
 m5 = 1.452e-09  # 3 * pose_slack1^2 [m^2]
-m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -304,7 +304,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 4369762458fb766c"
+_KEY = "kuka_kr40pa a3df38e5eefca7f0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1218,8 +1218,14 @@ def _regular(pose, q, status):
     q2_m = angle4 + v34
     q3_p = angle2 + v33
     q3_m = v34 - angle2
-    q4_p = v33 + (v30 - (m6 if half_turn < v30 else 0.0) + (m6 if v30 <= -half_turn else 0.0))
-    q4_m = v34 + (v31 - (m6 if half_turn < v31 else 0.0) + (m6 if v31 <= -half_turn else 0.0))
+    q4_p = (
+        v33 + (v30 - (whole_turn if half_turn < v30 else 0.0) + (whole_turn if v30 <= -half_turn
+        else 0.0))
+    )
+    q4_m = (
+        v34 + (v31 - (whole_turn if half_turn < v31 else 0.0) + (whole_turn if v31 <= -half_turn
+        else 0.0))
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1528,10 +1534,12 @@ def _in_tiles(T, q, status):
             q3_p = angle2 + v33
             q3_m = v34 - angle2
             q4_p = (
-                v33 + (v30 - (m6 if half_turn < v30 else 0.0) + (m6 if v30 <= -half_turn else 0.0))
+                v33 + (v30 - (whole_turn if half_turn < v30 else 0.0) + (whole_turn if v30 <=
+                -half_turn else 0.0))
             )
             q4_m = (
-                v34 + (v31 - (m6 if half_turn < v31 else 0.0) + (m6 if v31 <= -half_turn else 0.0))
+                v34 + (v31 - (whole_turn if half_turn < v31 else 0.0) + (whole_turn if v31 <=
+                -half_turn else 0.0))
             )
             _496 = q1_p
             work[496 + k] = _496

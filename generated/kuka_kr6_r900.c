@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_KR6_R900_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_KR6_R900_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KUKA_KR6_R900_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KUKA_KR6_R900_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_KR6_R900_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KUKA_KR6_R900_UNREACHABLE \
         : (outside) ? (int)KUKA_KR6_R900_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.4; /* joint offset 1 [m] */
@@ -274,6 +279,7 @@ static const double k4 = 6.821542862115762; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * 
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 2.002225e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double turn1 = 1.5113426674862398; /* a constant angle [rad] */
 static const double m1 = 2.002225e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.0989010989010988; /* a coefficient of Y1_2 */
@@ -283,8 +289,6 @@ static const double m6 = 1.1862731252647931; /* a coefficient of c23 */
 static const double m7 = 0.035588193757943844; /* a coefficient of c23 */
 static const double m8 = 0.0021183448665442767; /* a coefficient of c23 */
 static const double m9 = 1e-06; /* doubt_limit^2 */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_kr6_r900_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -377,35 +381,19 @@ void kuka_kr6_r900_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = -v8; J[35] = -v10;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -418,7 +406,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -466,8 +454,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v28 = v27 + X4_pp * X4_pp, v29 = v27 + X4_pm * X4_pm, v30 = v27 + X4_mp * X4_mp,
         v31 = v27 + X4_mm * X4_mm, angle2 = atan2_wide(Y4, -X4_pp), angle3 = atan2_wide(Y4, -X4_pm),
         angle4 = atan2_wide(-Y4, -X4_mp), angle5 = atan2_wide(-Y4, -X4_mm),
-        v32 = copysign_wide(all_wide(half_turn), Y4) * h1,
-        v33 = copysign_wide(all_wide(half_turn), -Y4) * h1;
+        v32 = signed_wide(half_turn, Y4), v33 = signed_wide(half_turn, -Y4);
 
     /* theta6 */
     const wide v34 = w1 * (v2 * (wx * T22 + Y1 * T12)), v35 = w1 * (v2 * (Y1 * T22 - wx * T12)),
@@ -486,14 +473,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v43 = angle10 - offset2, angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11)),
         v44 = angle11 - offset2, angle12 = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10)),
         v45 = angle12 - offset2, angle13 = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11)),
-        v46 = angle13 - offset2, q2_ppp = v43 - only_wide(half_turn < v43, m10),
-        q2_pmp = v44 - only_wide(half_turn < v44, m10),
-        q2_mpp = v45 - only_wide(half_turn < v45, m10),
-        q2_mmp = v46 - only_wide(half_turn < v46, m10), angle14 = atan2_wide(w3_p, N3_p - k3),
-        angle15 = atan2_wide(w3_m, N3_m - k3), v47 = angle14 - turn1 - offset3,
-        v48 = offset3 + (turn1 + angle14), v49 = angle15 - turn1 - offset3,
-        v50 = offset3 + (turn1 + angle15), q3_ppp = v47 - only_wide(half_turn < v47, m10),
-        q3_mpp = v49 - only_wide(half_turn < v49, m10),
+        v46 = angle13 - offset2, q2_ppp = v43 - only_wide(half_turn < v43, whole_turn),
+        q2_pmp = v44 - only_wide(half_turn < v44, whole_turn),
+        q2_mpp = v45 - only_wide(half_turn < v45, whole_turn),
+        q2_mmp = v46 - only_wide(half_turn < v46, whole_turn),
+        angle14 = atan2_wide(w3_p, N3_p - k3), angle15 = atan2_wide(w3_m, N3_m - k3),
+        v47 = angle14 - turn1 - offset3, v48 = offset3 + (turn1 + angle14),
+        v49 = angle15 - turn1 - offset3, v50 = offset3 + (turn1 + angle15),
+        q3_ppp = v47 - only_wide(half_turn < v47, whole_turn),
+        q3_mpp = v49 - only_wide(half_turn < v49, whole_turn),
         angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26),
         angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26),
         angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26),
@@ -501,7 +489,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v52 = offset5 + angle16, v53 = angle17 - offset5, v54 = offset5 + angle17,
         v55 = angle18 - offset5, v56 = offset5 + angle18, v57 = angle19 - offset5,
         v58 = offset5 + angle19, q1_ppp = angle1 + (w3_p - w3_p),
-        q1_mpp = angle1 - copysign_wide(all_wide(half_turn), Y1) * h1 + (w3_m - w3_m);
+        q1_mpp = angle1 - signed_wide(half_turn, Y1) + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
         doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
@@ -509,33 +497,33 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (v29 <= m9) | (v1 <= m1) | (v28 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2;
-    q[4] = v51 + only_wide(v51 <= -half_turn, m10); q[5] = angle6;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    q[4] = v51 + only_wide(v51 <= -half_turn, whole_turn); q[5] = angle6;
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle2 - v32;
-    q[10] = only_wide(-v52 <= -half_turn, m10) - v52;
-    q[11] = angle6 - h1 * copysign_wide(all_wide(half_turn), v38);
-    kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v48 + only_wide(half_turn < -v48, m10));
-    q[15] = angle3; q[16] = v53 + only_wide(v53 <= -half_turn, m10); q[17] = angle7;
-    kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v48 + only_wide(half_turn < -v48, m10));
-    q[21] = angle3 - v32; q[22] = only_wide(-v54 <= -half_turn, m10) - v54;
-    q[23] = angle7 - h1 * copysign_wide(all_wide(half_turn), v39);
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[10] = only_wide(-v52 <= -half_turn, whole_turn) - v52;
+    q[11] = angle6 - signed_wide(half_turn, v38);
+    kind[1] = kind_of(q[6], 0);
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v48 + only_wide(half_turn < -v48, whole_turn));
+    q[15] = angle3; q[16] = v53 + only_wide(v53 <= -half_turn, whole_turn); q[17] = angle7;
+    kind[2] = kind_of(q[12], 0);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v48 + only_wide(half_turn < -v48, whole_turn));
+    q[21] = angle3 - v32; q[22] = only_wide(-v54 <= -half_turn, whole_turn) - v54;
+    q[23] = angle7 - signed_wide(half_turn, v39);
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4;
-    q[28] = v55 + only_wide(v55 <= -half_turn, m10); q[29] = angle8;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    q[28] = v55 + only_wide(v55 <= -half_turn, whole_turn); q[29] = angle8;
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle4 - v33;
-    q[34] = only_wide(-v56 <= -half_turn, m10) - v56;
-    q[35] = angle8 - h1 * copysign_wide(all_wide(half_turn), v40);
-    kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v50 + only_wide(half_turn < -v50, m10));
-    q[39] = angle5; q[40] = v57 + only_wide(v57 <= -half_turn, m10); q[41] = angle9;
-    kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v50 + only_wide(half_turn < -v50, m10));
-    q[45] = angle5 - v33; q[46] = only_wide(-v58 <= -half_turn, m10) - v58;
-    q[47] = angle9 - h1 * copysign_wide(all_wide(half_turn), v41);
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[34] = only_wide(-v56 <= -half_turn, whole_turn) - v56;
+    q[35] = angle8 - signed_wide(half_turn, v40);
+    kind[5] = kind_of(q[30], 0);
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v50 + only_wide(half_turn < -v50, whole_turn));
+    q[39] = angle5; q[40] = v57 + only_wide(v57 <= -half_turn, whole_turn); q[41] = angle9;
+    kind[6] = kind_of(q[36], 0);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v50 + only_wide(half_turn < -v50, whole_turn));
+    q[45] = angle5 - v33; q[46] = only_wide(-v58 <= -half_turn, whole_turn) - v58;
+    q[47] = angle9 - signed_wide(half_turn, v41);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -580,7 +568,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double Y4 = w1 * (v2 * (T13 * Y1 + wx * T23)), v18 = Y4 * Y4;
     const four v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m9;
-    const four v20 = e1 * Y4, v21 = copysign_four(all_four(half_turn), v20) * h1;
+    const four v20 = e1 * Y4, v21 = signed_four(half_turn, v20);
 
     /* theta6 */
     const double v22 = w1 * (v2 * (wx * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - wx * T12)),
@@ -599,12 +587,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3)),
         angle5 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle2 - v21, q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v26),
-        v27 = angle4 - offset2, q2_p = v27 - only_four(half_turn < v27, m10),
-        v28 = e2 * angle5 - turn1 - offset3, q3_p = v28 - only_four(half_turn < v28, m10),
+    const four q4_m = angle2 - v21, q6_m = angle3 - signed_four(half_turn, v26),
+        v27 = angle4 - offset2, q2_p = v27 - only_four(half_turn < v27, whole_turn),
+        v28 = e2 * angle5 - turn1 - offset3, q3_p = v28 - only_four(half_turn < v28, whole_turn),
         v29 = angle6 - offset5, v30 = offset5 + angle6,
-        q5_p = v29 + only_four(v29 <= -half_turn, m10),
-        q5_m = only_four(-v30 <= -half_turn, m10) - v30,
+        q5_p = v29 + only_four(v29 <= -half_turn, whole_turn),
+        q5_m = only_four(-v30 <= -half_turn, whole_turn) - v30,
         q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
@@ -633,29 +621,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -785,6 +763,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -801,8 +785,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -821,9 +804,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == KUKA_KR6_R900_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KUKA_KR6_R900_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_KR6_R900_OUT_OF_LIMITS;
@@ -864,8 +846,7 @@ int kuka_kr6_r900_ik_nearest(const double T[16], const double q_seed[6], double 
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

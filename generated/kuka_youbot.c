@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -178,7 +185,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -212,11 +218,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -230,16 +235,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & KUKA_YOUBOT_UNREACHABLE) \
-        | (~(none) & (outside) & KUKA_YOUBOT_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & KUKA_YOUBOT_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & KUKA_YOUBOT_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)KUKA_YOUBOT_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)KUKA_YOUBOT_UNREACHABLE \
         : (outside) ? (int)KUKA_YOUBOT_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.147; /* joint offset 1 [m] */
@@ -269,6 +274,7 @@ static const double pose_slack1 = 6.875e-06; /* a pose may be rounded by this [m
 static const double k1 = 0.04225; /* a2^2 + a3^2 [m^2] */
 static const double k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 4.7265624999999995e-07; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 3.2258064516129035; /* a coefficient of S2 */
@@ -279,8 +285,6 @@ static const double m8 = 0.021481481481481466; /* a coefficient of c23 */
 static const double m9 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double m10 = 4.7265625e-11; /* pose_slack1^2 [m^2] */
 static const double m11 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
-static const double m12 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const kuka_youbot_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -351,35 +355,19 @@ void kuka_youbot_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = J65;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -392,7 +380,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -411,10 +399,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1,
-        angle1 = atan2_wide(v3, v2);
+    const wide v1 = signed_wide(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1, angle1 = atan2_wide(v3, v2);
 
     /* theta234 */
     const wide Z2_234 = w1 * (v5 * (T13 * v2 + T23 * v3)), v6 = T33 * T33 + Z2_234 * Z2_234,
@@ -481,15 +468,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v80 = angle9 - offset2, v81 = angle2 - (angle4 + angle6) - offset4,
         v82 = angle2 - (angle7 - angle4) - offset4, v83 = offset4 + (angle2 + (angle5 + angle8)),
         v84 = offset4 + (angle2 + (angle9 - angle5)),
-        v85 = v81 - only_wide(half_turn < v81, m12) + only_wide(v81 <= -half_turn, m12),
-        v86 = v82 - only_wide(half_turn < v82, m12) + only_wide(v82 <= -half_turn, m12),
-        v87 = only_wide(-v83 <= -half_turn, m12) - (v83 + only_wide(half_turn < -v83, m12)),
-        v88 = only_wide(-v84 <= -half_turn, m12) - (v84 + only_wide(half_turn < -v84, m12));
+        v85 = v81 - only_wide(half_turn < v81, whole_turn) + only_wide(v81 <= -half_turn,
+            whole_turn),
+        v86 = v82 - only_wide(half_turn < v82, whole_turn) + only_wide(v82 <= -half_turn,
+            whole_turn),
+        v87 = only_wide(-v83 <= -half_turn, whole_turn) - (v83 + only_wide(half_turn < -v83,
+            whole_turn)),
+        v88 = only_wide(-v84 <= -half_turn, whole_turn) - (v84 + only_wide(half_turn < -v84,
+            whole_turn));
     const double v89 = NAN;
     const wide v90 = only_wide((v73 <= m10) == 0, v89), v91 = only_wide((v74 <= m10) == 0, v89),
         v92 = only_wide((v75 <= m10) == 0, v89), v93 = only_wide((v76 <= m10) == 0, v89),
-        v94 = angle1 + v22, v95 = v23 + (angle1 - copysign_wide(all_wide(half_turn), v3) * h1),
-        v96 = angle3 + v22, v97 = v23 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -S5));
+        v94 = angle1 + v22, v95 = v23 + (angle1 - signed_wide(half_turn, v3)), v96 = angle3 + v22,
+        v97 = v23 + (angle3 - signed_wide(half_turn, -S5));
     const wide_mask doubt1 = (v6 <= m3) | (v4 <= m1) | (v8 <= m3) | ((m10 < v76) & (v76 <= m11)) |
         (v35 <= m6) | ((m10 < v75) & (v75 <= m11)) | (v34 <= m6) | ((m10 < v74) & (v74 <= m11)) |
         (v33 <= m6) | ((m10 < v73) & (v73 <= m11)) | (v32 <= m6) | (m9 < v60 * v60 + (v59 * v59 +
@@ -498,20 +489,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
         longest3_apart)) == 0));
 
-    q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, m12)); q[2] = angle4 + v90;
-    q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, m12)); q[4] = v90 + v96;
-    kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = v91 + v94; q[6] = v91 + (v78 + only_wide(v78 <= -half_turn, m12)); q[7] = v91 - angle4;
-    q[8] = v91 + (v86 + only_wide(v86 <= -half_turn, m12)); q[9] = v91 + v96;
-    kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = v92 + v95; q[11] = v92 + (v79 + only_wide(v79 <= -half_turn, m12));
-    q[12] = angle5 + v92; q[13] = v92 + (v87 + only_wide(v87 <= -half_turn, m12));
+    q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, whole_turn));
+    q[2] = angle4 + v90; q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, whole_turn));
+    q[4] = v90 + v96;
+    kind[0] = kind_of(q[0], 0);
+    q[5] = v91 + v94; q[6] = v91 + (v78 + only_wide(v78 <= -half_turn, whole_turn));
+    q[7] = v91 - angle4; q[8] = v91 + (v86 + only_wide(v86 <= -half_turn, whole_turn));
+    q[9] = v91 + v96;
+    kind[1] = kind_of(q[5], 0);
+    q[10] = v92 + v95; q[11] = v92 + (v79 + only_wide(v79 <= -half_turn, whole_turn));
+    q[12] = angle5 + v92; q[13] = v92 + (v87 + only_wide(v87 <= -half_turn, whole_turn));
     q[14] = v92 + v97;
-    kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = v93 + v95; q[16] = v93 + (v80 + only_wide(v80 <= -half_turn, m12));
-    q[17] = v93 - angle5; q[18] = v93 + (v88 + only_wide(v88 <= -half_turn, m12));
+    kind[2] = kind_of(q[10], 0);
+    q[15] = v93 + v95; q[16] = v93 + (v80 + only_wide(v80 <= -half_turn, whole_turn));
+    q[17] = v93 - angle5; q[18] = v93 + (v88 + only_wide(v88 <= -half_turn, whole_turn));
     q[19] = v93 + v97;
-    kind[3] = kind_of(q[15] != q[15], 0);
+    kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -591,11 +584,11 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
     const four v49 = angle5 - offset2, v50 = e2 * angle4, v51 = e1 * angle2,
         v52 = v51 - (angle5 + v50) - offset4,
-        v53 = v52 - only_four(half_turn < v52, m12) + only_four(v52 <= -half_turn, m12),
-        v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
-        q2 = v55 + (v49 + only_four(v49 <= -half_turn, m12)), q3 = v50 + v55,
-        q4 = v55 + (v53 + only_four(v53 <= -half_turn, m12)), v57 = v23 + (angle3 + v7 * v14),
-        q5 = v55 + v57;
+        v53 = v52 - only_four(half_turn < v52, whole_turn) + only_four(v52 <= -half_turn,
+            whole_turn), v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
+        q2 = v55 + (v49 + only_four(v49 <= -half_turn, whole_turn)), q3 = v50 + v55,
+        q4 = v55 + (v53 + only_four(v53 <= -half_turn, whole_turn)),
+        v57 = v23 + (angle3 + v7 * v14), q5 = v55 + v57;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -620,29 +613,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (20 >= LANES) {
-        for (int i = 0; i < 20; i += LANES) {
-            const int from = i + LANES <= 20 ? i : 20 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 20 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 20; i++)
-            for (int k = 0; k < LANES; k++)
-                q[20 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 4; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 4 - row < 8 ? 4 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 20; i += LANES) {
+        const int from = i + LANES <= 20 ? i : 20 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 20 * k + from) = x[k];
     }
+    for (int i = 1; i < 4; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 4; i++)
+            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -787,6 +770,12 @@ static void solve(
     }
 }
 
+static void take(const double from[5], double to[5])
+{
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -841,8 +830,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -894,8 +882,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 5; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
@@ -922,8 +909,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
     status[4])
 {
-    static const double zeros[5] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -945,9 +931,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5],
         if (status[row] == KUKA_YOUBOT_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = KUKA_YOUBOT_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_YOUBOT_OUT_OF_LIMITS;
@@ -988,8 +973,7 @@ int kuka_youbot_ik_nearest(const double T[16], const double q_seed[5], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 5; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

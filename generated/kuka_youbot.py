@@ -108,6 +108,7 @@ pose_slack1 = 6.875e-06  # a pose may be rounded by this [m]
 k1 = 0.04225  # a2^2 + a3^2 [m^2]
 k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 4.7265624999999995e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 3.2258064516129035  # a coefficient of S2
@@ -118,8 +119,6 @@ m8 = 0.021481481481481466  # a coefficient of c23
 m9 = 1.0000000000000002e-10  # pose_slack^2
 m10 = 4.7265625e-11  # pose_slack1^2 [m^2]
 m11 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
-m12 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -339,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 81e8fc7af9969c00"
+_KEY = "kuka_youbot 14e9994dc4b51b85"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -962,30 +961,40 @@ def _regular(pose, q, status):
     v82 = angle2 - (angle7 - angle4) - offset4
     v83 = offset4 + (angle2 + (angle5 + angle8))
     v84 = offset4 + (angle2 + (angle9 - angle5))
-    v85 = v81 - (m12 if half_turn < v81 else 0.0) + (m12 if v81 <= -half_turn else 0.0)
-    v86 = v82 - (m12 if half_turn < v82 else 0.0) + (m12 if v82 <= -half_turn else 0.0)
-    v87 = (m12 if -v83 <= -half_turn else 0.0) - (v83 + (m12 if half_turn < -v83 else 0.0))
-    v88 = (m12 if -v84 <= -half_turn else 0.0) - (v84 + (m12 if half_turn < -v84 else 0.0))
+    v85 = (
+        v81 - (whole_turn if half_turn < v81 else 0.0) + (whole_turn if v81 <= -half_turn else 0.0)
+    )
+    v86 = (
+        v82 - (whole_turn if half_turn < v82 else 0.0) + (whole_turn if v82 <= -half_turn else 0.0)
+    )
+    v87 = (
+        (whole_turn if -v83 <= -half_turn else 0.0) - (v83 + (whole_turn if half_turn < -v83 else
+        0.0))
+    )
+    v88 = (
+        (whole_turn if -v84 <= -half_turn else 0.0) - (v84 + (whole_turn if half_turn < -v84 else
+        0.0))
+    )
     v94 = angle1 + v22
-    v95 = v23 + (angle1 - math.copysign(half_turn, v3) * h1)
+    v95 = v23 + (angle1 - math.copysign(half_turn, v3))
     q1_pp = v90 + v94
     q1_pm = v91 + v94
     q1_mp = v92 + v95
     q1_mm = v93 + v95
-    q2_pp = v90 + (v77 + (m12 if v77 <= -half_turn else 0.0))
-    q2_pm = v91 + (v78 + (m12 if v78 <= -half_turn else 0.0))
-    q2_mp = v92 + (v79 + (m12 if v79 <= -half_turn else 0.0))
-    q2_mm = v93 + (v80 + (m12 if v80 <= -half_turn else 0.0))
+    q2_pp = v90 + (v77 + (whole_turn if v77 <= -half_turn else 0.0))
+    q2_pm = v91 + (v78 + (whole_turn if v78 <= -half_turn else 0.0))
+    q2_mp = v92 + (v79 + (whole_turn if v79 <= -half_turn else 0.0))
+    q2_mm = v93 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
     q3_pp = angle4 + v90
     q3_pm = v91 - angle4
     q3_mp = angle5 + v92
     q3_mm = v93 - angle5
-    q4_pp = v90 + (v85 + (m12 if v85 <= -half_turn else 0.0))
-    q4_pm = v91 + (v86 + (m12 if v86 <= -half_turn else 0.0))
-    q4_mp = v92 + (v87 + (m12 if v87 <= -half_turn else 0.0))
-    q4_mm = v93 + (v88 + (m12 if v88 <= -half_turn else 0.0))
+    q4_pp = v90 + (v85 + (whole_turn if v85 <= -half_turn else 0.0))
+    q4_pm = v91 + (v86 + (whole_turn if v86 <= -half_turn else 0.0))
+    q4_mp = v92 + (v87 + (whole_turn if v87 <= -half_turn else 0.0))
+    q4_mm = v93 + (v88 + (whole_turn if v88 <= -half_turn else 0.0))
     v96 = angle3 + v22
-    v97 = v23 + (angle3 - h1 * math.copysign(half_turn, -S5))
+    v97 = v23 + (angle3 - math.copysign(half_turn, -S5))
     q5_pp = v90 + v96
     q5_pm = v91 + v96
     q5_mp = v92 + v97
@@ -1423,30 +1432,42 @@ def _in_tiles(T, q, status):
             v82 = angle2 - (angle7 - angle4) - offset4
             v83 = offset4 + (angle2 + (angle5 + angle8))
             v84 = offset4 + (angle2 + (angle9 - angle5))
-            v85 = v81 - (m12 if half_turn < v81 else 0.0) + (m12 if v81 <= -half_turn else 0.0)
-            v86 = v82 - (m12 if half_turn < v82 else 0.0) + (m12 if v82 <= -half_turn else 0.0)
-            v87 = (m12 if -v83 <= -half_turn else 0.0) - (v83 + (m12 if half_turn < -v83 else 0.0))
-            v88 = (m12 if -v84 <= -half_turn else 0.0) - (v84 + (m12 if half_turn < -v84 else 0.0))
+            v85 = (
+                v81 - (whole_turn if half_turn < v81 else 0.0) + (whole_turn if v81 <= -half_turn
+                else 0.0)
+            )
+            v86 = (
+                v82 - (whole_turn if half_turn < v82 else 0.0) + (whole_turn if v82 <= -half_turn
+                else 0.0)
+            )
+            v87 = (
+                (whole_turn if -v83 <= -half_turn else 0.0) - (v83 + (whole_turn if half_turn < -v83
+                else 0.0))
+            )
+            v88 = (
+                (whole_turn if -v84 <= -half_turn else 0.0) - (v84 + (whole_turn if half_turn < -v84
+                else 0.0))
+            )
             v94 = angle1 + v22
-            v95 = v23 + (angle1 - math.copysign(half_turn, v3) * h1)
+            v95 = v23 + (angle1 - math.copysign(half_turn, v3))
             q1_pp = v90 + v94
             q1_pm = v91 + v94
             q1_mp = v92 + v95
             q1_mm = v93 + v95
-            q2_pp = v90 + (v77 + (m12 if v77 <= -half_turn else 0.0))
-            q2_pm = v91 + (v78 + (m12 if v78 <= -half_turn else 0.0))
-            q2_mp = v92 + (v79 + (m12 if v79 <= -half_turn else 0.0))
-            q2_mm = v93 + (v80 + (m12 if v80 <= -half_turn else 0.0))
+            q2_pp = v90 + (v77 + (whole_turn if v77 <= -half_turn else 0.0))
+            q2_pm = v91 + (v78 + (whole_turn if v78 <= -half_turn else 0.0))
+            q2_mp = v92 + (v79 + (whole_turn if v79 <= -half_turn else 0.0))
+            q2_mm = v93 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
             q3_pp = angle4 + v90
             q3_pm = v91 - angle4
             q3_mp = angle5 + v92
             q3_mm = v93 - angle5
-            q4_pp = v90 + (v85 + (m12 if v85 <= -half_turn else 0.0))
-            q4_pm = v91 + (v86 + (m12 if v86 <= -half_turn else 0.0))
-            q4_mp = v92 + (v87 + (m12 if v87 <= -half_turn else 0.0))
-            q4_mm = v93 + (v88 + (m12 if v88 <= -half_turn else 0.0))
+            q4_pp = v90 + (v85 + (whole_turn if v85 <= -half_turn else 0.0))
+            q4_pm = v91 + (v86 + (whole_turn if v86 <= -half_turn else 0.0))
+            q4_mp = v92 + (v87 + (whole_turn if v87 <= -half_turn else 0.0))
+            q4_mm = v93 + (v88 + (whole_turn if v88 <= -half_turn else 0.0))
             v96 = angle3 + v22
-            v97 = v23 + (angle3 - h1 * math.copysign(half_turn, -S5))
+            v97 = v23 + (angle3 - math.copysign(half_turn, -S5))
             q5_pp = v90 + v96
             q5_pm = v91 + v96
             q5_mp = v92 + v97

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & OLSON_PPRRRR_UNREACHABLE) \
-        | (~(none) & (outside) & OLSON_PPRRRR_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & OLSON_PPRRRR_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & OLSON_PPRRRR_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)OLSON_PPRRRR_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)OLSON_PPRRRR_UNREACHABLE \
         : (outside) ? (int)OLSON_PPRRRR_OUT_OF_LIMITS : 0)
 #endif
 static const double d3 = 1.0; /* joint offset 3 [m] */
@@ -258,10 +263,9 @@ static const double blur_slack1 = 6.999999999999999e-11;
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 4.9e-05;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double m3 = 4.0; /* a coefficient of Y5 */
-static const double m4 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const olson_pprrrr_branches[4] = {
     "noflip3-noflip5", "noflip3-flip5", "flip3-noflip5", "flip3-flip5",
@@ -326,35 +330,19 @@ void olson_pprrrr_jacobian(const double q[6], double J[36])
     J[30] = 0.0; J[31] = 0.0; J[32] = 1.0; J[33] = 0.0; J[34] = 0.0; J[35] = -y5_z;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -367,7 +355,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -418,27 +406,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
     /* joint values */
     const wide v20 = angle2 - angle4, v21 = angle2 - angle5, v22 = angle2 + angle6,
         v23 = angle2 + angle7, q3_pp = angle1 + v6,
-        q3_mp = v6 + (angle1 - copysign_wide(all_wide(half_turn), -T13) * h1), q6_pp = angle3 + v6,
-        q6_mp = v6 + (angle3 - h1 * copysign_wide(all_wide(half_turn), -v4));
+        q3_mp = v6 + (angle1 - signed_wide(half_turn, -T13)), q6_pp = angle3 + v6,
+        q6_mp = v6 + (angle3 - signed_wide(half_turn, -v4));
     const wide_mask doubt1 = (N5 <= doubt_limit_squared2) | (abs_wide(D5) <= reach_slack1 *
         (reach_slack1 + 2.0 * abs_wide(v5))) | (v1 <= m1);
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp;
-    q[3] = v20 - only_wide(half_turn < v20, m4) + only_wide(v20 <= -half_turn, m4); q[4] = angle4;
-    q[5] = q6_pp;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = v20 - only_wide(half_turn < v20, whole_turn) + only_wide(v20 <= -half_turn, whole_turn);
+    q[4] = angle4; q[5] = q6_pp;
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp;
-    q[9] = v21 - only_wide(half_turn < v21, m4) + only_wide(v21 <= -half_turn, m4); q[10] = angle5;
-    q[11] = q6_pp;
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[9] = v21 - only_wide(half_turn < v21, whole_turn) + only_wide(v21 <= -half_turn, whole_turn);
+    q[10] = angle5; q[11] = q6_pp;
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_pm; q[13] = q2_pm; q[14] = q3_mp;
-    q[15] = only_wide(-v22 <= -half_turn, m4) - (v22 + only_wide(half_turn < -v22, m4));
+    q[15] = only_wide(-v22 <= -half_turn, whole_turn) - (v22 + only_wide(half_turn < -v22,
+        whole_turn));
     q[16] = angle6; q[17] = q6_mp;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_pp; q[19] = q2_pp; q[20] = q3_mp;
-    q[21] = only_wide(-v23 <= -half_turn, m4) - (v23 + only_wide(half_turn < -v23, m4));
+    q[21] = only_wide(-v23 <= -half_turn, whole_turn) - (v23 + only_wide(half_turn < -v23,
+        whole_turn));
     q[22] = angle7; q[23] = q6_mp;
-    kind[3] = kind_of(q[18] != q[18], 0);
+    kind[3] = kind_of(q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -495,8 +485,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
         angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
         angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
     const four v25 = e1 * angle2, v26 = v25 - angle4,
-        q4 = v26 - only_four(half_turn < v26, m4) + only_four(v26 <= -half_turn, m4),
-        q3 = v10 + (angle1 + v3 * v4), q6 = v10 + (angle3 + v4 * v7);
+        q4 = v26 - only_four(half_turn < v26, whole_turn) + only_four(v26 <= -half_turn,
+            whole_turn), q3 = v10 + (angle1 + v3 * v4), q6 = v10 + (angle3 + v4 * v7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -521,29 +511,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (24 >= LANES) {
-        for (int i = 0; i < 24; i += LANES) {
-            const int from = i + LANES <= 24 ? i : 24 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 24 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 24; i++)
-            for (int k = 0; k < LANES; k++)
-                q[24 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 4; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 4 - row < 8 ? 4 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 24; i += LANES) {
+        const int from = i + LANES <= 24 ? i : 24 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 24 * k + from) = x[k];
     }
+    for (int i = 1; i < 4; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 4; i++)
+            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -670,6 +650,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -724,8 +710,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = fan_step[s->joint];
@@ -777,8 +762,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 6; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     if (revolute[lost.joint])
         lost.start = fmod(lost.start, turn);
@@ -808,8 +792,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[4][6], unsigned char
     status[4])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -831,9 +814,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][6],
         if (status[row] == OLSON_PPRRRR_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = OLSON_PPRRRR_OUT_OF_LIMITS;
         }
         count += status[row] != OLSON_PPRRRR_OUT_OF_LIMITS;
@@ -874,8 +856,7 @@ int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

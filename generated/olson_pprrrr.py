@@ -99,10 +99,9 @@ merge_slack1 = 7e-14  # nearer to that boundary two branches are one [m]
 blur_slack1 = 6.999999999999999e-11
 doubt_limit_squared2 = 4.9e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1e-06  # doubt_limit^2
 m3 = 4.0  # a coefficient of Y5
-m4 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -294,7 +293,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr f394f3d503e40fac"
+_KEY = "olson_pprrrr 5d50321a2815c8af"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -795,14 +794,24 @@ def _regular(pose, q, status):
     v21 = angle2 - angle5
     v22 = angle2 + angle6
     v23 = angle2 + angle7
-    q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
-    q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
-    q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
-    q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+    q4_pp = (
+        v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <= -half_turn else 0.0)
+    )
+    q4_pm = (
+        v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <= -half_turn else 0.0)
+    )
+    q4_mp = (
+        (whole_turn if -v22 <= -half_turn else 0.0) - (v22 + (whole_turn if half_turn < -v22 else
+        0.0))
+    )
+    q4_mm = (
+        (whole_turn if -v23 <= -half_turn else 0.0) - (v23 + (whole_turn if half_turn < -v23 else
+        0.0))
+    )
     q3_pp = angle1 + v6
-    q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13) * h1)
+    q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))
     q6_pp = angle3 + v6
-    q6_mp = v6 + (angle3 - h1 * math.copysign(half_turn, -v4))
+    q6_mp = v6 + (angle3 - math.copysign(half_turn, -v4))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1131,14 +1140,26 @@ def _in_tiles(T, q, status):
             v21 = angle2 - angle5
             v22 = angle2 + angle6
             v23 = angle2 + angle7
-            q4_pp = v20 - (m4 if half_turn < v20 else 0.0) + (m4 if v20 <= -half_turn else 0.0)
-            q4_pm = v21 - (m4 if half_turn < v21 else 0.0) + (m4 if v21 <= -half_turn else 0.0)
-            q4_mp = (m4 if -v22 <= -half_turn else 0.0) - (v22 + (m4 if half_turn < -v22 else 0.0))
-            q4_mm = (m4 if -v23 <= -half_turn else 0.0) - (v23 + (m4 if half_turn < -v23 else 0.0))
+            q4_pp = (
+                v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <= -half_turn
+                else 0.0)
+            )
+            q4_pm = (
+                v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <= -half_turn
+                else 0.0)
+            )
+            q4_mp = (
+                (whole_turn if -v22 <= -half_turn else 0.0) - (v22 + (whole_turn if half_turn < -v22
+                else 0.0))
+            )
+            q4_mm = (
+                (whole_turn if -v23 <= -half_turn else 0.0) - (v23 + (whole_turn if half_turn < -v23
+                else 0.0))
+            )
             q3_pp = angle1 + v6
-            q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13) * h1)
+            q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))
             q6_pp = angle3 + v6
-            q6_mp = v6 + (angle3 - h1 * math.copysign(half_turn, -v4))
+            q6_mp = v6 + (angle3 - math.copysign(half_turn, -v4))
             _608 = q1_pp
             work[608 + k] = _608
             _624 = q2_pp

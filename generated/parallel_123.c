@@ -134,6 +134,22 @@ static void circle_roots(
 }
 
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
 {
@@ -546,35 +562,19 @@ void parallel_123_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 1.0; J[32] = 1.0; J[33] = 0.0; J[34] = -v3; J[35] = -v7;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -587,7 +587,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -762,6 +762,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -816,8 +822,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -869,8 +874,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 6; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
@@ -904,8 +908,7 @@ static int keep(double known[16][6], int count, const double q[6])
 {
     if (!is_new(known, count, q))
         return count;
-    for (int i = 0; i < 6; i++)
-        known[count][i] = q[i];
+    take(q, known[count]);
     return count + 1;
 }
 
@@ -921,8 +924,7 @@ static int leads(
     solve(d->T, seed, angle, q, kind);
     if (kind[row] == PARALLEL_123_UNREACHABLE || kind[row] > CLOSE /* lost */)
         return 0;
-    for (int i = 0; i < 6; i++)
-        end[i] = q[row][i];
+    take(q[row], end);
     return solves(d, 72, exact, end);
 }
 
@@ -951,16 +953,14 @@ static void both_sides(
     for (int row = 0; row < 8; row++) {
         const int close = status[row] == CLOSE;
         double here[6];
-        for (int i = 0; i < 6; i++)
-            here[i] = q[row][i];
+        take(q[row], here);
         doubtful[row] = close && !solves(&d, 0, exact, here);
         if (close)
             status[row] = PARALLEL_123_OK;
         any += doubtful[row];
         if (status[row] == PARALLEL_123_UNREACHABLE || doubtful[row])
             continue;
-        for (int i = 0; i < 6; i++)
-            known[count][i] = q[row][i];
+        take(q[row], known[count]);
         count++;
     }
     if (!any)
@@ -971,8 +971,7 @@ static void both_sides(
         if (!doubtful[row])
             continue;
         double end[6], other[6], off = 0.0;
-        for (int i = 0; i < 6; i++)
-            end[i] = q[row][i];
+        take(q[row], end);
         /* long steps may lead to solutions of other roots, which are known */
         int found = solves(&d, 72, exact, end) && is_new(known, others, end);
         for (int k = 0; k < 18 && !found; k++)
@@ -1076,8 +1075,7 @@ static void seek(
     for (int row = 0; row < 8; row++)
         if (status[row] != PARALLEL_123_UNREACHABLE)
             return;
-    for (int i = 0; i < 6; i++)
-        d.q[i] = seed[i];
+    take(seed, d.q);
     for (int j = 0; j < 6; j++)
         d.seed[j] = seed[solved[j]] / unit[j];
     for (int k = 0; k < 12 && least; k++) {
@@ -1085,8 +1083,7 @@ static void seek(
         start_of(&d, k, u);
         if (descend(&d, u) > 1e-10)
             continue;
-        for (int i = 0; i < 6; i++)
-            end[i] = d.q[i];
+        take(d.q, end);
         for (int j = 0; j < 6; j++)
             end[solved[j]] = unit[j] * u[j];
         const double miss = descended(&d, 72, exact, end, &ahead);
@@ -1096,8 +1093,7 @@ static void seek(
         if (fault >= least)
             continue;
         least = fault;
-        for (int i = 0; i < 6; i++)
-            found[i] = end[i];
+        take(end, found);
     }
     if (least == 4)
         return;
@@ -1124,8 +1120,7 @@ static double turned(int joint, double given, double towards)
 int parallel_123_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -1151,9 +1146,8 @@ int parallel_123_ik(
         if (status[row] == PARALLEL_123_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PARALLEL_123_OUT_OF_LIMITS;
         }
         count += status[row] != PARALLEL_123_OUT_OF_LIMITS;
@@ -1187,8 +1181,7 @@ int parallel_123_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -100,13 +100,13 @@ doubtful_slack1 = 3.5500000000000003  # a row may miss the pose by this before i
 k1 = 22050.0  # 2 * a3 * a2 [mm^2]
 k2 = 4.5351473922902495e-05  # 1 / (2 * a3 * a2) [mm^-2]
 doubt_limit_squared2 = 0.126025  # square of a length that fixes no angle [mm^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 0.004761904761904762  # a coefficient of S2
 m3 = 1e-24  # exact_slack^2
 m4 = 1.2602500000000002e-19  # exact_slack1^2 [mm^2]
 m5 = 3.780750000000001e-05  # 3 * pose_slack1^2 [mm^2]
-m6 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -301,7 +301,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 3ddc4e312c22d089"
+_KEY = "phantomx 8a79f8c29587c417"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1213,12 +1213,18 @@ def _regular(pose, q, status):
     v33 = angle5 + (w3 - w3)
     q1_p = v31 + v33
     q1_m = v32 + v33
-    q2_p = v31 + (v26 + (m6 if v26 <= -half_turn else 0.0))
-    q2_m = v32 + (v27 + (m6 if v27 <= -half_turn else 0.0))
+    q2_p = v31 + (v26 + (whole_turn if v26 <= -half_turn else 0.0))
+    q2_m = v32 + (v27 + (whole_turn if v27 <= -half_turn else 0.0))
     q3_p = angle2 + v31
     q3_m = v32 - angle2
-    q4_p = v31 + (v28 - (m6 if half_turn < v28 else 0.0) + (m6 if v28 <= -half_turn else 0.0))
-    q4_m = v32 + (v29 - (m6 if half_turn < v29 else 0.0) + (m6 if v29 <= -half_turn else 0.0))
+    q4_p = (
+        v31 + (v28 - (whole_turn if half_turn < v28 else 0.0) + (whole_turn if v28 <= -half_turn
+        else 0.0))
+    )
+    q4_m = (
+        v32 + (v29 - (whole_turn if half_turn < v29 else 0.0) + (whole_turn if v29 <= -half_turn
+        else 0.0))
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1521,15 +1527,17 @@ def _in_tiles(T, q, status):
             v33 = angle5 + (w3 - w3)
             q1_p = v31 + v33
             q1_m = v32 + v33
-            q2_p = v31 + (v26 + (m6 if v26 <= -half_turn else 0.0))
-            q2_m = v32 + (v27 + (m6 if v27 <= -half_turn else 0.0))
+            q2_p = v31 + (v26 + (whole_turn if v26 <= -half_turn else 0.0))
+            q2_m = v32 + (v27 + (whole_turn if v27 <= -half_turn else 0.0))
             q3_p = angle2 + v31
             q3_m = v32 - angle2
             q4_p = (
-                v31 + (v28 - (m6 if half_turn < v28 else 0.0) + (m6 if v28 <= -half_turn else 0.0))
+                v31 + (v28 - (whole_turn if half_turn < v28 else 0.0) + (whole_turn if v28 <=
+                -half_turn else 0.0))
             )
             q4_m = (
-                v32 + (v29 - (m6 if half_turn < v29 else 0.0) + (m6 if v29 <= -half_turn else 0.0))
+                v32 + (v29 - (whole_turn if half_turn < v29 else 0.0) + (whole_turn if v29 <=
+                -half_turn else 0.0))
             )
             _496 = q1_p
             work[496 + k] = _496

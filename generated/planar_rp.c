@@ -72,14 +72,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +97,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +108,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -156,7 +155,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     return all_four(0.0 * (T[3] + T[7]));
@@ -177,11 +175,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -195,26 +192,24 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PLANAR_RP_UNREACHABLE) \
-        | (~(none) & (outside) & PLANAR_RP_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & PLANAR_RP_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & PLANAR_RP_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)PLANAR_RP_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)PLANAR_RP_UNREACHABLE \
         : (outside) ? (int)PLANAR_RP_OUT_OF_LIMITS : 0)
 #endif
 static const double free_limit1 = 1e-12; /* a length that fixes no angle [m] */
 static const double offset1 = 1.5707963267948966; /* offset of joint 1 [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low2 = -1e-09; /* least of joint 2 */
-static const double high2 = 1.000000001; /* most of joint 2 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1e-06; /* doubt_limit1^2 [m^2] */
-static const double m3 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double low2 = -1e-09, high2 = 1.000000001;
 
 const char *const planar_rp_branches[2] = {
     "forward", "backward",
@@ -263,6 +258,29 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    double off = value > high ? value - high : value - low;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    if (revolute[joint])
+        off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[2])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 2; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
+}
+
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
@@ -276,13 +294,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 
     /* joint values */
     const wide angle1 = atan2_wide(T14, -T24), v2 = angle1 - offset1,
-        v3 = angle1 - copysign_wide(all_wide(half_turn), T14) * h1 - offset1;
-    const wide_mask outside_p = beyond(q2_p, low2, high2), outside_m = beyond(-q2_p, low2, high2);
+        v3 = angle1 - signed_wide(half_turn, T14) - offset1;
 
-    q[0] = v2 + only_wide(v2 <= -half_turn, m3); q[1] = q2_p;
-    kind[0] = kind_of(q[0] != q[0], outside_p);
-    q[2] = v3 + only_wide(v3 <= -half_turn, m3); q[3] = -q2_p;
-    kind[1] = kind_of(q[2] != q[2], outside_m);
+    q[0] = v2 + only_wide(v2 <= -half_turn, whole_turn); q[1] = q2_p;
+    kind[0] = kind_of(q[0], beyond(q2_p, 2));
+    q[2] = v3 + only_wide(v3 <= -half_turn, whole_turn); q[3] = -q2_p;
+    kind[1] = kind_of(q[2], beyond(-q2_p, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -305,12 +322,12 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
     /* joint values */
     const double v2 = copysign(half_turn, T14);
     const four q2 = e1 * w2;
-    const four_mask outside = beyond(q2, low2, high2);
+    const four_mask outside = beyond(q2, 2);
 
     const four packed1 = atan2_four((four){ T14, T14, T14, T14 }, (four){ -T24, -T24, -T24, -T24 }),
         angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0);
     const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1,
-        q1 = v3 + only_four(v3 <= -half_turn, m3);
+        q1 = v3 + only_four(v3 <= -half_turn, whole_turn);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -336,29 +353,14 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (4 >= LANES) {
-        for (int i = 0; i < 4; i += LANES) {
-            const int from = i + LANES <= 4 ? i : 4 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 4 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 4; i++)
-            for (int k = 0; k < LANES; k++)
-                q[4 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 2; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 2 - row < 8 ? 2 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 4; i++)
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
-    }
+            q[4 * k + i] = found[i][k];
+    for (int i = 1; i < 2; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 2; i++)
+            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -405,6 +407,12 @@ static void solve(
     }
 }
 
+static void take(const double from[2], double to[2])
+{
+    for (int i = 0; i < 2; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -412,29 +420,6 @@ struct search {
     unsigned char status[2];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    double off = value > high ? value - high : value - low;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    if (revolute[joint])
-        off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[2])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 2; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -465,8 +450,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = fan_step[s->joint];
@@ -529,8 +513,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 2; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -551,12 +534,67 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[2])
+{
+    static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
+    double x[2], P[16], J[12], enough = 0.0;
+    int held[2] = { 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[2] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        planar_rp_fk(x, P);
+        planar_rp_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        for (int i = 0; i < 12; i++)
+            J[i] *= held[i % 2] ? 0.0 : weights[i / 2];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 2 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[2] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 12; i++)
+                s[i % 2] += J[i] * e[i / 2];
+            for (int i = 0; i < 2; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 2; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 12; i++)
+                w[i / 2] += J[i] * p[i % 2];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 2; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 2; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2], unsigned char
     status[2])
 {
-    static const double zeros[2] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[2] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -574,10 +612,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2],
     for (int row = 0; row < 2; row++) {
         if (status[row] == PLANAR_RP_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 2; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PLANAR_RP_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RP_OUT_OF_LIMITS;
@@ -617,8 +657,7 @@ int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 2; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -83,11 +83,10 @@ INVALID_POSE = 4  # NaN: T is no pose
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low2 = -1e-09  # least of joint 2
-high2 = 1.000000001  # most of joint 2
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low2 = -1e-09
+high2 = 1.000000001
 m1 = 1e-06  # doubt_limit1^2 [m^2]
-m3 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -214,7 +213,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 00cf046958b51837"
+_KEY = "planar_rp c90193e8078e7b7a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -330,12 +329,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -356,6 +349,12 @@ def _beyond_limits(values):
     for i in range(2):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -497,6 +496,92 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([1.0, 1.0, 0.0, 0.0, 0.0, 0.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    for j in range(2):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(2), math.inf
+    for _ in range(2):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(2), np.zeros(6), 0.0, 0.0
+        for j in range(2):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(2):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(2):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(2):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 2)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(2):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(2)
+    for i in range(2):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(2):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -510,6 +595,7 @@ def _whole(pose, seed, q, status):
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(2):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -540,9 +626,9 @@ def _regular(pose, q, status):
 
     # joint values
     v2 = angle1 - offset1
-    v3 = angle1 - math.copysign(half_turn, T14) * h1 - offset1
-    q1_p = v2 + (m3 if v2 <= -half_turn else 0.0)
-    q1_m = v3 + (m3 if v3 <= -half_turn else 0.0)
+    v3 = angle1 - math.copysign(half_turn, T14) - offset1
+    q1_p = v2 + (whole_turn if v2 <= -half_turn else 0.0)
+    q1_m = v3 + (whole_turn if v3 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -598,7 +684,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -769,9 +855,9 @@ def _in_tiles(T, q, status):
             outside_m = work[320 + k] != 0.0
             angle1 = work[336 + k]
             v2 = angle1 - offset1
-            v3 = angle1 - math.copysign(half_turn, T14) * h1 - offset1
-            q1_p = v2 + (m3 if v2 <= -half_turn else 0.0)
-            q1_m = v3 + (m3 if v3 <= -half_turn else 0.0)
+            v3 = angle1 - math.copysign(half_turn, T14) - offset1
+            q1_p = v2 + (whole_turn if v2 <= -half_turn else 0.0)
+            q1_m = v3 + (whole_turn if v3 <= -half_turn else 0.0)
             _368 = q1_p
             work[368 + k] = _368
             _384 = q2_p

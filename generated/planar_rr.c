@@ -66,14 +66,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -93,6 +91,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -103,10 +102,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -150,7 +149,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     return all_four(0.0 * (T[3] + T[7]));
@@ -171,11 +169,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -189,16 +186,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PLANAR_RR_UNREACHABLE) \
-        | (~(none) & (outside) & PLANAR_RR_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & PLANAR_RR_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & PLANAR_RR_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)PLANAR_RR_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)PLANAR_RR_UNREACHABLE \
         : (outside) ? (int)PLANAR_RR_OUT_OF_LIMITS : 0)
 #endif
 static const double a1 = 0.4; /* link length 1 [m] */
@@ -288,9 +285,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
         < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
     q[0] = atan2_wide(v2 - v4, v3 + v5); q[1] = angle1;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[2] = atan2_wide(v2 + v4, v3 - v5); q[3] = -angle1;
-    kind[1] = kind_of(q[2] != q[2], 0);
+    kind[1] = kind_of(q[2], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -343,29 +340,14 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (4 >= LANES) {
-        for (int i = 0; i < 4; i += LANES) {
-            const int from = i + LANES <= 4 ? i : 4 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 4 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 4; i++)
-            for (int k = 0; k < LANES; k++)
-                q[4 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 2; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 2 - row < 8 ? 2 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 4; i++)
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
-    }
+            q[4 * k + i] = found[i][k];
+    for (int i = 1; i < 2; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 2; i++)
+            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -426,6 +408,12 @@ static void solve(
     }
 }
 
+static void take(const double from[2], double to[2])
+{
+    for (int i = 0; i < 2; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -442,8 +430,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2], unsigned char
     status[2])
 {
-    static const double zeros[2] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[2] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -459,9 +446,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2],
         if (status[row] == PLANAR_RR_UNREACHABLE)
             continue;
         for (int i = 0; i < 2; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PLANAR_RR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RR_OUT_OF_LIMITS;
@@ -501,8 +487,7 @@ int planar_rr_ik_nearest(const double T[16], const double q_seed[2], double q[2]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 2; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

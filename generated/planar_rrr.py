@@ -97,6 +97,7 @@ pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 7.224999999999999e-07  # square of a length that fixes no angle [m^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.25  # a coefficient of S1
@@ -106,7 +107,6 @@ m5 = 0.1166666666666667  # a coefficient of c12
 m6 = 7.225e-11  # pose_slack1^2 [m^2]
 m7 = 1.0000000000000002e-10  # pose_slack^2
 m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
-m9 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -259,7 +259,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 7a431744a0770955"
+_KEY = "planar_rrr c5671b961c16a42f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -731,8 +731,14 @@ def _regular(pose, q, status):
     q1_m = angle4 + v24
     q2_p = angle2 + v23
     q2_m = v24 - angle2
-    q3_p = v23 + (v20 - (m9 if half_turn < v20 else 0.0) + (m9 if v20 <= -half_turn else 0.0))
-    q3_m = v24 + (v21 - (m9 if half_turn < v21 else 0.0) + (m9 if v21 <= -half_turn else 0.0))
+    q3_p = (
+        v23 + (v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <= -half_turn
+        else 0.0))
+    )
+    q3_m = (
+        v24 + (v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <= -half_turn
+        else 0.0))
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1021,10 +1027,12 @@ def _in_tiles(T, q, status):
             q2_p = angle2 + v23
             q2_m = v24 - angle2
             q3_p = (
-                v23 + (v20 - (m9 if half_turn < v20 else 0.0) + (m9 if v20 <= -half_turn else 0.0))
+                v23 + (v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <=
+                -half_turn else 0.0))
             )
             q3_m = (
-                v24 + (v21 - (m9 if half_turn < v21 else 0.0) + (m9 if v21 <= -half_turn else 0.0))
+                v24 + (v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <=
+                -half_turn else 0.0))
             )
             _448 = q1_p
             work[448 + k] = _448

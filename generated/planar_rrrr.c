@@ -341,6 +341,12 @@ static void solve(
     }
 }
 
+static void take(const double from[4], double to[4])
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -356,8 +362,7 @@ static double turned(int joint, double given, double towards)
 int planar_rrrr_ik(
     const double T[16], const double *q_seed, double q[1][4], unsigned char status[1])
 {
-    static const double zeros[4] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -373,9 +378,8 @@ int planar_rrrr_ik(
         if (status[row] == PLANAR_RRRR_UNREACHABLE)
             continue;
         for (int i = 0; i < 4; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PLANAR_RRRR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RRRR_OUT_OF_LIMITS;
@@ -409,8 +413,7 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 4; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

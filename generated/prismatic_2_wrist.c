@@ -10,6 +10,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -67,14 +83,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -94,6 +108,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -104,10 +119,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -119,21 +134,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -175,7 +182,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -209,11 +215,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -227,16 +232,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PRISMATIC_2_WRIST_UNREACHABLE) \
-        | (~(none) & (outside) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & PRISMATIC_2_WRIST_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & PRISMATIC_2_WRIST_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)PRISMATIC_2_WRIST_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)PRISMATIC_2_WRIST_UNREACHABLE \
         : (outside) ? (int)PRISMATIC_2_WRIST_OUT_OF_LIMITS : 0)
 #endif
 static const double a1 = 0.1; /* link length 1 [m] */
@@ -275,7 +280,6 @@ static const double m2 = 0.7750600530519154; /* a coefficient of v12 */
 static const double m3 = 2.1049616508823186; /* a coefficient of v12 */
 static const double m4 = 4.165947785154044; /* a coefficient of s3 */
 static const double m5 = 1e-06; /* doubt_limit^2 */
-static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const prismatic_2_wrist_branches[8] = {
     "left-noflip3-noflip4", "left-noflip3-flip4", "left-flip3-noflip4", "left-flip3-flip4",
@@ -359,35 +363,19 @@ void prismatic_2_wrist_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = cat2; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -400,7 +388,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -446,8 +434,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v40 = v38 + X4_pp * X4_pp, v41 = v38 + X4_pm * X4_pm, v42 = v39 + X4_mp * X4_mp,
         v43 = v39 + X4_mm * X4_mm, angle1 = atan2_wide(-v36, -X4_pp),
         angle2 = atan2_wide(-v36, -X4_pm), angle3 = atan2_wide(-v37, -X4_mp),
-        angle4 = atan2_wide(-v37, -X4_mm), v44 = copysign_wide(all_wide(half_turn), -v36) * h1,
-        v45 = copysign_wide(all_wide(half_turn), -v37) * h1;
+        angle4 = atan2_wide(-v37, -X4_mm), v44 = signed_wide(half_turn, -v36),
+        v45 = signed_wide(half_turn, -v37);
 
     /* theta5 */
     const wide angle5 = atan2_wide(-sqrt_wide(v40), -(v16 * v30 + s3_p * v28)),
@@ -488,26 +476,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         m5);
 
     q[0] = q1_ppp; q[1] = -(v20 + v22); q[2] = q3_ppp; q[3] = angle1; q[4] = angle5; q[5] = angle9;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = -(v20 + v22); q[8] = q3_ppp; q[9] = angle1 - v44; q[10] = -angle5;
-    q[11] = angle9 - h1 * copysign_wide(all_wide(half_turn), v74);
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[11] = angle9 - signed_wide(half_turn, v74);
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = -(v21 + v22); q[14] = q3_pmp; q[15] = angle2; q[16] = angle6;
     q[17] = angle10;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = -(v21 + v22); q[20] = q3_pmp; q[21] = angle2 - v44; q[22] = -angle6;
-    q[23] = angle10 - h1 * copysign_wide(all_wide(half_turn), v75);
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[23] = angle10 - signed_wide(half_turn, v75);
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = angle7; q[29] = angle11;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v45; q[34] = -angle7;
-    q[35] = angle11 - h1 * copysign_wide(all_wide(half_turn), v76);
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[35] = angle11 - signed_wide(half_turn, v76);
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = angle8; q[41] = angle12;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v45; q[46] = -angle8;
-    q[47] = angle12 - h1 * copysign_wide(all_wide(half_turn), v77);
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[47] = angle12 - signed_wide(half_turn, v77);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -551,7 +539,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v24 = cat2 * T33 - inverse1 * (v4 * v22 + v5 * v21);
     const four v25 = v24 + w1 * (inverse1 * (e1 * v23)), v26 = v25 * v25, v27 = v26 + X4 * X4;
     const four_mask doubt2 = v27 <= m5;
-    const four v28 = copysign_four(all_four(half_turn), -v25) * h1;
+    const four v28 = signed_four(half_turn, -v25);
 
     /* theta6 */
     const double v29 = sat2 * T12, v30 = sat2 * T22, v31 = v1 * v29 - v2 * v30,
@@ -580,8 +568,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2),
         packed5 = atan2_four(s3, -v11),
         angle5 = __builtin_shufflevector(packed5, packed5, 0, 1, 0, 1);
-    const four q4_m = angle1 - v28, q6_m = angle3 - h1 * copysign_four(all_four(half_turn), v51),
-        q1_p = v9 + angle4, q3_p = v3 + angle5;
+    const four q4_m = angle1 - v28, q6_m = angle3 - signed_four(half_turn, v51), q1_p = v9 + angle4,
+        q3_p = v3 + angle5;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -609,29 +597,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -769,6 +747,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -787,8 +771,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -807,9 +790,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == PRISMATIC_2_WRIST_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PRISMATIC_2_WRIST_OUT_OF_LIMITS;
         }
         count += status[row] != PRISMATIC_2_WRIST_OUT_OF_LIMITS;
@@ -850,8 +832,7 @@ int prismatic_2_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -123,7 +123,6 @@ m2 = 0.7750600530519154  # a coefficient of v12
 m3 = 2.1049616508823186  # a coefficient of v12
 m4 = 4.165947785154044  # a coefficient of s3
 m5 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -646,8 +645,8 @@ def _regular(pose, q, status):
     v41 = v38 + X4_pm * X4_pm
     v42 = v39 + X4_mp * X4_mp
     v43 = v39 + X4_mm * X4_mm
-    v44 = math.copysign(half_turn, -v36) * h1
-    v45 = math.copysign(half_turn, -v37) * h1
+    v44 = math.copysign(half_turn, -v36)
+    v45 = math.copysign(half_turn, -v37)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v46 = sat2 * T12
@@ -751,10 +750,10 @@ def _regular(pose, q, status):
     q4_mmm = angle4 - v45
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle9 - h1 * math.copysign(half_turn, v74)
-    q6_pmm = angle10 - h1 * math.copysign(half_turn, v75)
-    q6_mpm = angle11 - h1 * math.copysign(half_turn, v76)
-    q6_mmm = angle12 - h1 * math.copysign(half_turn, v77)
+    q6_ppm = angle9 - math.copysign(half_turn, v74)
+    q6_pmm = angle10 - math.copysign(half_turn, v75)
+    q6_mpm = angle11 - math.copysign(half_turn, v76)
+    q6_mmm = angle12 - math.copysign(half_turn, v77)
 
     # joint values
     q1_ppp = v13 + angle13
@@ -1104,8 +1103,8 @@ def _in_tiles(T, q, status):
             v41 = v38 + X4_pm * X4_pm
             v42 = v39 + X4_mp * X4_mp
             v43 = v39 + X4_mm * X4_mm
-            v44 = math.copysign(half_turn, -v36) * h1
-            v45 = math.copysign(half_turn, -v37) * h1
+            v44 = math.copysign(half_turn, -v36)
+            v45 = math.copysign(half_turn, -v37)
             v46 = sat2 * T12
             v47 = sat2 * T22
             v48 = v1 * v46 - v2 * v47
@@ -1228,10 +1227,10 @@ def _in_tiles(T, q, status):
             q4_pmm = angle2 - v44
             q4_mpm = angle3 - v45
             q4_mmm = angle4 - v45
-            q6_ppm = angle9 - h1 * math.copysign(half_turn, v74)
-            q6_pmm = angle10 - h1 * math.copysign(half_turn, v75)
-            q6_mpm = angle11 - h1 * math.copysign(half_turn, v76)
-            q6_mmm = angle12 - h1 * math.copysign(half_turn, v77)
+            q6_ppm = angle9 - math.copysign(half_turn, v74)
+            q6_pmm = angle10 - math.copysign(half_turn, v75)
+            q6_mpm = angle11 - math.copysign(half_turn, v76)
+            q6_mmm = angle12 - math.copysign(half_turn, v77)
             q1_ppp = v13 + angle13
             q1_mpp = v13 + angle14
             q3_ppp = v3 + angle15

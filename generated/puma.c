@@ -9,6 +9,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -65,14 +81,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -92,6 +106,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -102,10 +117,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -117,21 +132,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -173,7 +180,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -207,11 +213,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -225,16 +230,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PUMA_UNREACHABLE) \
-        | (~(none) & (outside) & PUMA_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & PUMA_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & PUMA_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)PUMA_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)PUMA_UNREACHABLE \
         : (outside) ? (int)PUMA_OUT_OF_LIMITS : 0)
 #endif
 static const double L2 = 0.4318; /* z of axis 3 [m] */
@@ -268,7 +273,6 @@ static const double m2 = 1.055728142924574e-12; /* doubt_limit_squared2^2 [m^4] 
 static const double m3 = 3.105217997900075; /* a coefficient of c23 */
 static const double m4 = 2.3158869847151458; /* a coefficient of s23 */
 static const double m5 = 1e-06; /* doubt_limit^2 */
-static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const puma_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -360,35 +364,19 @@ void puma_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -401,7 +389,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -454,9 +442,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle6 = atan2_wide(-v24, factor2_pp * -X4_pp),
         angle7 = atan2_wide(-v24, factor2_pm * -X4_pm),
         angle8 = atan2_wide(-v25, factor2_mp * -X4_mp),
-        angle9 = atan2_wide(-v25, factor2_pp * -X4_mm),
-        v32 = copysign_wide(all_wide(half_turn), -v24) * h1,
-        v33 = copysign_wide(all_wide(half_turn), -v25) * h1;
+        angle9 = atan2_wide(-v25, factor2_pp * -X4_mm), v32 = signed_wide(half_turn, -v24),
+        v33 = signed_wide(half_turn, -v25);
 
     /* theta5 */
     const wide v34 = T33 * C2_pm,
@@ -488,28 +475,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (v13 <= m2);
 
     q[0] = q1_ppp; q[1] = angle2; q[2] = q3_ppp; q[3] = angle6; q[4] = angle10; q[5] = angle14;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle2; q[8] = q3_ppp; q[9] = angle6 - v32; q[10] = -angle10;
-    q[11] = angle14 - h1 * copysign_wide(all_wide(half_turn), v44);
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[11] = angle14 - signed_wide(half_turn, v44);
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = angle3; q[14] = q3_pmp; q[15] = angle7; q[16] = angle11;
     q[17] = angle15;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = angle3; q[20] = q3_pmp; q[21] = angle7 - v32; q[22] = -angle11;
-    q[23] = angle15 - h1 * copysign_wide(all_wide(half_turn), v45);
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[23] = angle15 - signed_wide(half_turn, v45);
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle4; q[26] = q3_ppp; q[27] = angle8; q[28] = angle12;
     q[29] = angle16;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle4; q[32] = q3_ppp; q[33] = angle8 - v33; q[34] = -angle12;
-    q[35] = angle16 - h1 * copysign_wide(all_wide(half_turn), v46);
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[35] = angle16 - signed_wide(half_turn, v46);
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = angle5; q[38] = q3_pmp; q[39] = angle9; q[40] = angle13;
     q[41] = angle17;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = angle5; q[44] = q3_pmp; q[45] = angle9 - v33; q[46] = -angle13;
-    q[47] = angle17 - h1 * copysign_wide(all_wide(half_turn), v47);
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[47] = angle17 - signed_wide(half_turn, v47);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -551,8 +538,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const double v14 = v11 - m4;
     const four v15 = e2 * v14, s23 = v5 + w1 * (N3 * (v13 + v8 * v15)), v16 = T13 * s1 - T23 * c1,
         X4 = c23 * v16 - T33 * s23, v17 = T13 * c1 + T23 * s1, v18 = v17 * v17,
-        v19 = v18 + factor2 * (X4 * (factor2 * X4)),
-        v20 = copysign_four(all_four(half_turn), -v17) * h1;
+        v19 = v18 + factor2 * (X4 * (factor2 * X4)), v20 = signed_four(half_turn, -v17);
 
     /* theta6 */
     const four v21 = c1 * T12 + s1 * T22, v22 = s1 * T12 - c1 * T22, v23 = T11 * c1 + T21 * s1,
@@ -570,8 +556,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3)),
         angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q4_m = angle3 - v20, q6_m = angle5 - h1 * copysign_four(all_four(half_turn), v25),
-        q1_p = v4 + angle6, q3_p = v1 + e2 * angle1;
+    const four q4_m = angle3 - v20, q6_m = angle5 - signed_four(half_turn, v25), q1_p = v4 + angle6,
+        q3_p = v1 + e2 * angle1;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -599,29 +585,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -746,6 +722,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -762,8 +744,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -782,9 +763,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == PUMA_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PUMA_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA_OUT_OF_LIMITS;
@@ -824,8 +804,7 @@ int puma_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -113,7 +113,6 @@ m2 = 1.055728142924574e-12  # doubt_limit_squared2^2 [m^4]
 m3 = 3.105217997900075  # a coefficient of c23
 m4 = 2.3158869847151458  # a coefficient of s23
 m5 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -616,8 +615,8 @@ def _regular(pose, q, status):
     v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
     v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
     v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
-    v32 = math.copysign(half_turn, -v24) * h1
-    v33 = math.copysign(half_turn, -v25) * h1
+    v32 = math.copysign(half_turn, -v24)
+    v33 = math.copysign(half_turn, -v25)
 
     # theta5, type 3: U4[3, 3] and U4[2, 3]
     v34 = T33 * C2_pm
@@ -714,10 +713,10 @@ def _regular(pose, q, status):
     q4_mmm = angle9 - v33
 
     # theta6, type 3: U4[1, 2] and U4[1, 1]
-    q6_ppm = angle14 - h1 * math.copysign(half_turn, v44)
-    q6_pmm = angle15 - h1 * math.copysign(half_turn, v45)
-    q6_mpm = angle16 - h1 * math.copysign(half_turn, v46)
-    q6_mmm = angle17 - h1 * math.copysign(half_turn, v47)
+    q6_ppm = angle14 - math.copysign(half_turn, v44)
+    q6_pmm = angle15 - math.copysign(half_turn, v45)
+    q6_mpm = angle16 - math.copysign(half_turn, v46)
+    q6_mmm = angle17 - math.copysign(half_turn, v47)
 
     # joint values
     q1_ppp = v6 + angle18
@@ -1061,8 +1060,8 @@ def _in_tiles(T, q, status):
             v29 = v26 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
             v30 = v27 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
             v31 = v27 + factor2_pp * (X4_mm * (factor2_pp * X4_mm))
-            v32 = math.copysign(half_turn, -v24) * h1
-            v33 = math.copysign(half_turn, -v25) * h1
+            v32 = math.copysign(half_turn, -v24)
+            v33 = math.copysign(half_turn, -v25)
             v34 = T33 * C2_pm
             v35 = T33 * C2_pp
             v36 = c1_p * T12 + s1_p * T22
@@ -1164,10 +1163,10 @@ def _in_tiles(T, q, status):
             q4_pmm = angle7 - v32
             q4_mpm = angle8 - v33
             q4_mmm = angle9 - v33
-            q6_ppm = angle14 - h1 * math.copysign(half_turn, v44)
-            q6_pmm = angle15 - h1 * math.copysign(half_turn, v45)
-            q6_mpm = angle16 - h1 * math.copysign(half_turn, v46)
-            q6_mmm = angle17 - h1 * math.copysign(half_turn, v47)
+            q6_ppm = angle14 - math.copysign(half_turn, v44)
+            q6_pmm = angle15 - math.copysign(half_turn, v45)
+            q6_mpm = angle16 - math.copysign(half_turn, v46)
+            q6_mmm = angle17 - math.copysign(half_turn, v47)
             q1_ppp = v6 + angle18
             q1_mpp = v6 + angle19
             q3_ppp = v1 + angle1

@@ -9,6 +9,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -65,14 +81,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -92,6 +106,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -102,10 +117,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -117,21 +132,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -173,7 +180,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -207,11 +213,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -225,16 +230,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & PUMA560_UNREACHABLE) \
-        | (~(none) & (outside) & PUMA560_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & PUMA560_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & PUMA560_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)PUMA560_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)PUMA560_UNREACHABLE \
         : (outside) ? (int)PUMA560_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.67183; /* joint offset 1 [m] */
@@ -266,14 +271,7 @@ static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * 
 static const double doubt_limit_squared2 = 2.9096854084e-06;
 static const double turn1 = 1.5238184104468135; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.7925268041909272; /* least of joint 1 */
-static const double high1 = 2.7925268041909272; /* most of joint 1 */
-static const double low2 = -1.9198621781937626; /* least of joint 2 */
-static const double high2 = 1.9198621781937626; /* most of joint 2 */
-static const double low3 = -2.356194491192345; /* least of joint 3 */
-static const double high3 = 2.356194491192345; /* most of joint 3 */
-static const double low5 = -1.7453292529943296; /* least of joint 5 */
-static const double high5 = 1.7453292529943296; /* most of joint 5 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 0.12579382426107213; /* a coefficient of s3 */
 static const double m2 = 0.9988973492016866; /* a coefficient of s3 */
 static const double m3 = 2.675752380095121; /* a coefficient of s3 */
@@ -281,8 +279,9 @@ static const double m4 = 0.046960667412677716; /* a coefficient of c3 */
 static const double m5 = 1.1579434923575729; /* a coefficient of X1_2 */
 static const double m6 = 0.000477176933765627; /* a coefficient of X1_2 */
 static const double m7 = 1e-06; /* doubt_limit^2 */
-static const double m9 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m8 */
+static const double low1 = -2.7925268041909272, high1 = 2.7925268041909272,
+low2 = -1.9198621781937626, high2 = 1.9198621781937626, low3 = -2.356194491192345,
+high3 = 2.356194491192345, low5 = -1.7453292529943296, high5 = 1.7453292529943296;
 
 const char *const puma560_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -366,35 +365,19 @@ void puma560_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -407,7 +390,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -415,6 +398,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -460,8 +464,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26),
         v31 = v23 + factor2 * (c4_mm * v27), angle8 = atan2_wide(Y4_p, v24),
         angle9 = atan2_wide(Y4_p, v25), angle10 = atan2_wide(-v21, v26),
-        angle11 = atan2_wide(-v21, v27), v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
-        v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
+        angle11 = atan2_wide(-v21, v27), v32 = signed_wide(half_turn, Y4_p),
+        v33 = signed_wide(half_turn, -v21);
 
     /* theta5 */
     const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19)),
@@ -483,52 +487,40 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9),
-        v45 = only_wide(-v12 <= -half_turn, m9) - v12;
-    const wide_mask v46 = beyond(angle1, low1, high1), v47 = beyond(angle2, low1, high1),
-        v48 = beyond(v44, low3, high3), v49 = beyond(v45, low3, high3);
+    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, whole_turn),
+        v45 = only_wide(-v12 <= -half_turn, whole_turn) - v12;
+    const wide_mask v46 = beyond(angle1, 1), v47 = beyond(angle2, 1), v48 = beyond(v44, 3),
+        v49 = beyond(v45, 3);
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | v46 | beyond(angle4, low2, high2),
-        v51 = v49 | v46 | beyond(angle5, low2, high2),
-        v52 = v48 | v47 | beyond(angle6, low2, high2),
-        v53 = v49 | v47 | beyond(angle7, low2, high2),
-        outside_ppp = v50 | beyond(angle12, low5, high5),
-        outside_ppm = v50 | beyond(-angle12, low5, high5),
-        outside_pmp = v51 | beyond(angle13, low5, high5),
-        outside_pmm = v51 | beyond(-angle13, low5, high5),
-        outside_mpp = v52 | beyond(angle14, low5, high5),
-        outside_mpm = v52 | beyond(-angle14, low5, high5),
-        outside_mmp = v53 | beyond(angle15, low5, high5),
-        outside_mmm = v53 | beyond(-angle15, low5, high5),
+    const wide_mask v50 = v48 | v46 | beyond(angle4, 2), v51 = v49 | v46 | beyond(angle5, 2),
+        v52 = v48 | v47 | beyond(angle6, 2), v53 = v49 | v47 | beyond(angle7, 2),
         doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | ((shortest3_reach <= N3) &
             (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3
             <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v50 | beyond(angle12, 5));
     q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v32; q[10] = -angle12;
-    q[11] = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
-        s23_pp * T31)));
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[11] = angle16 - signed_wide(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
+    kind[1] = kind_of(q[6], v50 | beyond(-angle12, 5));
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    kind[2] = kind_of(q[12], v51 | beyond(angle13, 5));
     q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v32; q[22] = -angle13;
-    q[23] = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p * (c23_pm * v40 +
-        s23_pm * T31)));
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[23] = angle17 - signed_wide(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
+    kind[3] = kind_of(q[18], v51 | beyond(-angle13, 5));
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    kind[4] = kind_of(q[24], v52 | beyond(angle14, 5));
     q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = angle10 - v33; q[34] = -angle14;
-    q[35] = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[35] = angle18 - signed_wide(half_turn, v42);
+    kind[5] = kind_of(q[30], v52 | beyond(-angle14, 5));
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    kind[6] = kind_of(q[36], v53 | beyond(angle15, 5));
     q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = angle11 - v33; q[46] = -angle15;
-    q[47] = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[47] = angle19 - signed_wide(half_turn, v43);
+    kind[7] = kind_of(q[42], v53 | beyond(-angle15, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -570,7 +562,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         c4 = c23 * v10 + s23 * T33, Y4 = c1 * T23 - s1 * T13, v11 = Y4 * Y4, v12 = factor2 * c4,
         v13 = v11 + factor2 * (c4 * v12);
     const four_mask doubt2 = v13 <= m7;
-    const four v14 = copysign_four(all_four(half_turn), Y4) * h1;
+    const four v14 = signed_four(half_turn, Y4);
 
     /* theta6 */
     const four v15 = s1 * T12 - c1 * T22, v16 = c1 * T12 + s1 * T22, v17 = s1 * T11 - c1 * T21,
@@ -590,13 +582,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v14,
-        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), -(c4 * v17 + Y4 * (c23 * v18 + s23 *
-            T31))), v19 = q3_ + only_four(q3_ <= -half_turn, m9);
-    const four_mask v20 = beyond(angle1, low1, high1), v21 = beyond(v19, low3, high3);
+        q6_m = angle6 - signed_four(half_turn, -(c4 * v17 + Y4 * (c23 * v18 + s23 * T31))),
+        v19 = q3_ + only_four(q3_ <= -half_turn, whole_turn);
+    const four_mask v20 = beyond(angle1, 1), v21 = beyond(v19, 3);
     const four q1_p = angle1 + v4, q3_p = v1 + v19;
-    const four_mask v22 = v21 | v20 | beyond(angle3, low2, high2),
-        outside_p = v22 | beyond(angle5, low5, high5),
-        outside_m = v22 | beyond(-angle5, low5, high5);
+    const four_mask v22 = v21 | v20 | beyond(angle3, 2), outside_p = v22 | beyond(angle5, 5),
+        outside_m = v22 | beyond(-angle5, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -627,29 +618,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -772,6 +753,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -779,27 +766,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -830,8 +796,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -894,8 +859,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -914,12 +878,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.5862420710759887, 0.5862420710759887, 0.5862420710759887,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        puma560_fk(x, P);
+        puma560_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -940,10 +965,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA560_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = PUMA560_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA560_OUT_OF_LIMITS;
@@ -983,8 +1010,7 @@ int puma560_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -113,14 +113,15 @@ k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.7925268041909272  # least of joint 1
-high1 = 2.7925268041909272  # most of joint 1
-low2 = -1.9198621781937626  # least of joint 2
-high2 = 1.9198621781937626  # most of joint 2
-low3 = -2.356194491192345  # least of joint 3
-high3 = 2.356194491192345  # most of joint 3
-low5 = -1.7453292529943296  # least of joint 5
-high5 = 1.7453292529943296  # most of joint 5
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low1 = -2.7925268041909272
+high1 = 2.7925268041909272
+low2 = -1.9198621781937626
+high2 = 1.9198621781937626
+low3 = -2.356194491192345
+high3 = 2.356194491192345
+low5 = -1.7453292529943296
+high5 = 1.7453292529943296
 m1 = 0.12579382426107213  # a coefficient of s3
 m2 = 0.9988973492016866  # a coefficient of s3
 m3 = 2.675752380095121  # a coefficient of s3
@@ -128,8 +129,6 @@ m4 = 0.046960667412677716  # a coefficient of c3
 m5 = 1.1579434923575729  # a coefficient of X1_2
 m6 = 0.000477176933765627  # a coefficient of X1_2
 m7 = 1e-06  # doubt_limit^2
-m9 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m8
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -344,7 +343,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 7568da52c5d0e964"
+_KEY = "puma560 ea79f15c120d6cc2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -576,12 +575,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -600,6 +593,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -741,6 +740,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.5862420710759887, 0.5862420710759887, 0.5862420710759887, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -754,6 +844,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -845,8 +936,8 @@ def _regular(pose, q, status):
     v29 = v22 + factor2 * (c4_pm * v25)
     v30 = v23 + factor2 * (c4_mp * v26)
     v31 = v23 + factor2 * (c4_mm * v27)
-    v32 = math.copysign(half_turn, Y4_p) * h1
-    v33 = math.copysign(half_turn, -v21) * h1
+    v32 = math.copysign(half_turn, Y4_p)
+    v33 = math.copysign(half_turn, -v21)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v34 = s1_p * T12 - c1_p * T22
@@ -942,19 +1033,17 @@ def _regular(pose, q, status):
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
-        angle16 - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp *
-        T31)))
+        angle16 - math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)))
     )
     q6_pmm = (
-        angle17 - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm *
-        T31)))
+        angle17 - math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)))
     )
-    q6_mpm = angle18 - h1 * math.copysign(half_turn, v42)
-    q6_mmm = angle19 - h1 * math.copysign(half_turn, v43)
+    q6_mpm = angle18 - math.copysign(half_turn, v42)
+    q6_mmm = angle19 - math.copysign(half_turn, v43)
 
     # joint values
-    v44 = q3__p + (m9 if q3__p <= -half_turn else 0.0)
-    v45 = (m9 if -v12 <= -half_turn else 0.0) - v12
+    v44 = q3__p + (whole_turn if q3__p <= -half_turn else 0.0)
+    v45 = (whole_turn if -v12 <= -half_turn else 0.0) - v12
     v46 = angle1 < low1 or high1 < angle1
     v47 = angle2 < low1 or high1 < angle2
     v48 = v44 < low3 or high3 < v44
@@ -1080,7 +1169,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1320,8 +1409,8 @@ def _in_tiles(T, q, status):
             v29 = v22 + factor2 * (c4_pm * v25)
             v30 = v23 + factor2 * (c4_mp * v26)
             v31 = v23 + factor2 * (c4_mm * v27)
-            v32 = math.copysign(half_turn, Y4_p) * h1
-            v33 = math.copysign(half_turn, -v21) * h1
+            v32 = math.copysign(half_turn, Y4_p)
+            v33 = math.copysign(half_turn, -v21)
             v34 = s1_p * T12 - c1_p * T22
             v35 = s1_m * T12 + v4 * T22
             v36 = c1_p * T12 + s1_p * T22
@@ -1437,17 +1526,17 @@ def _in_tiles(T, q, status):
             q4_mpm = angle10 - v33
             q4_mmm = angle11 - v33
             q6_ppm = (
-                angle16 - h1 * math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
-                s23_pp * T31)))
+                angle16 - math.copysign(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp *
+                T31)))
             )
             q6_pmm = (
-                angle17 - h1 * math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 +
-                s23_pm * T31)))
+                angle17 - math.copysign(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm *
+                T31)))
             )
-            q6_mpm = angle18 - h1 * math.copysign(half_turn, v42)
-            q6_mmm = angle19 - h1 * math.copysign(half_turn, v43)
-            v44 = q3__p + (m9 if q3__p <= -half_turn else 0.0)
-            v45 = (m9 if -v12 <= -half_turn else 0.0) - v12
+            q6_mpm = angle18 - math.copysign(half_turn, v42)
+            q6_mmm = angle19 - math.copysign(half_turn, v43)
+            v44 = q3__p + (whole_turn if q3__p <= -half_turn else 0.0)
+            v45 = (whole_turn if -v12 <= -half_turn else 0.0) - v12
             v46 = angle1 < low1 or high1 < angle1
             v47 = angle2 < low1 or high1 < angle2
             v48 = v44 < low3 or high3 < v44

@@ -9,6 +9,22 @@
 
 static const float turn = 6.2831855f;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, float)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -58,10 +74,10 @@ HELPER v atan2_##v(v y, v x) \
 typedef float wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
+#define signed_wide copysignf
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
 #define maximum_wide maximum_double
@@ -72,28 +88,20 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#define kind_of(none, outside) \
-    ((none) ? (int)PUMA560_F32_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)PUMA560_F32_UNREACHABLE \
         : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
 static const float d1 = 0.67183f; /* joint offset 1 [m] */
 static const float a2 = 0.4318f; /* link length 2 [m] */
@@ -124,14 +132,7 @@ static const float k7 = 7.175475f; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m
 static const float doubt_limit_squared2 = 2.9096855e-06f;
 static const float turn1 = 1.5238184f; /* a constant angle [rad] */
 static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float low1 = -2.7925289f; /* least of joint 1 */
-static const float high1 = 2.7925289f; /* most of joint 1 */
-static const float low2 = -1.9198642f; /* least of joint 2 */
-static const float high2 = 1.9198642f; /* most of joint 2 */
-static const float low3 = -2.3561964f; /* least of joint 3 */
-static const float high3 = 2.3561964f; /* most of joint 3 */
-static const float low5 = -1.7453313f; /* least of joint 5 */
-static const float high5 = 1.7453313f; /* most of joint 5 */
+static const float whole_turn = 6.2831855f; /* 2 pi [rad] */
 static const float m1 = 0.12579383f; /* a coefficient of s3 */
 static const float m2 = 0.9988974f; /* a coefficient of s3 */
 static const float m3 = 2.6757524f; /* a coefficient of s3 */
@@ -139,8 +140,10 @@ static const float m4 = 0.046960667f; /* a coefficient of c3 */
 static const float m5 = 1.1579435f; /* a coefficient of X1_2 */
 static const float m6 = 0.00047717695f; /* a coefficient of X1_2 */
 static const float m7 = 1e-06f; /* doubt_limit^2 */
-static const float m9 = 6.2831855f; /* 2 * half_turn */
-static const float h1 = 1.0f; /* 2 * m8 */
+static const float low1 = -2.7925289f, high1 = 2.7925289f, low2 =
+    -1.9198642f,
+high2 = 1.9198642f, low3 = -2.3561964f, high3 = 2.3561964f,
+low5 = -1.7453313f, high5 = 1.7453313f;
 
 const char *const puma560_f32_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -224,35 +227,19 @@ void puma560_f32_jacobian(const float q[6], float J[36])
     J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static float misfit(const float T[16])
-{
-    const float *x = T, *y = T + 4, *z = T + 8;
-    float xx = -1.0f, yy = -1.0f, xy = 0.0f, zz = 0.0f;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const float off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0f * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(float T[16])
 {
-    float R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    float G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5f : 0.0f)
-                - 0.5f * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5f : 0.0f)
+                - 0.5f * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (float *row = T; row < T + 12; row += 4) {
+        const float x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -265,7 +252,7 @@ static int read_pose(const float given[16], float T[16])
         return 0;
     if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
         return 0;
-    const float miss = misfit(T);
+    const float miss = misfit_one(T);
     if (!(miss <= 1e-09f))
         return 0;
     if (miss <= 1e-12f)
@@ -273,6 +260,27 @@ static int read_pose(const float given[16], float T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static float overshoot(int joint, float value)
+{
+    const float low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0f;
+    const float gap = turn - (high - low), over = value - high;
+    const float rest = over - turn * floorf(over / turn);
+    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
+    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+}
+
+/* The same of a row. */
+static float beyond_limits(const float values[6])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 6; i++)
+        sum += fabsf(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -319,8 +327,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v29 = v22 + factor2 * (c4_pm * v25), v30 = v23 + factor2 * (c4_mp * v26),
         v31 = v23 + factor2 * (c4_mm * v27), angle8 = atan2_wide(Y4_p, v24),
         angle9 = atan2_wide(Y4_p, v25), angle10 = atan2_wide(-v21, v26),
-        angle11 = atan2_wide(-v21, v27), v32 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
-        v33 = copysign_wide(all_wide(half_turn), -v21) * h1;
+        angle11 = atan2_wide(-v21, v27), v32 = signed_wide(half_turn, Y4_p),
+        v33 = signed_wide(half_turn, -v21);
 
     /* theta5 */
     const wide angle12 = atan2_wide(-sqrt_wide(v28), factor2 * (c23_pp * T33 - s23_pp * v19)),
@@ -342,52 +350,40 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, m9),
-        v45 = only_wide(-v12 <= -half_turn, m9) - v12;
-    const wide_mask v46 = beyond(angle1, low1, high1), v47 = beyond(angle2, low1, high1),
-        v48 = beyond(v44, low3, high3), v49 = beyond(v45, low3, high3);
+    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, whole_turn),
+        v45 = only_wide(-v12 <= -half_turn, whole_turn) - v12;
+    const wide_mask v46 = beyond(angle1, 1), v47 = beyond(angle2, 1), v48 = beyond(v44, 3),
+        v49 = beyond(v45, 3);
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
-    const wide_mask v50 = v48 | v46 | beyond(angle4, low2, high2),
-        v51 = v49 | v46 | beyond(angle5, low2, high2),
-        v52 = v48 | v47 | beyond(angle6, low2, high2),
-        v53 = v49 | v47 | beyond(angle7, low2, high2),
-        outside_ppp = v50 | beyond(angle12, low5, high5),
-        outside_ppm = v50 | beyond(-angle12, low5, high5),
-        outside_pmp = v51 | beyond(angle13, low5, high5),
-        outside_pmm = v51 | beyond(-angle13, low5, high5),
-        outside_mpp = v52 | beyond(angle14, low5, high5),
-        outside_mpm = v52 | beyond(-angle14, low5, high5),
-        outside_mmp = v53 | beyond(angle15, low5, high5),
-        outside_mmm = v53 | beyond(-angle15, low5, high5),
+    const wide_mask v50 = v48 | v46 | beyond(angle4, 2), v51 = v49 | v46 | beyond(angle5, 2),
+        v52 = v48 | v47 | beyond(angle6, 2), v53 = v49 | v47 | beyond(angle7, 2),
         doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | ((shortest3_reach <= N3) &
             (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N3
             <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
     q[0] = q1_ppp; q[1] = angle4; q[2] = q3_ppp; q[3] = angle8; q[4] = angle12; q[5] = angle16;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v50 | beyond(angle12, 5));
     q[6] = q1_ppp; q[7] = angle4; q[8] = q3_ppp; q[9] = angle8 - v32; q[10] = -angle12;
-    q[11] = angle16 - h1 * copysign_wide(all_wide(half_turn), -(c4_pp * v38 + Y4_p * (c23_pp * v40 +
-        s23_pp * T31)));
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    q[11] = angle16 - signed_wide(half_turn, -(c4_pp * v38 + Y4_p * (c23_pp * v40 + s23_pp * T31)));
+    kind[1] = kind_of(q[6], v50 | beyond(-angle12, 5));
     q[12] = q1_ppp; q[13] = angle5; q[14] = q3_pmp; q[15] = angle9; q[16] = angle13;
     q[17] = angle17;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    kind[2] = kind_of(q[12], v51 | beyond(angle13, 5));
     q[18] = q1_ppp; q[19] = angle5; q[20] = q3_pmp; q[21] = angle9 - v32; q[22] = -angle13;
-    q[23] = angle17 - h1 * copysign_wide(all_wide(half_turn), -(c4_pm * v38 + Y4_p * (c23_pm * v40 +
-        s23_pm * T31)));
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    q[23] = angle17 - signed_wide(half_turn, -(c4_pm * v38 + Y4_p * (c23_pm * v40 + s23_pm * T31)));
+    kind[3] = kind_of(q[18], v51 | beyond(-angle13, 5));
     q[24] = q1_mpp; q[25] = angle6; q[26] = q3_ppp; q[27] = angle10; q[28] = angle14;
     q[29] = angle18;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    kind[4] = kind_of(q[24], v52 | beyond(angle14, 5));
     q[30] = q1_mpp; q[31] = angle6; q[32] = q3_ppp; q[33] = angle10 - v33; q[34] = -angle14;
-    q[35] = angle18 - h1 * copysign_wide(all_wide(half_turn), v42);
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    q[35] = angle18 - signed_wide(half_turn, v42);
+    kind[5] = kind_of(q[30], v52 | beyond(-angle14, 5));
     q[36] = q1_mpp; q[37] = angle7; q[38] = q3_pmp; q[39] = angle11; q[40] = angle15;
     q[41] = angle19;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    kind[6] = kind_of(q[36], v53 | beyond(angle15, 5));
     q[42] = q1_mpp; q[43] = angle7; q[44] = q3_pmp; q[45] = angle11 - v33; q[46] = -angle15;
-    q[47] = angle19 - h1 * copysign_wide(all_wide(half_turn), v43);
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[47] = angle19 - signed_wide(half_turn, v43);
+    kind[7] = kind_of(q[42], v53 | beyond(-angle15, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
 }
@@ -399,6 +395,8 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
     if (solve_wide(T, &q[0][0], kind))
         return -1;
     for (int row = 0; row < 8; row++) {
+        if (kind[row] == PUMA560_F32_OUT_OF_LIMITS && beyond_limits(q[row]) < 0.01f)
+            return -1; /* by rounding, perhaps */
         status[row] = (unsigned char)kind[row];
         count += kind[row] == 0;
     }
@@ -510,6 +508,12 @@ static void solve(
     }
 }
 
+static void take(const float from[6], float to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const float *T;
@@ -517,27 +521,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static float overshoot(int joint, float value)
-{
-    const float low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0f;
-    const float gap = turn - (high - low), over = value - high;
-    const float rest = over - turn * floorf(over / turn);
-    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
-}
-
-/* The same of a row. */
-static float beyond_limits(const float values[6])
-{
-    float sum = 0.0f;
-    for (int i = 0; i < 6; i++)
-        sum += fabsf(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static float attempt(struct search *s, float moved)
@@ -568,8 +551,7 @@ static float summit(struct search *s, float low, float high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static float serving_value(struct search *s)
 {
     const float step = 0.09817477f;
@@ -594,7 +576,7 @@ static float serving_value(struct search *s)
             else
                 inner = middle;
         }
-        if (!(fabsf(outer) >= fabsf(nearest) - 1e-09f))
+        if (!(fabsf(outer) >= fabsf(nearest) - 2e-06f))
             nearest = outer;
     }
     return nearest;
@@ -608,7 +590,7 @@ static int hopeless(struct search *s)
         return 0;
     for (int i = 0; i < 6; i++) {
         const float value = s->q[s->row][i], moved = fabsf(value - other.q[s->row][i]);
-        if (moved < 1e-09f && fabsf(overshoot(i, value)) > 0.0f)
+        if (moved < 2e-06f && fabsf(overshoot(i, value)) > 0.0f)
             return 1;
     }
     return 0;
@@ -629,11 +611,10 @@ static void keep_limits(
         search.start = fmodf(seed[joint], turn);
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
+        if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -652,12 +633,73 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const float T[16], float q[6])
+{
+    static const float weights[6] = { 0.5862421f, 0.5862421f, 0.5862421f,
+        1.0f, 1.0f, 1.0f };
+    float x[6], P[16], J[36], enough = 0.0f;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        float e[6] = { 0.0f }, p[6] = { 0.0f }, square = 0.0f, before = HUGE_VALF;
+        puma560_f32_fk(x, P);
+        puma560_f32_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0f : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrtf(square) + 1e-06f;
+        else if (sqrtf(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrtf(square) > 0.1f * enough; k++) {
+            float w[6] = { 0.0f }, s[6] = { 0.0f }, slope = 0.0f, length = 0.0f;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const float part = length > 0.0f ? slope / length : 0.0f;
+            square = 0.0f;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const float off = held[i] ? 0.0f : overshoot(i, x[i]);
+            held[i] |= fabsf(off) > 0.0f;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], unsigned char
     status[8])
 {
-    static const float zeros[6] = { 0.0f };
-    const float *seed = q_seed ? q_seed : zeros;
+    const float zeros[6] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -678,10 +720,12 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA560_F32_UNREACHABLE)
             continue;
+        const float off = beyond_limits(q[row]);
+        if (0.0f < off && off < 0.01f)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 2e-06f <= q[row][i]
-                    && q[row][i] <= highest[i] + 2e-06f))
+            const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))
                 status[row] = PUMA560_F32_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA560_F32_OUT_OF_LIMITS;
@@ -722,8 +766,7 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

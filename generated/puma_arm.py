@@ -101,10 +101,10 @@ k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1579434923575729  # a coefficient of X1_2
 m2 = 0.000477176933765627  # a coefficient of X1_2
-m3 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -448,8 +448,8 @@ def _regular(pose, q, status):
     # joint values
     q1_pp = v6 + angle6
     q1_mp = v6 + angle7
-    q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
-    q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
+    q3_pp = v1 + (q3__p + (whole_turn if q3__p <= -half_turn else 0.0))
+    q3_pm = v1 + ((whole_turn if -v7 <= -half_turn else 0.0) - v7)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -726,8 +726,8 @@ def _in_tiles(T, q, status):
             v7 = turn1 + angle1
             q1_pp = v6 + angle6
             q1_mp = v6 + angle7
-            q3_pp = v1 + (q3__p + (m3 if q3__p <= -half_turn else 0.0))
-            q3_pm = v1 + ((m3 if -v7 <= -half_turn else 0.0) - v7)
+            q3_pp = v1 + (q3__p + (whole_turn if q3__p <= -half_turn else 0.0))
+            q3_pm = v1 + ((whole_turn if -v7 <= -half_turn else 0.0) - v7)
             _544 = q1_pp
             work[544 + k] = _544
             _560 = angle2

@@ -98,7 +98,6 @@ m4 = 1e-12  # doubt_limit_squared^2
 m5 = 2.0  # a coefficient of v10
 m6 = 3.6000000000000004e-23  # exact_slack1^2 [m^2]
 m7 = 1e-24  # exact_slack^2
-h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -272,7 +271,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof 6574d47382d2928e"
+_KEY = "rail_5dof 22a865a9f0d8eff8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1003,10 +1002,10 @@ def _regular(pose, q, status):
     angle4 = room[3]
 
     # theta3, type 2: U3[2, 3]
-    q3_m = angle2 - math.copysign(half_turn, -T33) * h1
+    q3_m = angle2 - math.copysign(half_turn, -T33)
 
     # theta5, type 3: U3[2, 2] and U3[2, 1]
-    q5_m = angle4 - h1 * math.copysign(half_turn, -S5)
+    q5_m = angle4 - math.copysign(half_turn, -S5)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1305,8 +1304,8 @@ def _in_tiles(T, q, status):
             angle2 = work[336 + k]
             angle3 = work[352 + k]
             angle4 = work[368 + k]
-            q3_m = angle2 - math.copysign(half_turn, -T33) * h1
-            q5_m = angle4 - h1 * math.copysign(half_turn, -S5)
+            q3_m = angle2 - math.copysign(half_turn, -T33)
+            q5_m = angle4 - math.copysign(half_turn, -S5)
             _448 = q1_p
             work[448 + k] = _448
             _464 = angle1

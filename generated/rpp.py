@@ -82,7 +82,6 @@ d1 = 0.5  # joint offset 1 [m]
 free_limit1 = 5e-13  # a length that fixes no angle [m]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.5e-07  # doubt_limit1^2 [m^2]
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -287,7 +286,7 @@ def _regular(pose, q, status):
     angle1 = _atan2(-T14, T24)
 
     # theta1, r2, type 4: U0[1, 4] and U0[2, 4]
-    q1_m = angle1 - math.copysign(half_turn, -T14) * h1
+    q1_m = angle1 - math.copysign(half_turn, -T14)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -513,7 +512,7 @@ def _in_tiles(T, q, status):
             q2_p = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
-            q1_m = angle1 - math.copysign(half_turn, -T14) * h1
+            q1_m = angle1 - math.copysign(half_turn, -T14)
             _352 = angle1
             work[352 + k] = _352
             _368 = q2_p

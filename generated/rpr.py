@@ -89,7 +89,6 @@ k1 = 0.09  # a3^2 [m^2]
 k2 = 11.111111111111112  # 1 / (a3^2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 6.4e-07  # doubt_limit1^2 [m^2]
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -355,7 +354,7 @@ def _regular(pose, q, status):
 
     # joint values
     q1_pp = angle1 + v2
-    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14) * h1)
+    q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -602,7 +601,7 @@ def _in_tiles(T, q, status):
             angle1 = work[336 + k]
             angle2 = work[352 + k]
             q1_pp = angle1 + v2
-            q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14) * h1)
+            q1_mp = v2 + (angle1 - math.copysign(half_turn, -T14))
             _400 = q1_pp
             work[400 + k] = _400
             _416 = q2_pp

@@ -91,7 +91,6 @@ free_limit1 = 1e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit1^2 [m^2]
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -497,19 +496,19 @@ def _regular(pose, q, status):
     angle5 = room[4]
 
     # theta1, type 2: U1[2, 4]
-    q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
+    q1_mpp = angle1 - math.copysign(half_turn, -T24)
 
     # theta2, r3, type 4: U1[1, 4] and U1[3, 4]
-    q2_pmp = angle2 - h1 * math.copysign(half_turn, -w1)
+    q2_pmp = angle2 - math.copysign(half_turn, -w1)
 
     # theta4, type 2: U4[2, 3]
-    q4_ppm = angle3 - h1 * math.copysign(half_turn, v8)
+    q4_ppm = angle3 - math.copysign(half_turn, v8)
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
-    q5_pmp = h1 * math.copysign(half_turn, -w4) - angle4
+    q5_pmp = math.copysign(half_turn, -w4) - angle4
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    q6_ppm = angle5 - h1 * math.copysign(half_turn, v9)
+    q6_ppm = angle5 - math.copysign(half_turn, v9)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -848,11 +847,11 @@ def _in_tiles(T, q, status):
             angle3 = work[400 + k]
             angle4 = work[416 + k]
             angle5 = work[432 + k]
-            q1_mpp = angle1 - math.copysign(half_turn, -T24) * h1
-            q2_pmp = angle2 - h1 * math.copysign(half_turn, -w1)
-            q4_ppm = angle3 - h1 * math.copysign(half_turn, v8)
-            q5_pmp = h1 * math.copysign(half_turn, -w4) - angle4
-            q6_ppm = angle5 - h1 * math.copysign(half_turn, v9)
+            q1_mpp = angle1 - math.copysign(half_turn, -T24)
+            q2_pmp = angle2 - math.copysign(half_turn, -w1)
+            q4_ppm = angle3 - math.copysign(half_turn, v8)
+            q5_pmp = math.copysign(half_turn, -w4) - angle4
+            q6_ppm = angle5 - math.copysign(half_turn, v9)
             _528 = angle1
             work[528 + k] = _528
             _544 = angle2

@@ -15,6 +15,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -71,14 +87,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -98,6 +112,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -108,10 +123,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -123,21 +138,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -169,7 +176,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -203,11 +209,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -221,16 +226,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & SCARA_UNREACHABLE) \
-        | (~(none) & (outside) & SCARA_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & SCARA_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & SCARA_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)SCARA_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)SCARA_UNREACHABLE \
         : (outside) ? (int)SCARA_OUT_OF_LIMITS : 0)
 #endif
 static const double L1 = 0.4; /* link length 1 [m] */
@@ -255,18 +260,14 @@ static const double k1 = 0.25; /* L1^2 + L2^2 [m^2] */
 static const double k2 = 4.166666666666667; /* 1 / (2 * L2 * L1) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 6.399999999999998e-07;
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.2689280285926285; /* least of joint 1 */
-static const double high1 = 2.2689280285926285; /* most of joint 1 */
-static const double low2 = -2.530727416391778; /* least of joint 2 */
-static const double high2 = 2.530727416391778; /* most of joint 2 */
-static const double low3 = -0.200000001; /* least of joint 3 */
-static const double high3 = 1e-09; /* most of joint 3 */
 static const double m1 = 1e-12; /* doubt_limit_squared^2 */
 static const double m2 = 1.25; /* a coefficient of S1 */
 static const double m3 = 0.08750000000000001; /* a coefficient of S1 */
 static const double m4 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
+static const double low1 = -2.2689280285926285, high1 = 2.2689280285926285,
+low2 = -2.530727416391778, high2 = 2.530727416391778, low3 = -0.200000001, high3 = 1e-09;
 
 const char *const scara_branches[2] = {
     "down", "up",
@@ -318,35 +319,19 @@ void scara_jacobian(const double q[4], double J[24])
     J[20] = 1.0; J[21] = 1.0; J[22] = 0.0; J[23] = 1.0;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -359,7 +344,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -367,6 +352,29 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    double off = value > high ? value - high : value - low;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    if (revolute[joint])
+        off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[4])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -398,20 +406,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* joint values */
     const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
-    const wide_mask v11 = beyond(t34, low3, high3);
+    const wide_mask v11 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask outside_p = v11 | beyond(angle3, low1, high1) | beyond(angle2, low2, high2),
-        outside_m = v11 | beyond(angle4, low1, high1) | beyond(-angle2, low2, high2),
-        doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2) & (N2
-            < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
-            T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
+    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
+        < N2) & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 +
+        (T23 * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
-    kind[0] = kind_of(q[0] != q[0], outside_p);
+    q[3] = v9 - only_wide(half_turn < v9, whole_turn) + only_wide(v9 <= -half_turn, whole_turn);
+    kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
-    kind[1] = kind_of(q[4] != q[4], outside_m);
+    q[7] = v10 - only_wide(half_turn < v10, whole_turn) + only_wide(v10 <= -half_turn, whole_turn);
+    kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -444,7 +450,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v6 = T33 - 1.0, v7 = T21 - T21 * v2, v8 = T11 - T11 * v2;
 
     /* joint values */
-    const int v10 = beyond(t34, low3, high3);
+    const int v10 = beyond(t34, 3);
     const double q3 = t34 + (w2 - w2);
     const int doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2)
         & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23
@@ -458,9 +464,8 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
         angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
     const four q2 = e1 * angle2, v9 = angle1 - (angle3 + q2),
-        q4 = v9 - only_four(half_turn < v9, m5) + only_four(v9 <= -half_turn, m5);
-    const four_mask outside = where_four(v10) | beyond(angle3, low1, high1) | beyond(q2, low2,
-        high2);
+        q4 = v9 - only_four(half_turn < v9, whole_turn) + only_four(v9 <= -half_turn, whole_turn);
+    const four_mask outside = where_four(v10) | beyond(angle3, 1) | beyond(q2, 2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -486,29 +491,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (8 >= LANES) {
-        for (int i = 0; i < 8; i += LANES) {
-            const int from = i + LANES <= 8 ? i : 8 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 8 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 8; i++)
-            for (int k = 0; k < LANES; k++)
-                q[8 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 2; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 2 - row < 8 ? 2 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 8; i += LANES) {
+        const int from = i + LANES <= 8 ? i : 8 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 8 * k + from) = x[k];
     }
+    for (int i = 1; i < 2; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 2; i++)
+            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -598,6 +593,12 @@ static void solve(
     }
 }
 
+static void take(const double from[4], double to[4])
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -605,29 +606,6 @@ struct search {
     unsigned char status[2];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    double off = value > high ? value - high : value - low;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    if (revolute[joint])
-        off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[4])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 4; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -658,8 +636,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = fan_step[s->joint];
@@ -722,8 +699,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 4; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -744,12 +720,72 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[4])
+{
+    static const double weights[6] = { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 };
+    double x[4], P[16], J[24], enough = 0.0;
+    int held[4] = { 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[4] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        scara_fk(x, P);
+        scara_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 24; i++)
+            J[i] *= held[i % 4] ? 0.0 : weights[i / 4];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 4 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[4] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 24; i++)
+                s[i % 4] += J[i] * e[i / 4];
+            for (int i = 0; i < 4; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 4; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 24; i++)
+                w[i / 4] += J[i] * p[i % 4];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 4; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 4; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4], unsigned char
     status[2])
 {
-    static const double zeros[4] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[4] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -770,10 +806,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
     for (int row = 0; row < 2; row++) {
         if (status[row] == SCARA_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 4; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = SCARA_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_OUT_OF_LIMITS;
@@ -813,8 +851,7 @@ int scara_ik_nearest(const double T[16], const double q_seed[4], double q[4])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 4; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

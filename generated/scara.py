@@ -98,18 +98,18 @@ pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
 doubt_limit_squared2 = 6.399999999999998e-07  # square of a length that fixes no angle [m^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.2689280285926285  # least of joint 1
-high1 = 2.2689280285926285  # most of joint 1
-low2 = -2.530727416391778  # least of joint 2
-high2 = 2.530727416391778  # most of joint 2
-low3 = -0.200000001  # least of joint 3
-high3 = 1e-09  # most of joint 3
+low1 = -2.2689280285926285
+high1 = 2.2689280285926285
+low2 = -2.530727416391778
+high2 = 2.530727416391778
+low3 = -0.200000001
+high3 = 1e-09
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.25  # a coefficient of S1
 m3 = 0.08750000000000001  # a coefficient of S1
 m4 = 1.0000000000000002e-10  # pose_slack^2
-m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -263,7 +263,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 704685565ff952e5"
+_KEY = "scara 51ec08eef12ebc9b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -462,12 +462,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -488,6 +482,12 @@ def _beyond_limits(values):
     for i in range(4):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -629,6 +629,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([1.25, 1.25, 1.25, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(4):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(4), math.inf
+    for _ in range(4):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(4), np.zeros(6), 0.0, 0.0
+        for j in range(4):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(4):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(4):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(4):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 4)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(4):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(4)
+    for i in range(4):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(4):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -642,6 +733,7 @@ def _whole(pose, seed, q, status):
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(4):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -714,8 +806,10 @@ def _regular(pose, q, status):
     # joint values
     v9 = angle1 - (angle2 + angle3)
     v10 = angle1 - (angle4 - angle2)
-    q4_p = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
-    q4_m = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
+    q4_p = v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else 0.0)
+    q4_m = (
+        v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn else 0.0)
+    )
     outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
     outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
@@ -777,7 +871,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -988,8 +1082,14 @@ def _in_tiles(T, q, status):
             angle4 = work[368 + k]
             v9 = angle1 - (angle2 + angle3)
             v10 = angle1 - (angle4 - angle2)
-            q4_p = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
-            q4_m = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
+            q4_p = (
+                v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else
+                0.0)
+            )
+            q4_m = (
+                v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn
+                else 0.0)
+            )
             outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
             outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
             _448 = angle3

@@ -15,6 +15,22 @@ static float wrap(float angle)
     return angle - turn * ceilf(angle / turn - 0.5f);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, float)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -64,10 +80,10 @@ HELPER v atan2_##v(v y, v x) \
 typedef float wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
+#define signed_wide copysignf
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
 #define maximum_wide maximum_double
@@ -78,28 +94,20 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#define kind_of(none, outside) \
-    ((none) ? (int)SCARA_F32_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)SCARA_F32_UNREACHABLE \
         : (outside) ? (int)SCARA_F32_OUT_OF_LIMITS : 0)
 static const float L1 = 0.4f; /* link length 1 [m] */
 static const float L2 = 0.3f; /* link length 2 [m] */
@@ -124,18 +132,14 @@ static const float k1 = 0.25f; /* L1^2 + L2^2 [m^2] */
 static const float k2 = 4.1666665f; /* 1 / (2 * L2 * L1) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
 static const float doubt_limit_squared2 = 6.4e-07f;
+static const float whole_turn = 6.2831855f; /* 2 pi [rad] */
 static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float low1 = -2.26893f; /* least of joint 1 */
-static const float high1 = 2.26893f; /* most of joint 1 */
-static const float low2 = -2.5307295f; /* least of joint 2 */
-static const float high2 = 2.5307295f; /* most of joint 2 */
-static const float low3 = -0.200002f; /* least of joint 3 */
-static const float high3 = 2e-06f; /* most of joint 3 */
 static const float m1 = 1e-12f; /* doubt_limit_squared^2 */
 static const float m2 = 1.25f; /* a coefficient of S1 */
 static const float m3 = 0.0875f; /* a coefficient of S1 */
 static const float m4 = 1e-10f; /* pose_slack^2 */
-static const float m5 = 6.2831855f; /* 2 * half_turn */
+static const float low1 = -2.26893f, high1 = 2.26893f,
+low2 = -2.5307295f, high2 = 2.5307295f, low3 = -0.200002f, high3 = 2e-06f;
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -187,35 +191,19 @@ void scara_f32_jacobian(const float q[4], float J[24])
     J[20] = 1.0f; J[21] = 1.0f; J[22] = 0.0f; J[23] = 1.0f;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static float misfit(const float T[16])
-{
-    const float *x = T, *y = T + 4, *z = T + 8;
-    float xx = -1.0f, yy = -1.0f, xy = 0.0f, zz = 0.0f;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const float off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0f * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(float T[16])
 {
-    float R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    float G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5f : 0.0f)
-                - 0.5f * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5f : 0.0f)
+                - 0.5f * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (float *row = T; row < T + 12; row += 4) {
+        const float x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -228,7 +216,7 @@ static int read_pose(const float given[16], float T[16])
         return 0;
     if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
         return 0;
-    const float miss = misfit(T);
+    const float miss = misfit_one(T);
     if (!(miss <= 1e-09f))
         return 0;
     if (miss <= 1e-12f)
@@ -236,6 +224,29 @@ static int read_pose(const float given[16], float T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static float overshoot(int joint, float value)
+{
+    const float low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0f;
+    float off = value > high ? value - high : value - low;
+    const float gap = turn - (high - low), over = value - high;
+    const float rest = over - turn * floorf(over / turn);
+    if (revolute[joint])
+        off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
+    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+}
+
+/* The same of a row. */
+static float beyond_limits(const float values[4])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 4; i++)
+        sum += fabsf(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -267,20 +278,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 
     /* joint values */
     const wide v9 = angle1 - (angle2 + angle3), v10 = angle1 - (angle4 - angle2);
-    const wide_mask v11 = beyond(t34, low3, high3);
+    const wide_mask v11 = beyond(t34, 3);
     const wide q3_p = t34 + (w2 - w2);
-    const wide_mask outside_p = v11 | beyond(angle3, low1, high1) | beyond(angle2, low2, high2),
-        outside_m = v11 | beyond(angle4, low1, high1) | beyond(-angle2, low2, high2),
-        doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart < N2) & (N2
-            < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 + (T23 *
-            T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
+    const wide_mask doubt1 = ((shortest2_reach <= N2) & (N2 <= longest2_reach) & (((shortest2_apart
+        < N2) & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (m4 < T13 * T13 + (v8 * v8 + (v7 * v7 +
+        (T23 * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 - only_wide(half_turn < v9, m5) + only_wide(v9 <= -half_turn, m5);
-    kind[0] = kind_of(q[0] != q[0], outside_p);
+    q[3] = v9 - only_wide(half_turn < v9, whole_turn) + only_wide(v9 <= -half_turn, whole_turn);
+    kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 - only_wide(half_turn < v10, m5) + only_wide(v10 <= -half_turn, m5);
-    kind[1] = kind_of(q[4] != q[4], outside_m);
+    q[7] = v10 - only_wide(half_turn < v10, whole_turn) + only_wide(v10 <= -half_turn, whole_turn);
+    kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
 }
@@ -292,6 +301,8 @@ HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[
     if (solve_wide(T, &q[0][0], kind))
         return -1;
     for (int row = 0; row < 2; row++) {
+        if (kind[row] == SCARA_F32_OUT_OF_LIMITS && beyond_limits(q[row]) < 0.01f)
+            return -1; /* by rounding, perhaps */
         status[row] = (unsigned char)kind[row];
         count += kind[row] == 0;
     }
@@ -371,6 +382,12 @@ static void solve(
     }
 }
 
+static void take(const float from[4], float to[4])
+{
+    for (int i = 0; i < 4; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const float *T;
@@ -378,29 +395,6 @@ struct search {
     unsigned char status[2];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static float overshoot(int joint, float value)
-{
-    const float low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0f;
-    float off = value > high ? value - high : value - low;
-    const float gap = turn - (high - low), over = value - high;
-    const float rest = over - turn * floorf(over / turn);
-    if (revolute[joint])
-        off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
-}
-
-/* The same of a row. */
-static float beyond_limits(const float values[4])
-{
-    float sum = 0.0f;
-    for (int i = 0; i < 4; i++)
-        sum += fabsf(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static float attempt(struct search *s, float moved)
@@ -431,8 +425,7 @@ static float summit(struct search *s, float low, float high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static float serving_value(struct search *s)
 {
     const float step = fan_step[s->joint];
@@ -457,7 +450,7 @@ static float serving_value(struct search *s)
             else
                 inner = middle;
         }
-        if (!(fabsf(outer) >= fabsf(nearest) - 1e-09f))
+        if (!(fabsf(outer) >= fabsf(nearest) - 2e-06f))
             nearest = outer;
     }
     return nearest;
@@ -471,7 +464,7 @@ static int hopeless(struct search *s)
         return 0;
     for (int i = 0; i < 4; i++) {
         const float value = s->q[s->row][i], moved = fabsf(value - other.q[s->row][i]);
-        if (moved < 1e-09f && fabsf(overshoot(i, value)) > 0.0f)
+        if (moved < 2e-06f && fabsf(overshoot(i, value)) > 0.0f)
             return 1;
     }
     return 0;
@@ -492,11 +485,10 @@ static void keep_limits(
         search.start = revolute[joint] ? fmodf(seed[joint], turn) : inside;
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
+        if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 4; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -517,12 +509,72 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const float T[16], float q[4])
+{
+    static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
+    float x[4], P[16], J[24], enough = 0.0f;
+    int held[4] = { 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        float e[6] = { 0.0f }, p[4] = { 0.0f }, square = 0.0f, before = HUGE_VALF;
+        scara_f32_fk(x, P);
+        scara_f32_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 24; i++)
+            J[i] *= held[i % 4] ? 0.0f : weights[i / 4];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrtf(square) + 1e-06f;
+        else if (sqrtf(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 4 && sqrtf(square) > 0.1f * enough; k++) {
+            float w[6] = { 0.0f }, s[4] = { 0.0f }, slope = 0.0f, length = 0.0f;
+            for (int i = 0; i < 24; i++)
+                s[i % 4] += J[i] * e[i / 4];
+            for (int i = 0; i < 4; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 4; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 24; i++)
+                w[i / 4] += J[i] * p[i % 4];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const float part = length > 0.0f ? slope / length : 0.0f;
+            square = 0.0f;
+            for (int i = 0; i < 4; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 4; i++) {
+            const float off = held[i] ? 0.0f : overshoot(i, x[i]);
+            held[i] |= fabsf(off) > 0.0f;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], unsigned char
     status[2])
 {
-    static const float zeros[4] = { 0.0f };
-    const float *seed = q_seed ? q_seed : zeros;
+    const float zeros[4] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -543,10 +595,12 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
     for (int row = 0; row < 2; row++) {
         if (status[row] == SCARA_F32_UNREACHABLE)
             continue;
+        const float off = beyond_limits(q[row]);
+        if (0.0f < off && off < 0.01f)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 4; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 2e-06f <= q[row][i]
-                    && q[row][i] <= highest[i] + 2e-06f))
+            const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))
                 status[row] = SCARA_F32_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_F32_OUT_OF_LIMITS;
@@ -586,8 +640,7 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 4; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -94,12 +94,12 @@ pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
 k2 = 6.666666666666667  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 3.025e-07  # square of a length that fixes no angle [m^2]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.6666666666666667  # a coefficient of S2
 m3 = 0.045833333333333316  # a coefficient of S2
 m4 = 1.0000000000000002e-10  # pose_slack^2
-m5 = 6.283185307179586  # 2 * half_turn
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -445,8 +445,12 @@ def _regular(pose, q, status):
     # joint values
     v11 = angle1 - (angle2 + angle3)
     v12 = angle1 - (angle4 - angle2)
-    q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
-    q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+    q4_p = (
+        v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn else 0.0)
+    )
+    q4_m = (
+        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
+    )
 
     # a joint is free, or branches meet
     if doubt1:
@@ -713,8 +717,14 @@ def _in_tiles(T, q, status):
             angle4 = work[352 + k]
             v11 = angle1 - (angle2 + angle3)
             v12 = angle1 - (angle4 - angle2)
-            q4_p = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
-            q4_m = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+            q4_p = (
+                v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn
+                else 0.0)
+            )
+            q4_m = (
+                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
+                else 0.0)
+            )
             _432 = q1_p
             work[432 + k] = _432
             _448 = angle3

@@ -66,14 +66,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -93,6 +91,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -103,10 +102,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -158,7 +157,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     return all_four(0.0 * (T[3] + T[7] + T[11]));
@@ -179,11 +177,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -197,16 +194,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & SCARA_RRP_UNREACHABLE) \
-        | (~(none) & (outside) & SCARA_RRP_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & SCARA_RRP_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & SCARA_RRP_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)SCARA_RRP_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)SCARA_RRP_UNREACHABLE \
         : (outside) ? (int)SCARA_RRP_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.5; /* joint offset 1 [m] */
@@ -302,9 +299,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         < N2) & (N2 < longest2_apart)) == 0)) | (N2 <= doubt_limit_squared2);
 
     q[0] = atan2_wide(v2 - v4, v3 + v5); q[1] = angle1; q[2] = q3_p;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[3] = atan2_wide(v2 + v4, v3 - v5); q[4] = -angle1; q[5] = q3_p;
-    kind[1] = kind_of(q[3] != q[3], 0);
+    kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -360,29 +357,14 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (6 >= LANES) {
-        for (int i = 0; i < 6; i += LANES) {
-            const int from = i + LANES <= 6 ? i : 6 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 6 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 6; i++)
-            for (int k = 0; k < LANES; k++)
-                q[6 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 2; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 2 - row < 8 ? 2 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 6; i++)
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[2 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
-    }
+            q[6 * k + i] = found[i][k];
+    for (int i = 1; i < 2; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 2; i++)
+            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -447,6 +429,12 @@ static void solve(
     }
 }
 
+static void take(const double from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -465,8 +453,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3], unsigned char
     status[2])
 {
-    static const double zeros[3] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -482,9 +469,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3],
         if (status[row] == SCARA_RRP_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = SCARA_RRP_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_RRP_OUT_OF_LIMITS;
@@ -524,8 +510,7 @@ int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 3; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -100,11 +100,10 @@ k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 1.69e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1.25  # a coefficient of S1
 m2 = 0.08750000000000001  # a coefficient of S1
 m3 = 1e-06  # doubt_limit^2
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m4
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -522,19 +521,25 @@ def _regular(pose, q, status):
     v7 = angle3 - angle1
 
     # joint values
-    v8 = angle6 - h1 * math.copysign(half_turn, -T23)
+    v8 = angle6 - math.copysign(half_turn, -T23)
     v9 = v6 - angle6
     v10 = v6 - v8
     v11 = v7 - angle6
     v12 = v7 - v8
-    q4_pp = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
-    q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
-    q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
-    q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+    q4_pp = v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else 0.0)
+    q4_pm = (
+        v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn else 0.0)
+    )
+    q4_mp = (
+        v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn else 0.0)
+    )
+    q4_mm = (
+        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
+    )
     q5_pp = v1 + angle4
     q5_pm = v1 - angle4
     q6_pp = v1 + angle5
-    q6_pm = v1 + (angle5 - math.copysign(half_turn, s6) * h1)
+    q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -830,19 +835,31 @@ def _in_tiles(T, q, status):
             angle6 = work[416 + k]
             v6 = angle1 + angle2
             v7 = angle3 - angle1
-            v8 = angle6 - h1 * math.copysign(half_turn, -T23)
+            v8 = angle6 - math.copysign(half_turn, -T23)
             v9 = v6 - angle6
             v10 = v6 - v8
             v11 = v7 - angle6
             v12 = v7 - v8
-            q4_pp = v9 - (m5 if half_turn < v9 else 0.0) + (m5 if v9 <= -half_turn else 0.0)
-            q4_pm = v10 - (m5 if half_turn < v10 else 0.0) + (m5 if v10 <= -half_turn else 0.0)
-            q4_mp = v11 - (m5 if half_turn < v11 else 0.0) + (m5 if v11 <= -half_turn else 0.0)
-            q4_mm = v12 - (m5 if half_turn < v12 else 0.0) + (m5 if v12 <= -half_turn else 0.0)
+            q4_pp = (
+                v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else
+                0.0)
+            )
+            q4_pm = (
+                v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn
+                else 0.0)
+            )
+            q4_mp = (
+                v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn
+                else 0.0)
+            )
+            q4_mm = (
+                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
+                else 0.0)
+            )
             q5_pp = v1 + angle4
             q5_pm = v1 - angle4
             q6_pp = v1 + angle5
-            q6_pm = v1 + (angle5 - math.copysign(half_turn, s6) * h1)
+            q6_pm = v1 + (angle5 - math.copysign(half_turn, s6))
             _528 = angle2
             work[528 + k] = _528
             _544 = angle1

@@ -73,14 +73,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -100,6 +98,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -110,10 +109,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -169,7 +168,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
     const double zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;
@@ -191,11 +189,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -209,16 +206,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & SCORBOT_POINTING_UNREACHABLE) \
-        | (~(none) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & SCORBOT_POINTING_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & SCORBOT_POINTING_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)SCORBOT_POINTING_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)SCORBOT_POINTING_UNREACHABLE \
         : (outside) ? (int)SCORBOT_POINTING_OUT_OF_LIMITS : 0)
 #endif
 
@@ -510,6 +507,7 @@ static const double doubtful_slack1 = 0.009519999999999999;
 static const double k1 = 0.097682; /* 2 * a3 * a2 [m^2] */
 static const double k2 = 10.237300628570258; /* 1 / (2 * a3 * a2) [m^-2] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 9.063039999999999e-07; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 4.524886877828054; /* a coefficient of Y1_2 */
@@ -518,8 +516,6 @@ static const double m6 = 8.213869404159994e-13; /* doubt_limit_squared2^2 [m^4] 
 static const double m7 = 1e-24; /* exact_slack^2 */
 static const double m8 = 9.063039999999996e-25; /* exact_slack1^2 [m^2] */
 static const double m9 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
-static const double m10 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const scorbot_pointing_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -620,10 +616,9 @@ HELPER wide_mask solve_wide(
     const wide T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1,
-        angle1 = atan2_wide(-v3, -v2);
+    const wide v1 = signed_wide(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, v6 = v2 * factor1, v7 = v3 * factor1, angle1 = atan2_wide(-v3, -v2);
 
     /* theta234 */
     const wide v8 = w1 * (v5 * (T13 * v2 + T23 * v3)), v9 = T33 * T33 + v8 * v8,
@@ -680,14 +675,18 @@ HELPER wide_mask solve_wide(
     const wide v76 = angle2 - (angle3 + angle5) - offset4,
         v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
         v79 = offset4 + (angle2 + (angle8 - angle4)),
-        v80 = v76 - only_wide(half_turn < v76, m10) + only_wide(v76 <= -half_turn, m10),
-        v81 = v77 - only_wide(half_turn < v77, m10) + only_wide(v77 <= -half_turn, m10),
-        v82 = only_wide(-v78 <= -half_turn, m10) - (v78 + only_wide(half_turn < -v78, m10)),
-        v83 = only_wide(-v79 <= -half_turn, m10) - (v79 + only_wide(half_turn < -v79, m10));
+        v80 = v76 - only_wide(half_turn < v76, whole_turn) + only_wide(v76 <= -half_turn,
+            whole_turn),
+        v81 = v77 - only_wide(half_turn < v77, whole_turn) + only_wide(v77 <= -half_turn,
+            whole_turn),
+        v82 = only_wide(-v78 <= -half_turn, whole_turn) - (v78 + only_wide(half_turn < -v78,
+            whole_turn)),
+        v83 = only_wide(-v79 <= -half_turn, whole_turn) - (v79 + only_wide(half_turn < -v79,
+            whole_turn));
     const double v84 = NAN;
     const wide v85 = only_wide((v72 <= m8) == 0, v84), v86 = only_wide((v73 <= m8) == 0, v84),
         v87 = only_wide((v74 <= m8) == 0, v84), v88 = only_wide((v75 <= m8) == 0, v84),
-        v89 = angle1 + v24, v90 = v25 + (angle1 - copysign_wide(all_wide(half_turn), -v3) * h1),
+        v89 = angle1 + v24, v90 = v25 + (angle1 - signed_wide(half_turn, -v3)),
         v91 = v24 + free_joints[0], v92 = v25 + free_joints[0];
     const wide_mask doubt1 = (v9 <= m3) | (v4 <= m1) | ((m8 < v75) & (v75 <= m9)) | (v45 <= m6) |
         ((m8 < v74) & (v74 <= m9)) | (v44 <= m6) | ((m8 < v73) & (v73 <= m9)) | (v43 <= m6) | ((m8 <
@@ -697,17 +696,17 @@ HELPER wide_mask solve_wide(
         (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
 
     q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
-    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, m10)); q[4] = v85 + v91;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, whole_turn)); q[4] = v85 + v91;
+    kind[0] = kind_of(q[0], 0);
     q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3;
-    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, m10)); q[9] = v86 + v91;
-    kind[1] = kind_of(q[5] != q[5], 0);
+    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, whole_turn)); q[9] = v86 + v91;
+    kind[1] = kind_of(q[5], 0);
     q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87;
-    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, m10)); q[14] = v87 + v92;
-    kind[2] = kind_of(q[10] != q[10], 0);
+    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, whole_turn)); q[14] = v87 + v92;
+    kind[2] = kind_of(q[10], 0);
     q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4;
-    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, m10)); q[19] = v88 + v92;
-    kind[3] = kind_of(q[15] != q[15], 0);
+    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, whole_turn)); q[19] = v88 + v92;
+    kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -779,9 +778,10 @@ HELPER int solve_regular(
         angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
         angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
     const four v44 = e2 * angle3, v45 = e1 * angle2, v46 = v45 - (angle4 + v44) - offset4,
-        v47 = v46 - only_four(half_turn < v46, m10) + only_four(v46 <= -half_turn, m10),
-        v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50, q2 = angle4 + v49,
-        q3 = v44 + v49, q4 = v49 + (v47 + only_four(v47 <= -half_turn, m10));
+        v47 = v46 - only_four(half_turn < v46, whole_turn) + only_four(v46 <= -half_turn,
+            whole_turn), v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50,
+        q2 = angle4 + v49, q3 = v44 + v49,
+        q4 = v49 + (v47 + only_four(v47 <= -half_turn, whole_turn));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -812,29 +812,19 @@ HELPER unsigned solve_tile(
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, given, found, kind);
-    if (20 >= LANES) {
-        for (int i = 0; i < 20; i += LANES) {
-            const int from = i + LANES <= 20 ? i : 20 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 20 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 20; i++)
-            for (int k = 0; k < LANES; k++)
-                q[20 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 4; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 4 - row < 8 ? 4 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 20; i += LANES) {
+        const int from = i + LANES <= 20 ? i : 20 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 20 * k + from) = x[k];
     }
+    for (int i = 1; i < 4; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 4; i++)
+            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -969,6 +959,12 @@ static void solve(
     }
 }
 
+static void take(const double from[5], double to[5])
+{
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -1024,8 +1020,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -1078,8 +1073,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row, .free_joints = free_joints };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 5; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
@@ -1170,8 +1164,7 @@ static void seek(
     }
     if (left && !chosen)
         return;
-    for (int i = 0; i < 5; i++)
-        d.q[i] = seed[i];
+    take(seed, d.q);
     d.q[4] = free_joints[0];
     for (int j = 0; j < 4; j++)
         d.seed[j] = seed[solved[j]] / unit[j];
@@ -1180,8 +1173,7 @@ static void seek(
         start_of(&d, k, u);
         if (descend(&d, u) > 1e-05)
             continue;
-        for (int i = 0; i < 5; i++)
-            end[i] = d.q[i];
+        take(d.q, end);
         for (int j = 0; j < 4; j++)
             end[solved[j]] = unit[j] * u[j];
         const double miss = descended(&d, 72, exact, end, &ahead);
@@ -1191,8 +1183,7 @@ static void seek(
         if (fault >= least)
             continue;
         least = fault;
-        for (int i = 0; i < 5; i++)
-            found[i] = end[i];
+        take(end, found);
     }
     if (least == 4 || (left && least > 1))
         return;
@@ -1221,8 +1212,7 @@ APART int ik_carefully(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4])
 {
-    static const double zeros[5] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
@@ -1249,9 +1239,8 @@ APART int ik_carefully(
         if (status[row] == SCORBOT_POINTING_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = SCORBOT_POINTING_OUT_OF_LIMITS;
         }
         count += status[row] != SCORBOT_POINTING_OUT_OF_LIMITS;
@@ -1294,8 +1283,7 @@ int scorbot_pointing_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 5; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -109,6 +109,7 @@ doubtful_slack1 = 0.009519999999999999  # a row may miss the pose by this before
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 9.063039999999999e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 4.524886877828054  # a coefficient of Y1_2
@@ -117,8 +118,6 @@ m6 = 8.213869404159994e-13  # doubt_limit_squared2^2 [m^4]
 m7 = 1e-24  # exact_slack^2
 m8 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
 m9 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -338,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing c7cf787cc36ecd9c"
+_KEY = "scorbot_pointing 741963fdd25f35a0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1324,12 +1323,22 @@ def _regular(pose, q_free, q, status):
     v77 = angle2 - (angle6 - angle3) - offset4
     v78 = offset4 + (angle2 + (angle4 + angle7))
     v79 = offset4 + (angle2 + (angle8 - angle4))
-    v80 = v76 - (m10 if half_turn < v76 else 0.0) + (m10 if v76 <= -half_turn else 0.0)
-    v81 = v77 - (m10 if half_turn < v77 else 0.0) + (m10 if v77 <= -half_turn else 0.0)
-    v82 = (m10 if -v78 <= -half_turn else 0.0) - (v78 + (m10 if half_turn < -v78 else 0.0))
-    v83 = (m10 if -v79 <= -half_turn else 0.0) - (v79 + (m10 if half_turn < -v79 else 0.0))
+    v80 = (
+        v76 - (whole_turn if half_turn < v76 else 0.0) + (whole_turn if v76 <= -half_turn else 0.0)
+    )
+    v81 = (
+        v77 - (whole_turn if half_turn < v77 else 0.0) + (whole_turn if v77 <= -half_turn else 0.0)
+    )
+    v82 = (
+        (whole_turn if -v78 <= -half_turn else 0.0) - (v78 + (whole_turn if half_turn < -v78 else
+        0.0))
+    )
+    v83 = (
+        (whole_turn if -v79 <= -half_turn else 0.0) - (v79 + (whole_turn if half_turn < -v79 else
+        0.0))
+    )
     v89 = angle1 + v24
-    v90 = v25 + (angle1 - math.copysign(half_turn, -v3) * h1)
+    v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
     q1_pp = v85 + v89
     q1_pm = v86 + v89
     q1_mp = v87 + v90
@@ -1342,10 +1351,10 @@ def _regular(pose, q_free, q, status):
     q3_pm = v86 - angle3
     q3_mp = angle4 + v87
     q3_mm = v88 - angle4
-    q4_pp = v85 + (v80 + (m10 if v80 <= -half_turn else 0.0))
-    q4_pm = v86 + (v81 + (m10 if v81 <= -half_turn else 0.0))
-    q4_mp = v87 + (v82 + (m10 if v82 <= -half_turn else 0.0))
-    q4_mm = v88 + (v83 + (m10 if v83 <= -half_turn else 0.0))
+    q4_pp = v85 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
+    q4_pm = v86 + (v81 + (whole_turn if v81 <= -half_turn else 0.0))
+    q4_mp = v87 + (v82 + (whole_turn if v82 <= -half_turn else 0.0))
+    q4_mm = v88 + (v83 + (whole_turn if v83 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1776,12 +1785,24 @@ def _in_tiles(T, q_free, q, status):
             v77 = angle2 - (angle6 - angle3) - offset4
             v78 = offset4 + (angle2 + (angle4 + angle7))
             v79 = offset4 + (angle2 + (angle8 - angle4))
-            v80 = v76 - (m10 if half_turn < v76 else 0.0) + (m10 if v76 <= -half_turn else 0.0)
-            v81 = v77 - (m10 if half_turn < v77 else 0.0) + (m10 if v77 <= -half_turn else 0.0)
-            v82 = (m10 if -v78 <= -half_turn else 0.0) - (v78 + (m10 if half_turn < -v78 else 0.0))
-            v83 = (m10 if -v79 <= -half_turn else 0.0) - (v79 + (m10 if half_turn < -v79 else 0.0))
+            v80 = (
+                v76 - (whole_turn if half_turn < v76 else 0.0) + (whole_turn if v76 <= -half_turn
+                else 0.0)
+            )
+            v81 = (
+                v77 - (whole_turn if half_turn < v77 else 0.0) + (whole_turn if v77 <= -half_turn
+                else 0.0)
+            )
+            v82 = (
+                (whole_turn if -v78 <= -half_turn else 0.0) - (v78 + (whole_turn if half_turn < -v78
+                else 0.0))
+            )
+            v83 = (
+                (whole_turn if -v79 <= -half_turn else 0.0) - (v79 + (whole_turn if half_turn < -v79
+                else 0.0))
+            )
             v89 = angle1 + v24
-            v90 = v25 + (angle1 - math.copysign(half_turn, -v3) * h1)
+            v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
             q1_pp = v85 + v89
             q1_pm = v86 + v89
             q1_mp = v87 + v90
@@ -1794,10 +1815,10 @@ def _in_tiles(T, q_free, q, status):
             q3_pm = v86 - angle3
             q3_mp = angle4 + v87
             q3_mm = v88 - angle4
-            q4_pp = v85 + (v80 + (m10 if v80 <= -half_turn else 0.0))
-            q4_pm = v86 + (v81 + (m10 if v81 <= -half_turn else 0.0))
-            q4_mp = v87 + (v82 + (m10 if v82 <= -half_turn else 0.0))
-            q4_mm = v88 + (v83 + (m10 if v83 <= -half_turn else 0.0))
+            q4_pp = v85 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
+            q4_pm = v86 + (v81 + (whole_turn if v81 <= -half_turn else 0.0))
+            q4_mp = v87 + (v82 + (whole_turn if v82 <= -half_turn else 0.0))
+            q4_mm = v88 + (v83 + (whole_turn if v83 <= -half_turn else 0.0))
             _736 = q1_pp
             work[736 + k] = _736
             _752 = q2_pp

@@ -84,7 +84,6 @@ d1 = 0.5  # joint offset 1 [m]
 free_limit1 = 5e-13  # a length that fixes no angle [m]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.5e-07  # doubt_limit1^2 [m^2]
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -341,10 +340,10 @@ def _regular(pose, q, status):
     angle2 = room[1]
 
     # theta1, type 2: U1[3, 4]
-    q1_mp = angle1 - math.copysign(half_turn, T24) * h1
+    q1_mp = angle1 - math.copysign(half_turn, T24)
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-    q2_pm = angle2 - h1 * math.copysign(half_turn, -math.sqrt(v1))
+    q2_pm = angle2 - math.copysign(half_turn, -math.sqrt(v1))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -584,8 +583,8 @@ def _in_tiles(T, q, status):
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
-            q1_mp = angle1 - math.copysign(half_turn, T24) * h1
-            q2_pm = angle2 - h1 * math.copysign(half_turn, -math.sqrt(v1))
+            q1_mp = angle1 - math.copysign(half_turn, T24)
+            q2_pm = angle2 - math.copysign(half_turn, -math.sqrt(v1))
             _384 = angle1
             work[384 + k] = _384
             _400 = angle2

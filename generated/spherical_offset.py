@@ -91,7 +91,6 @@ k3 = 4.500000000000022e-16  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 doubt_limit_squared2 = 2.2499999999999996e-08  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 2.2499999999999996e-08  # doubt_limit1^2 [m^2]
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -368,7 +367,7 @@ def _regular(pose, q, status):
     angle3 = room[2]
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-    q2_pm = angle3 - math.copysign(half_turn, -w1) * h1
+    q2_pm = angle3 - math.copysign(half_turn, -w1)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -620,7 +619,7 @@ def _in_tiles(T, q, status):
             angle1 = work[336 + k]
             angle2 = work[352 + k]
             angle3 = work[368 + k]
-            q2_pm = angle3 - math.copysign(half_turn, -w1) * h1
+            q2_pm = angle3 - math.copysign(half_turn, -w1)
             _432 = angle1
             work[432 + k] = _432
             _448 = angle3

@@ -11,6 +11,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -68,14 +84,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -95,6 +109,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -105,10 +120,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -120,21 +135,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -176,7 +183,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -210,11 +216,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -228,16 +233,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) \
-        | (~(none) & (outside) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE \
         : (outside) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.5; /* joint offset 1 [m] */
@@ -275,6 +280,7 @@ static const double k8 = 8.866112830151877; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * 
 static const double doubt_limit_squared2 = 3.1684000000000017e-06;
 static const double turn1 = -1.3382393849899876; /* a constant angle [rad] */
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1.1627906976744187; /* a coefficient of Y1_2 */
 static const double m2 = 0.03767441860465117; /* a coefficient of Y1_2 */
 static const double m3 = 0.29508196721311475; /* a coefficient of c23 */
@@ -282,8 +288,6 @@ static const double m4 = 1.2459016393442623; /* a coefficient of c23 */
 static const double m5 = 0.04036721311475411; /* a coefficient of c23 */
 static const double m6 = 0.00956065573770492; /* a coefficient of c23 */
 static const double m7 = 1e-06; /* doubt_limit^2 */
-static const double m9 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m8 */
 
 const char *const spherical_wrist_all_offsets_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -374,35 +378,19 @@ void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -y4_z; J[34] = J65; J[35] = -v5;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -415,7 +403,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -474,8 +462,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v32 = Y4_m * Y4_m, v33 = v31 + X4_pp * X4_pp, v34 = v31 + X4_pm * X4_pm,
         v35 = v32 + X4_mp * X4_mp, v36 = v32 + X4_mm * X4_mm, angle7 = atan2_wide(Y4_p, -X4_pp),
         angle8 = atan2_wide(Y4_p, -X4_pm), angle9 = atan2_wide(Y4_m, -X4_mp),
-        angle10 = atan2_wide(Y4_m, -X4_mm), v37 = copysign_wide(all_wide(half_turn), Y4_p) * h1,
-        v38 = copysign_wide(all_wide(half_turn), Y4_m) * h1;
+        angle10 = atan2_wide(Y4_m, -X4_mm), v37 = signed_wide(half_turn, Y4_p),
+        v38 = signed_wide(half_turn, Y4_m);
 
     /* theta5 */
     const wide angle11 = atan2_wide(-sqrt_wide(v33), T33 * c23_pp + s23_pp * v29),
@@ -497,10 +485,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             + Y4_m * (c23_mm * v42 - s23_mm * T32)));
 
     /* joint values */
-    const wide q3_ppp = q3__pp - only_wide(half_turn < q3__pp, m9),
-        q3_mpp = q3__mp - only_wide(half_turn < q3__mp, m9), angle19 = atan2_wide(s1_p, -v2),
-        q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
-        q1_mpp = angle20 + (w3_m - w3_m);
+    const wide q3_ppp = q3__pp - only_wide(half_turn < q3__pp, whole_turn),
+        q3_mpp = q3__mp - only_wide(half_turn < q3__mp, whole_turn),
+        angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
+        angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
         doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
@@ -508,34 +496,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         doubt_limit_squared2) | (v36 <= m7) | (v35 <= m7) | (v33 <= m7) | (v34 <= m7);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle3; q[8] = q3_ppp; q[9] = angle7 - v37; q[10] = -angle11;
-    q[11] = angle15 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pp * v43 + Y4_p * (c23_pp * v45
-        - s23_pp * T31)));
-    kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = angle4; q[14] = -(v8 + only_wide(half_turn < -v8, m9)); q[15] = angle8;
-    q[16] = angle12; q[17] = angle16;
-    kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = angle4; q[20] = -(v8 + only_wide(half_turn < -v8, m9));
+    q[11] = angle15 - signed_wide(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
+        T31)));
+    kind[1] = kind_of(q[6], 0);
+    q[12] = q1_ppp; q[13] = angle4; q[14] = -(v8 + only_wide(half_turn < -v8, whole_turn));
+    q[15] = angle8; q[16] = angle12; q[17] = angle16;
+    kind[2] = kind_of(q[12], 0);
+    q[18] = q1_ppp; q[19] = angle4; q[20] = -(v8 + only_wide(half_turn < -v8, whole_turn));
     q[21] = angle8 - v37; q[22] = -angle12;
-    q[23] = angle16 - h1 * copysign_wide(all_wide(half_turn), -(-X4_pm * v43 + Y4_p * (c23_pm * v45
-        - s23_pm * T31)));
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[23] = angle16 - signed_wide(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
+        T31)));
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = q3_mpp; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle5; q[32] = q3_mpp; q[33] = angle9 - v38; q[34] = -angle13;
-    q[35] = angle17 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mp * v44 + Y4_m * (c23_mp * v46
-        - s23_mp * T31)));
-    kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = angle6; q[38] = -(v9 + only_wide(half_turn < -v9, m9)); q[39] = angle10;
-    q[40] = angle14; q[41] = angle18;
-    kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = angle6; q[44] = -(v9 + only_wide(half_turn < -v9, m9));
+    q[35] = angle17 - signed_wide(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
+        T31)));
+    kind[5] = kind_of(q[30], 0);
+    q[36] = q1_mpp; q[37] = angle6; q[38] = -(v9 + only_wide(half_turn < -v9, whole_turn));
+    q[39] = angle10; q[40] = angle14; q[41] = angle18;
+    kind[6] = kind_of(q[36], 0);
+    q[42] = q1_mpp; q[43] = angle6; q[44] = -(v9 + only_wide(half_turn < -v9, whole_turn));
     q[45] = angle10 - v38; q[46] = -angle14;
-    q[47] = angle18 - h1 * copysign_wide(all_wide(half_turn), -(-X4_mm * v44 + Y4_m * (c23_mm * v46
-        - s23_mm * T31)));
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[47] = angle18 - signed_wide(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
+        T31)));
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -578,7 +566,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         s23 = v16 + w3 * (factor2 * (e2 * v15)), v17 = T23 * s1 - T13 * v2,
         X4 = c23 * v17 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v18 = Y4 * Y4, v19 = v18 + X4 * X4;
     const four_mask doubt3 = v19 <= m7;
-    const four v20 = copysign_four(all_four(half_turn), Y4) * h1;
+    const four v20 = signed_four(half_turn, Y4);
 
     /* theta6 */
     const four v21 = s1 * T12 + v2 * T22, v22 = s1 * T22 - v2 * T12, v23 = s1 * T11 + v2 * T21,
@@ -598,8 +586,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             - k7, -v2, 0, 5, 2, 7)), angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v20,
-        q6_m = angle5 - h1 * copysign_four(all_four(half_turn), -(-X4 * v23 + Y4 * (c23 * v24 - s23
-            * T31))), q3_p = q3_ - only_four(half_turn < q3_, m9), q1_p = angle6 + (w3 - w3);
+        q6_m = angle5 - signed_four(half_turn, -(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31))),
+        q3_p = q3_ - only_four(half_turn < q3_, whole_turn), q1_p = angle6 + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -627,29 +615,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -777,6 +755,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -793,8 +777,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -814,9 +797,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
         }
         count += status[row] != SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS;
@@ -858,8 +840,7 @@ int spherical_wrist_all_offsets_ik_nearest(const double T[16], const double q_se
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

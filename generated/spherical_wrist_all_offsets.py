@@ -116,6 +116,7 @@ k8 = 8.866112830151877  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 3.1684000000000017e-06  # square of a length that fixes no angle [m^2]
 turn1 = -1.3382393849899876  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1.1627906976744187  # a coefficient of Y1_2
 m2 = 0.03767441860465117  # a coefficient of Y1_2
 m3 = 0.29508196721311475  # a coefficient of c23
@@ -123,8 +124,6 @@ m4 = 1.2459016393442623  # a coefficient of c23
 m5 = 0.04036721311475411  # a coefficient of c23
 m6 = 0.00956065573770492  # a coefficient of c23
 m7 = 1e-06  # doubt_limit^2
-m9 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m8
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -632,8 +631,8 @@ def _regular(pose, q, status):
     v34 = v31 + X4_pm * X4_pm
     v35 = v32 + X4_mp * X4_mp
     v36 = v32 + X4_mm * X4_mm
-    v37 = math.copysign(half_turn, Y4_p) * h1
-    v38 = math.copysign(half_turn, Y4_m) * h1
+    v37 = math.copysign(half_turn, Y4_p)
+    v38 = math.copysign(half_turn, Y4_m)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v39 = s1_p * T12 + v2 * T22
@@ -734,25 +733,21 @@ def _regular(pose, q, status):
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     q6_ppm = (
-        angle15 - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
-        T31)))
+        angle15 - math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp * T31)))
     )
     q6_pmm = (
-        angle16 - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
-        T31)))
+        angle16 - math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm * T31)))
     )
     q6_mpm = (
-        angle17 - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
-        T31)))
+        angle17 - math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp * T31)))
     )
     q6_mmm = (
-        angle18 - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
-        T31)))
+        angle18 - math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm * T31)))
     )
 
     # joint values
-    q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
-    q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
+    q3_ppp = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
+    q3_mpp = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
 
@@ -775,14 +770,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
     q[2, 1] = angle4
-    q[2, 2] = -(v8 + (m9 if half_turn < -v8 else 0.0))
+    q[2, 2] = -(v8 + (whole_turn if half_turn < -v8 else 0.0))
     q[2, 3] = angle8
     q[2, 4] = angle12
     q[2, 5] = angle16
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = angle4
-    q[3, 2] = -(v8 + (m9 if half_turn < -v8 else 0.0))
+    q[3, 2] = -(v8 + (whole_turn if half_turn < -v8 else 0.0))
     q[3, 3] = q4_pmm
     q[3, 4] = -angle12
     q[3, 5] = q6_pmm
@@ -803,14 +798,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = angle6
-    q[6, 2] = -(v9 + (m9 if half_turn < -v9 else 0.0))
+    q[6, 2] = -(v9 + (whole_turn if half_turn < -v9 else 0.0))
     q[6, 3] = angle10
     q[6, 4] = angle14
     q[6, 5] = angle18
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = angle6
-    q[7, 2] = -(v9 + (m9 if half_turn < -v9 else 0.0))
+    q[7, 2] = -(v9 + (whole_turn if half_turn < -v9 else 0.0))
     q[7, 3] = q4_mmm
     q[7, 4] = -angle14
     q[7, 5] = q6_mmm
@@ -1098,8 +1093,8 @@ def _in_tiles(T, q, status):
             v34 = v31 + X4_pm * X4_pm
             v35 = v32 + X4_mp * X4_mp
             v36 = v32 + X4_mm * X4_mm
-            v37 = math.copysign(half_turn, Y4_p) * h1
-            v38 = math.copysign(half_turn, Y4_m) * h1
+            v37 = math.copysign(half_turn, Y4_p)
+            v38 = math.copysign(half_turn, Y4_m)
             v39 = s1_p * T12 + v2 * T22
             v40 = s1_m * T12 + v3 * T22
             v41 = s1_p * T22 - v2 * T12
@@ -1234,23 +1229,23 @@ def _in_tiles(T, q, status):
             q4_mpm = angle9 - v38
             q4_mmm = angle10 - v38
             q6_ppm = (
-                angle15 - h1 * math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 -
-                s23_pp * T31)))
+                angle15 - math.copysign(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
+                T31)))
             )
             q6_pmm = (
-                angle16 - h1 * math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 -
-                s23_pm * T31)))
+                angle16 - math.copysign(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
+                T31)))
             )
             q6_mpm = (
-                angle17 - h1 * math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 -
-                s23_mp * T31)))
+                angle17 - math.copysign(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
+                T31)))
             )
             q6_mmm = (
-                angle18 - h1 * math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 -
-                s23_mm * T31)))
+                angle18 - math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
+                T31)))
             )
-            q3_ppp = q3__pp - (m9 if half_turn < q3__pp else 0.0)
-            q3_mpp = q3__mp - (m9 if half_turn < q3__mp else 0.0)
+            q3_ppp = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
+            q3_mpp = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
             _1280 = q1_ppp
@@ -1273,7 +1268,7 @@ def _in_tiles(T, q, status):
             work[1408 + k] = _1408
             _1424 = angle4
             work[1424 + k] = _1424
-            _1440 = -(v8 + (m9 if half_turn < -v8 else 0.0))
+            _1440 = -(v8 + (whole_turn if half_turn < -v8 else 0.0))
             work[1440 + k] = _1440
             _1456 = angle8
             work[1456 + k] = _1456
@@ -1307,7 +1302,7 @@ def _in_tiles(T, q, status):
             work[1680 + k] = _1680
             _1696 = angle6
             work[1696 + k] = _1696
-            _1712 = -(v9 + (m9 if half_turn < -v9 else 0.0))
+            _1712 = -(v9 + (whole_turn if half_turn < -v9 else 0.0))
             work[1712 + k] = _1712
             _1728 = angle10
             work[1728 + k] = _1728

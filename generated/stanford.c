@@ -9,6 +9,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -65,14 +81,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -92,6 +106,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -102,10 +117,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -117,21 +132,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -173,7 +180,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -207,11 +213,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -225,16 +230,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & STANFORD_UNREACHABLE) \
-        | (~(none) & (outside) & STANFORD_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & STANFORD_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & STANFORD_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)STANFORD_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)STANFORD_UNREACHABLE \
         : (outside) ? (int)STANFORD_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.412; /* joint offset 1 [m] */
@@ -253,21 +258,12 @@ static const double k4 = 3.3959800000001613e-15;
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.6128999999999998e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low1 = -2.9670597293903604; /* least of joint 1 */
-static const double high1 = 2.9670597293903604; /* most of joint 1 */
-static const double low2 = -2.9670597293903604; /* least of joint 2 */
-static const double high2 = 2.9670597293903604; /* most of joint 2 */
-static const double low3 = 0.304799999; /* least of joint 3 */
-static const double high3 = 1.270000001; /* most of joint 3 */
-static const double low4 = -2.9670597293903604; /* least of joint 4 */
-static const double high4 = 2.9670597293903604; /* most of joint 4 */
-static const double low5 = -1.5707963277948966; /* least of joint 5 */
-static const double high5 = 1.5707963277948966; /* most of joint 5 */
-static const double low6 = -2.9670597293903604; /* least of joint 6 */
-static const double high6 = 2.9670597293903604; /* most of joint 6 */
 static const double m1 = 1.6129000000000003e-06; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1e-06; /* doubt_limit^2 */
-static const double h1 = 1.0; /* 2 * m2 */
+static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
+low2 = -2.9670597293903604, high2 = 2.9670597293903604, low3 = 0.304799999, high3 = 1.270000001,
+low4 = -2.9670597293903604, high4 = 2.9670597293903604, low5 = -1.5707963277948966,
+high5 = 1.5707963277948966, low6 = -2.9670597293903604, high6 = 2.9670597293903604;
 
 const char *const stanford_branches[8] = {
     "left-forward-noflip", "left-forward-flip", "left-backward-noflip", "left-backward-flip",
@@ -341,35 +337,19 @@ void stanford_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = c2; J[34] = -(s2 * c4); J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -382,7 +362,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -390,6 +370,29 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    double off = value > high ? value - high : value - low;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    if (revolute[joint])
+        off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -410,7 +413,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta2, r3 */
     const wide Y2_2 = T34 - d1, v10 = D1 + Y2_2 * Y2_2, w3 = sqrt_wide(v10),
         factor2 = w3 * (1.0 / v10), angle3 = atan2_wide(-w1, Y2_2),
-        q2_pmp = angle3 - copysign_wide(all_wide(half_turn), -w1) * h1;
+        q2_pmp = angle3 - signed_wide(half_turn, -w1);
 
     /* theta4 */
     const wide c4_p = v8 * T13 + c1_p * T23, c4_m = v9 * T13 + c1_m * T23,
@@ -419,15 +422,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         Y4_m = v12 + w1 * -v11, v13 = factor2 * Y4_p, v14 = factor2 * Y4_m,
         v15 = c4_p * c4_p + factor2 * (Y4_p * v13), v16 = c4_m * c4_m + factor2 * (Y4_m * v14),
         angle4 = atan2_wide(v13, c4_p), angle5 = atan2_wide(v14, c4_m),
-        q4_ppm = angle4 - h1 * copysign_wide(all_wide(half_turn), v13),
-        q4_mpm = angle5 - h1 * copysign_wide(all_wide(half_turn), v14);
+        q4_ppm = angle4 - signed_wide(half_turn, v13),
+        q4_mpm = angle5 - signed_wide(half_turn, v14);
 
     /* theta5 */
     const wide v17 = Y2_2 * T33,
         angle6 = atan2_wide(-sqrt_wide(v15), factor2 * (v17 - w1 * (c1_p * T13 - v8 * T23))),
         angle7 = atan2_wide(-sqrt_wide(v16), factor2 * (v17 + w1 * (c1_m * T13 - v9 * T23))),
-        q5_pmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v15)) - angle6,
-        q5_mmp = h1 * copysign_wide(all_wide(half_turn), -sqrt_wide(v16)) - angle7;
+        q5_pmp = signed_wide(half_turn, -sqrt_wide(v15)) - angle6,
+        q5_mmp = signed_wide(half_turn, -sqrt_wide(v16)) - angle7;
 
     /* theta6 */
     const wide v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22)),
@@ -438,51 +441,40 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         s6_m = c4_m * (v21 + w1 * -v20) + Y4_m * (c1_m * T21 + v9 * T11),
         angle8 = atan2_wide(s6_p, c4_p * (v19 + w1 * v18) + Y4_p * (c1_p * T22 + v8 * T12)),
         angle9 = atan2_wide(s6_m, c4_m * (v19 + w1 * -v18) + Y4_m * (c1_m * T22 + v9 * T12)),
-        q6_ppm = angle8 - h1 * copysign_wide(all_wide(half_turn), s6_p),
-        q6_mpm = angle9 - h1 * copysign_wide(all_wide(half_turn), s6_m);
+        q6_ppm = angle8 - signed_wide(half_turn, s6_p),
+        q6_mpm = angle9 - signed_wide(half_turn, s6_m);
 
     /* joint values */
-    const wide_mask v22 = beyond(angle1, low1, high1), v23 = beyond(angle2, low1, high1),
-        v24 = beyond(w3, low3, high3), v25 = beyond(-w3, low3, high3);
+    const wide_mask v22 = beyond(angle1, 1), v23 = beyond(angle2, 1), v24 = beyond(w3, 3),
+        v25 = beyond(-w3, 3);
     const wide q3_ppp = v1 + w3, q3_pmp = v1 - w3;
-    const wide_mask v26 = v24 | v22 | beyond(angle3, low2, high2),
-        v27 = v25 | v22 | beyond(q2_pmp, low2, high2),
-        v28 = v24 | v23 | beyond(-angle3, low2, high2),
-        v29 = v25 | v23 | beyond(-q2_pmp, low2, high2), v30 = beyond(angle8, low6, high6),
-        outside_ppp = v30 | beyond(angle6, low5, high5) | v26 | beyond(angle4, low4, high4),
-        v31 = beyond(q6_ppm, low6, high6),
-        outside_ppm = v31 | beyond(-angle6, low5, high5) | v26 | beyond(q4_ppm, low4, high4),
-        outside_pmp = v31 | beyond(q5_pmp, low5, high5) | v27 | beyond(-angle4, low4, high4),
-        outside_pmm = v30 | beyond(-q5_pmp, low5, high5) | v27 | beyond(-q4_ppm, low4, high4),
-        v32 = beyond(angle9, low6, high6),
-        outside_mpp = v32 | beyond(angle7, low5, high5) | v28 | beyond(angle5, low4, high4),
-        v33 = beyond(q6_mpm, low6, high6),
-        outside_mpm = v33 | beyond(-angle7, low5, high5) | v28 | beyond(q4_mpm, low4, high4),
-        outside_mmp = v33 | beyond(q5_mmp, low5, high5) | v29 | beyond(-angle5, low4, high4),
-        outside_mmm = v32 | beyond(-q5_mmp, low5, high5) | v29 | beyond(-q4_mpm, low4, high4),
+    const wide_mask v26 = v24 | v22 | beyond(angle3, 2), v27 = v25 | v22 | beyond(q2_pmp, 2),
+        v28 = v24 | v23 | beyond(-angle3, 2), v29 = v25 | v23 | beyond(-q2_pmp, 2),
+        v30 = beyond(angle8, 6), v31 = beyond(q6_ppm, 6), v32 = beyond(angle9, 6),
+        v33 = beyond(q6_mpm, 6),
         doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v10 <= m1) | (v15 <= m3) |
             (v16 <= m3);
 
     q[0] = angle1; q[1] = angle3; q[2] = q3_ppp; q[3] = angle4; q[4] = angle6; q[5] = angle8;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
+    kind[0] = kind_of(q[0], v30 | beyond(angle6, 5) | v26 | beyond(angle4, 4));
     q[6] = angle1; q[7] = angle3; q[8] = q3_ppp; q[9] = q4_ppm; q[10] = -angle6; q[11] = q6_ppm;
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
+    kind[1] = kind_of(q[6], v31 | beyond(-angle6, 5) | v26 | beyond(q4_ppm, 4));
     q[12] = angle1; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = -angle4; q[16] = q5_pmp; q[17] = q6_ppm;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
+    kind[2] = kind_of(q[12], v31 | beyond(q5_pmp, 5) | v27 | beyond(-angle4, 4));
     q[18] = angle1; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = -q4_ppm; q[22] = -q5_pmp;
     q[23] = angle8;
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
+    kind[3] = kind_of(q[18], v30 | beyond(-q5_pmp, 5) | v27 | beyond(-q4_ppm, 4));
     q[24] = angle2; q[25] = -angle3; q[26] = q3_ppp; q[27] = angle5; q[28] = angle7; q[29] = angle9;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
+    kind[4] = kind_of(q[24], v32 | beyond(angle7, 5) | v28 | beyond(angle5, 4));
     q[30] = angle2; q[31] = -angle3; q[32] = q3_ppp; q[33] = q4_mpm; q[34] = -angle7;
     q[35] = q6_mpm;
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
+    kind[5] = kind_of(q[30], v33 | beyond(-angle7, 5) | v28 | beyond(q4_mpm, 4));
     q[36] = angle2; q[37] = -q2_pmp; q[38] = q3_pmp; q[39] = -angle5; q[40] = q5_mmp;
     q[41] = q6_mpm;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
+    kind[6] = kind_of(q[36], v33 | beyond(q5_mmp, 5) | v29 | beyond(-angle5, 4));
     q[42] = angle2; q[43] = -q2_pmp; q[44] = q3_pmp; q[45] = -q4_mpm; q[46] = -q5_mmp;
     q[47] = angle9;
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    kind[7] = kind_of(q[42], v32 | beyond(-q5_mmp, 5) | v29 | beyond(-q4_mpm, 4));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -521,7 +513,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta5 */
     const double v15 = Y2_2 * T33;
-    const four v16 = copysign_four(all_four(half_turn), -sqrt_four(v14)), v17 = m2 * -v9;
+    const four v16 = signed_four(half_turn, -sqrt_four(v14)), v17 = m2 * -v9;
 
     /* theta6 */
     const double v18 = T32 - inverse1 * (Y2_2 * (T14 * T12 + T24 * T22)),
@@ -529,11 +521,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v20 = T31 - inverse1 * (Y2_2 * (T14 * T11 + T24 * T21)),
         v21 = inverse1 * (Y2_2 * (v3 * T11 - v2 * T21));
     const four s6 = c4 * (v21 + w1 * (e1 * v20)) + Y4 * (c1 * T21 + v6 * T11),
-        v22 = copysign_four(all_four(half_turn), s6), v23 = m2 * (e2 + 1.0);
+        v22 = signed_four(half_turn, s6), v23 = m2 * (e2 + 1.0);
 
     /* joint values */
     const four v24 = e2 * w3;
-    const four_mask v26 = beyond(v24, low3, high3);
+    const four_mask v26 = beyond(v24, 3);
     const four q3_p = v1 + v24;
     const int doubt1 = (fabs(D1) <= k3) | (v7 <= m1) | (N1 <= doubt_limit_squared2);
 
@@ -548,15 +540,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3),
         packed3 = atan2_four((four){ -w1, -w1, -w1, -w1 }, (four){ Y2_2, Y2_2, Y2_2, Y2_2 }),
         angle2 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
-    const four q2_ = angle2 + v8 * v10,
-        q4__m = angle3 - copysign_four(all_four(half_turn), v13) * h1,
+    const four q2_ = angle2 + v8 * v10, q4__m = angle3 - signed_four(half_turn, v13),
         q5_p = e2 * angle4 + v16 * v17, q6_p = angle5 + v10 * v22, q6_m = angle5 - v22 * v23,
         q2_p = e1 * q2_, q4_p = e2 * angle3, q4_m = e2 * q4__m;
-    const four_mask v25 = beyond(angle1, low1, high1), v27 = v26 | v25 | beyond(q2_p, low2, high2),
-        outside_p = beyond(q6_p, low6, high6) | beyond(q5_p, low5, high5) | v27 | beyond(q4_p, low4,
-            high4),
-        outside_m = beyond(q6_m, low6, high6) | beyond(-q5_p, low5, high5) | v27 | beyond(q4_m,
-            low4, high4);
+    const four_mask v25 = beyond(angle1, 1), v27 = v26 | v25 | beyond(q2_p, 2),
+        outside_p = beyond(q6_p, 6) | beyond(q5_p, 5) | v27 | beyond(q4_p, 4),
+        outside_m = beyond(q6_m, 6) | beyond(-q5_p, 5) | v27 | beyond(q4_m, 4);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -587,29 +576,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -717,6 +696,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -724,29 +709,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    double off = value > high ? value - high : value - low;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    if (revolute[joint])
-        off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -777,8 +739,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = fan_step[s->joint];
@@ -841,8 +802,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -863,12 +823,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.7874015748031495, 0.7874015748031495, 0.7874015748031495,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        stanford_fk(x, P);
+        stanford_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -889,10 +910,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == STANFORD_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = STANFORD_OUT_OF_LIMITS;
         }
         count += status[row] != STANFORD_OUT_OF_LIMITS;
@@ -932,8 +955,7 @@ int stanford_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

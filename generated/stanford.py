@@ -102,21 +102,20 @@ k3 = 3.395980000001613e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2
 k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
 doubt_limit_squared2 = 1.6128999999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low1 = -2.9670597293903604  # least of joint 1
-high1 = 2.9670597293903604  # most of joint 1
-low2 = -2.9670597293903604  # least of joint 2
-high2 = 2.9670597293903604  # most of joint 2
-low3 = 0.304799999  # least of joint 3
-high3 = 1.270000001  # most of joint 3
-low4 = -2.9670597293903604  # least of joint 4
-high4 = 2.9670597293903604  # most of joint 4
-low5 = -1.5707963277948966  # least of joint 5
-high5 = 1.5707963277948966  # most of joint 5
-low6 = -2.9670597293903604  # least of joint 6
-high6 = 2.9670597293903604  # most of joint 6
+low1 = -2.9670597293903604
+high1 = 2.9670597293903604
+low2 = -2.9670597293903604
+high2 = 2.9670597293903604
+low3 = 0.304799999
+high3 = 1.270000001
+low4 = -2.9670597293903604
+high4 = 2.9670597293903604
+low5 = -1.5707963277948966
+high5 = 1.5707963277948966
+low6 = -2.9670597293903604
+high6 = 2.9670597293903604
 m1 = 1.6129000000000003e-06  # doubt_limit1^2 [m^2]
 m3 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -307,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 1f5770485ca74707"
+_KEY = "stanford 0408f0f38472c383"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -524,12 +523,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -550,6 +543,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -691,6 +690,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.7874015748031495, 0.7874015748031495, 0.7874015748031495, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -704,6 +794,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -810,19 +901,19 @@ def _regular(pose, q, status):
     angle9 = room[8]
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-    q2_pmp = angle3 - math.copysign(half_turn, -w1) * h1
+    q2_pmp = angle3 - math.copysign(half_turn, -w1)
 
     # theta4, type 2: U4[3, 3]
-    q4_ppm = angle4 - h1 * math.copysign(half_turn, v13)
-    q4_mpm = angle5 - h1 * math.copysign(half_turn, v14)
+    q4_ppm = angle4 - math.copysign(half_turn, v13)
+    q4_mpm = angle5 - math.copysign(half_turn, v14)
 
     # theta5, type 3: U4[2, 3] and U4[1, 3]
-    q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle6
-    q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle7
+    q5_pmp = math.copysign(half_turn, -math.sqrt(v15)) - angle6
+    q5_mmp = math.copysign(half_turn, -math.sqrt(v16)) - angle7
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle8 - h1 * math.copysign(half_turn, s6_p)
-    q6_mpm = angle9 - h1 * math.copysign(half_turn, s6_m)
+    q6_ppm = angle8 - math.copysign(half_turn, s6_p)
+    q6_mpm = angle9 - math.copysign(half_turn, s6_m)
 
     # joint values
     v22 = angle1 < low1 or high1 < angle1
@@ -952,7 +1043,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1226,13 +1317,13 @@ def _in_tiles(T, q, status):
             angle7 = work[560 + k]
             angle8 = work[576 + k]
             angle9 = work[592 + k]
-            q2_pmp = angle3 - math.copysign(half_turn, -w1) * h1
-            q4_ppm = angle4 - h1 * math.copysign(half_turn, v13)
-            q4_mpm = angle5 - h1 * math.copysign(half_turn, v14)
-            q5_pmp = h1 * math.copysign(half_turn, -math.sqrt(v15)) - angle6
-            q5_mmp = h1 * math.copysign(half_turn, -math.sqrt(v16)) - angle7
-            q6_ppm = angle8 - h1 * math.copysign(half_turn, s6_p)
-            q6_mpm = angle9 - h1 * math.copysign(half_turn, s6_m)
+            q2_pmp = angle3 - math.copysign(half_turn, -w1)
+            q4_ppm = angle4 - math.copysign(half_turn, v13)
+            q4_mpm = angle5 - math.copysign(half_turn, v14)
+            q5_pmp = math.copysign(half_turn, -math.sqrt(v15)) - angle6
+            q5_mmp = math.copysign(half_turn, -math.sqrt(v16)) - angle7
+            q6_ppm = angle8 - math.copysign(half_turn, s6_p)
+            q6_mpm = angle9 - math.copysign(half_turn, s6_m)
             v22 = angle1 < low1 or high1 < angle1
             v23 = angle2 < low1 or high1 < angle2
             v26 = v24 or v22 or angle3 < low2 or high2 < angle3

@@ -10,6 +10,22 @@
 
 static const double turn = 6.283185307179586;
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -66,14 +82,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -93,6 +107,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -103,10 +118,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -118,21 +133,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -174,7 +181,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -208,11 +214,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -226,16 +231,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & STAUBLI_RX90_UNREACHABLE) \
-        | (~(none) & (outside) & STAUBLI_RX90_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & STAUBLI_RX90_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & STAUBLI_RX90_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)STAUBLI_RX90_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)STAUBLI_RX90_UNREACHABLE \
         : (outside) ? (int)STAUBLI_RX90_OUT_OF_LIMITS : 0)
 #endif
 static const double a2 = 0.45; /* link length 3 [m] */
@@ -260,7 +265,6 @@ static const double m1 = 8.1e-07; /* doubt_limit1^2 [m^2] */
 static const double m3 = 1.1111111111111112; /* a coefficient of S2 */
 static const double m4 = 6.561e-13; /* doubt_limit_squared2^2 [m^4] */
 static const double m5 = 1e-06; /* doubt_limit^2 */
-static const double h1 = 1.0; /* m2 * 2 */
 
 const char *const staubli_rx90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -330,35 +334,19 @@ void staubli_rx90_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -371,7 +359,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -396,8 +384,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta3 */
     const wide N3 = v1 + T34 * T34, w3 = sqrt_wide((longest3 - N3) * (N3 - shortest3)),
         v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4, v6 = k1 * w3, c3 = k2 * v6,
-        angle2 = atan2_wide(-v4, v6),
-        q3_pmp = copysign_wide(all_wide(half_turn), -v4) * h1 - angle2;
+        angle2 = atan2_wide(-v4, v6), q3_pmp = signed_wide(half_turn, -v4) - angle2;
 
     /* theta2 */
     const wide X1_2 = a2 + d4 * v5, Y1_2 = d4 * c3, v7 = T34 * X1_2, v8 = w1 * Y1_2, v9 = v7 + v8,
@@ -427,8 +414,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v40 = X4_mm * factor4_mm, s4_pp = Y4 * factor4_pp, s4_pm = Y4 * factor4_pm,
         s4_mp = Y4 * factor4_mp, s4_mm = Y4 * factor4_mm, angle7 = atan2_wide(Y4, -X4_pp),
         angle8 = atan2_wide(Y4, -X4_pm), angle9 = atan2_wide(-Y4, -X4_mp),
-        angle10 = atan2_wide(-Y4, -X4_mm), v41 = h1 * copysign_wide(all_wide(half_turn), Y4),
-        v42 = h1 * copysign_wide(all_wide(half_turn), -Y4);
+        angle10 = atan2_wide(-Y4, -X4_mm), v41 = signed_wide(half_turn, Y4),
+        v42 = signed_wide(half_turn, -Y4);
 
     /* theta5 */
     const wide angle11 = atan2_wide(w4_pp, c23_pp * T33 + s23_pp * v30), v43 = c23_pm * T33,
@@ -449,35 +436,34 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle18 = atan2_wide(v52, s4_mm * (c23_mm * v45 - v29 * T32) - v40 * v44);
 
     /* joint values */
-    const wide q1_ppp = angle1 + v3,
-        q1_mpp = v3 + (angle1 - copysign_wide(all_wide(half_turn), -T24) * h1);
+    const wide q1_ppp = angle1 + v3, q1_mpp = v3 + (angle1 - signed_wide(half_turn, -T24));
     const wide_mask doubt1 = (v36 <= m5) | (v22 <= m4) | (v35 <= m5) | (v34 <= m5) | (v21 <= m4) |
         (v33 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v20 <= m4);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = angle2; q[3] = angle7; q[4] = angle11; q[5] = angle15;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle3; q[8] = angle2; q[9] = angle7 - v41; q[10] = -angle11;
-    q[11] = angle15 - h1 * copysign_wide(all_wide(half_turn), v48);
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[11] = angle15 - signed_wide(half_turn, v48);
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
     q[17] = angle16;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v41; q[22] = -angle12;
-    q[23] = angle16 - h1 * copysign_wide(all_wide(half_turn), v50);
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[23] = angle16 - signed_wide(half_turn, v50);
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle5; q[26] = angle2; q[27] = angle9; q[28] = angle13;
     q[29] = angle17;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle5; q[32] = angle2; q[33] = angle9 - v42; q[34] = -angle13;
-    q[35] = angle17 - h1 * copysign_wide(all_wide(half_turn), v51);
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[35] = angle17 - signed_wide(half_turn, v51);
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = angle6; q[38] = q3_pmp; q[39] = angle10; q[40] = angle14;
     q[41] = angle18;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = angle6; q[44] = q3_pmp; q[45] = angle10 - v42; q[46] = -angle14;
-    q[47] = angle18 - h1 * copysign_wide(all_wide(half_turn), v52);
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[47] = angle18 - signed_wide(half_turn, v52);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -521,8 +507,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four X4 = s23 * T33 - e1 * (c23 * v24);
     const double Y4 = w1 * (v2 * (T14 * T23 - T24 * T13)), v25 = Y4 * Y4;
     const four v26 = v25 + X4 * X4, w4 = sqrt_four(v26), factor4 = w4 * (1.0 / v26),
-        v27 = X4 * factor4, s4 = Y4 * factor4, v28 = e1 * Y4,
-        v29 = copysign_four(all_four(half_turn), v28) * h1;
+        v27 = X4 * factor4, s4 = Y4 * factor4, v28 = e1 * Y4, v29 = signed_four(half_turn, v28);
 
     /* theta6 */
     const double v30 = w1 * (v2 * (T14 * T22 - T24 * T12)),
@@ -542,8 +527,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
         angle2 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
     const four q3_p = e2 * angle2 + v8 * (m2 * (1.0 - e2)), q4_m = angle4 - v29,
-        q6_m = angle6 - h1 * copysign_four(all_four(half_turn), v34),
-        q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
+        q6_m = angle6 - signed_four(half_turn, v34), q1_p = v4 + (angle1 + v3 * (m2 * (e1 - 1.0)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -571,29 +555,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -714,6 +688,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -730,8 +710,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -750,9 +729,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == STAUBLI_RX90_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = STAUBLI_RX90_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_RX90_OUT_OF_LIMITS;
@@ -793,8 +771,7 @@ int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

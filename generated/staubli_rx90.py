@@ -106,7 +106,6 @@ m1 = 8.1e-07  # doubt_limit1^2 [m^2]
 m3 = 1.1111111111111112  # a coefficient of S2
 m4 = 6.561e-13  # doubt_limit_squared2^2 [m^4]
 m5 = 1e-06  # doubt_limit^2
-h1 = 1.0  # m2 * 2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -580,8 +579,8 @@ def _regular(pose, q, status):
     s4_pm = Y4 * factor4_pm
     s4_mp = Y4 * factor4_mp
     s4_mm = Y4 * factor4_mm
-    v41 = h1 * math.copysign(half_turn, Y4)
-    v42 = h1 * math.copysign(half_turn, -Y4)
+    v41 = math.copysign(half_turn, Y4)
+    v42 = math.copysign(half_turn, -Y4)
 
     # theta5, type 3: U4[3, 3] and U4[1, 3]
     v43 = c23_pm * T33
@@ -666,7 +665,7 @@ def _regular(pose, q, status):
     angle18 = room[17]
 
     # theta3, type 8: U1[3, 4] and U1[1, 4]
-    q3_pmp = math.copysign(half_turn, -v4) * h1 - angle2
+    q3_pmp = math.copysign(half_turn, -v4) - angle2
 
     # theta4, type 2: U4[2, 3]
     q4_ppm = angle7 - v41
@@ -675,14 +674,14 @@ def _regular(pose, q, status):
     q4_mmm = angle10 - v42
 
     # theta6, type 3: U4[2, 2] and U4[2, 1]
-    q6_ppm = angle15 - h1 * math.copysign(half_turn, v48)
-    q6_pmm = angle16 - h1 * math.copysign(half_turn, v50)
-    q6_mpm = angle17 - h1 * math.copysign(half_turn, v51)
-    q6_mmm = angle18 - h1 * math.copysign(half_turn, v52)
+    q6_ppm = angle15 - math.copysign(half_turn, v48)
+    q6_pmm = angle16 - math.copysign(half_turn, v50)
+    q6_mpm = angle17 - math.copysign(half_turn, v51)
+    q6_mmm = angle18 - math.copysign(half_turn, v52)
 
     # joint values
     q1_ppp = angle1 + v3
-    q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24) * h1)
+    q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1039,8 +1038,8 @@ def _in_tiles(T, q, status):
             s4_pm = Y4 * factor4_pm
             s4_mp = Y4 * factor4_mp
             s4_mm = Y4 * factor4_mm
-            v41 = h1 * math.copysign(half_turn, Y4)
-            v42 = h1 * math.copysign(half_turn, -Y4)
+            v41 = math.copysign(half_turn, Y4)
+            v42 = math.copysign(half_turn, -Y4)
             v43 = c23_pm * T33
             v44 = w1 * (v2 * (T14 * T22 - T24 * T12))
             v45 = w1 * (v2 * (T14 * T12 + T24 * T22))
@@ -1133,17 +1132,17 @@ def _in_tiles(T, q, status):
             angle16 = work[656 + k]
             angle17 = work[672 + k]
             angle18 = work[688 + k]
-            q3_pmp = math.copysign(half_turn, -v4) * h1 - angle2
+            q3_pmp = math.copysign(half_turn, -v4) - angle2
             q4_ppm = angle7 - v41
             q4_pmm = angle8 - v41
             q4_mpm = angle9 - v42
             q4_mmm = angle10 - v42
-            q6_ppm = angle15 - h1 * math.copysign(half_turn, v48)
-            q6_pmm = angle16 - h1 * math.copysign(half_turn, v50)
-            q6_mpm = angle17 - h1 * math.copysign(half_turn, v51)
-            q6_mmm = angle18 - h1 * math.copysign(half_turn, v52)
+            q6_ppm = angle15 - math.copysign(half_turn, v48)
+            q6_pmm = angle16 - math.copysign(half_turn, v50)
+            q6_mpm = angle17 - math.copysign(half_turn, v51)
+            q6_mmm = angle18 - math.copysign(half_turn, v52)
             q1_ppp = angle1 + v3
-            q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24) * h1)
+            q1_mpp = v3 + (angle1 - math.copysign(half_turn, -T24))
             _992 = q1_ppp
             work[992 + k] = _992
             _1008 = angle3

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -73,14 +89,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -100,6 +114,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -110,10 +125,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -125,21 +140,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -181,7 +188,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -215,11 +221,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -233,16 +238,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & STAUBLI_TX2_90_UNREACHABLE) \
-        | (~(none) & (outside) & STAUBLI_TX2_90_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & STAUBLI_TX2_90_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & STAUBLI_TX2_90_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)STAUBLI_TX2_90_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)STAUBLI_TX2_90_UNREACHABLE \
         : (outside) ? (int)STAUBLI_TX2_90_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.478; /* joint offset 1 [m] */
@@ -275,19 +280,15 @@ static const double k5 = 7.662743501634321; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 2.3347840000000005e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double low2 = -2.2689280285926285; /* least of joint 2 */
-static const double high2 = 2.5743606476916363; /* most of joint 2 */
-static const double low3 = -2.530727416391778; /* least of joint 3 */
-static const double high3 = 2.530727416391778; /* most of joint 3 */
-static const double low5 = -2.007128640793479; /* least of joint 5 */
-static const double high5 = 2.4434609537920613; /* most of joint 5 */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 0.2768166089965398; /* a coefficient of s3 */
 static const double m2 = 2.768166089965398; /* a coefficient of s3 */
 static const double m3 = 1.1764705882352942; /* a coefficient of Y1_2 */
 static const double m4 = 5.4512163266560024e-12; /* doubt_limit_squared2^2 [m^4] */
 static const double m5 = 1e-06; /* doubt_limit^2 */
-static const double m7 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m6 */
+static const double low2 = -2.2689280285926285, high2 = 2.5743606476916363,
+low3 = -2.530727416391778, high3 = 2.530727416391778, low5 = -2.007128640793479,
+high5 = 2.4434609537920613;
 
 const char *const staubli_tx2_90_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -383,35 +384,19 @@ void staubli_tx2_90_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = -v7; J[35] = -v9;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -424,7 +409,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -432,6 +417,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -498,27 +504,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle5 = atan2_wide(S2_pp, -v20), v54 = angle5 - offset2,
         angle6 = atan2_wide(-v15, -v21), v55 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v22),
         v56 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v23), v57 = angle8 - offset2,
-        q2_ppp = v54 - only_wide(half_turn < v54, m7),
-        q2_pmp = v55 - only_wide(half_turn < v55, m7),
-        q2_mpp = v56 - only_wide(half_turn < v56, m7),
-        q2_mmp = v57 - only_wide(half_turn < v57, m7), angle9 = atan2_wide(s3_p, -v10),
+        q2_ppp = v54 - only_wide(half_turn < v54, whole_turn),
+        q2_pmp = v55 - only_wide(half_turn < v55, whole_turn),
+        q2_mpp = v56 - only_wide(half_turn < v56, whole_turn),
+        q2_mmp = v57 - only_wide(half_turn < v57, whole_turn), angle9 = atan2_wide(s3_p, -v10),
         angle10 = atan2_wide(s3_m, -v11), v58 = angle9 - offset3,
-        v59 = h1 * copysign_wide(all_wide(half_turn), s3_p) - angle9 - offset3,
-        v60 = angle10 - offset3,
-        v61 = h1 * copysign_wide(all_wide(half_turn), s3_m) - angle10 - offset3,
-        q3_ppp = v58 + only_wide(v58 <= -half_turn, m7),
-        q3_pmp = v59 + only_wide(v59 <= -half_turn, m7),
-        q3_mpp = v60 + only_wide(v60 <= -half_turn, m7),
-        q3_mmp = v61 + only_wide(v61 <= -half_turn, m7),
+        v59 = signed_wide(half_turn, s3_p) - angle9 - offset3, v60 = angle10 - offset3,
+        v61 = signed_wide(half_turn, s3_m) - angle10 - offset3,
+        q3_ppp = v58 + only_wide(v58 <= -half_turn, whole_turn),
+        q3_pmp = v59 + only_wide(v59 <= -half_turn, whole_turn),
+        q3_mpp = v60 + only_wide(v60 <= -half_turn, whole_turn),
+        q3_mmp = v61 + only_wide(v61 <= -half_turn, whole_turn),
         angle11 = atan2_wide(-v38, factor2_pp * -X4_pp),
         angle12 = atan2_wide(-v38, factor2_pm * -X4_pm),
         angle13 = atan2_wide(-v39, factor2_mp * -X4_mp),
-        angle14 = atan2_wide(-v39, factor2_mm * -X4_mm),
-        v62 = h1 * copysign_wide(all_wide(half_turn), -v38),
-        v63 = h1 * copysign_wide(all_wide(half_turn), -v39), v64 = angle11 - offset4,
-        v65 = angle11 - v62 - offset4, v66 = angle12 - offset4, v67 = angle12 - v62 - offset4,
-        v68 = angle13 - offset4, v69 = angle13 - v63 - offset4, v70 = angle14 - offset4,
-        v71 = angle14 - v63 - offset4,
+        angle14 = atan2_wide(-v39, factor2_mm * -X4_mm), v62 = signed_wide(half_turn, -v38),
+        v63 = signed_wide(half_turn, -v39), v64 = angle11 - offset4, v65 = angle11 - v62 - offset4,
+        v66 = angle12 - offset4, v67 = angle12 - v62 - offset4, v68 = angle13 - offset4,
+        v69 = angle13 - v63 - offset4, v70 = angle14 - offset4, v71 = angle14 - v63 - offset4,
         angle15 = atan2_wide(sqrt_wide(v42), factor2_pp * (T31 * v28 + v32 * v36)),
         angle16 = atan2_wide(sqrt_wide(v43), factor2_pm * (T31 * v29 + v33 * v36)),
         angle17 = atan2_wide(sqrt_wide(v44), factor2_mp * (T31 * v30 + v34 * v37)),
@@ -526,66 +529,53 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5,
         v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17,
         v78 = angle18 - offset5, v79 = offset5 + angle18,
-        q5_ppp = v72 + only_wide(v72 <= -half_turn, m7),
-        q5_ppm = only_wide(-v73 <= -half_turn, m7) - v73,
-        q5_pmp = v74 + only_wide(v74 <= -half_turn, m7),
-        q5_pmm = only_wide(-v75 <= -half_turn, m7) - v75,
-        q5_mpp = v76 + only_wide(v76 <= -half_turn, m7),
-        q5_mpm = only_wide(-v77 <= -half_turn, m7) - v77,
-        q5_mmp = v78 + only_wide(v78 <= -half_turn, m7),
-        q5_mmm = only_wide(-v79 <= -half_turn, m7) - v79, angle19 = atan2_wide(s1_p, -v2),
+        q5_ppp = v72 + only_wide(v72 <= -half_turn, whole_turn),
+        q5_ppm = only_wide(-v73 <= -half_turn, whole_turn) - v73,
+        q5_pmp = v74 + only_wide(v74 <= -half_turn, whole_turn),
+        q5_pmm = only_wide(-v75 <= -half_turn, whole_turn) - v75,
+        q5_mpp = v76 + only_wide(v76 <= -half_turn, whole_turn),
+        q5_mpm = only_wide(-v77 <= -half_turn, whole_turn) - v77,
+        q5_mmp = v78 + only_wide(v78 <= -half_turn, whole_turn),
+        q5_mmm = only_wide(-v79 <= -half_turn, whole_turn) - v79, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
-    const wide_mask v80 = beyond(q2_ppp, low2, high2) | beyond(q3_ppp, low3, high3),
-        v81 = beyond(q2_pmp, low2, high2) | beyond(q3_pmp, low3, high3),
-        v82 = beyond(q2_mpp, low2, high2) | beyond(q3_mpp, low3, high3),
-        v83 = beyond(q2_mmp, low2, high2) | beyond(q3_mmp, low3, high3),
-        outside_ppp = v80 | beyond(q5_ppp, low5, high5),
-        outside_ppm = v80 | beyond(q5_ppm, low5, high5),
-        outside_pmp = v81 | beyond(q5_pmp, low5, high5),
-        outside_pmm = v81 | beyond(q5_pmm, low5, high5),
-        outside_mpp = v82 | beyond(q5_mpp, low5, high5),
-        outside_mpm = v82 | beyond(q5_mpm, low5, high5),
-        outside_mmp = v83 | beyond(q5_mmp, low5, high5),
-        outside_mmm = v83 | beyond(q5_mmm, low5, high5),
+    const wide_mask v80 = beyond(q2_ppp, 2) | beyond(q3_ppp, 3),
+        v81 = beyond(q2_pmp, 2) | beyond(q3_pmp, 3), v82 = beyond(q2_mpp, 2) | beyond(q3_mpp, 3),
+        v83 = beyond(q2_mmp, 2) | beyond(q3_mmp, 3),
         doubt1 = (v45 <= m5) | (v27 <= m4) | (v44 <= m5) | (v26 <= m4) | (v43 <= m5) | (v25 <= m4) |
             (v42 <= m5) | (v24 <= m4) | (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) |
             ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) & (((shortest3_apart < N3_p) &
             (N3_p < longest3_apart)) == 0)) | ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)
             & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v64 + only_wide(v64 <= -half_turn, m7);
-    q[4] = q5_ppp; q[5] = angle1;
-    kind[0] = kind_of(q[0] != q[0], outside_ppp);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v65 + only_wide(v65 <= -half_turn, m7);
-    q[10] = q5_ppm;
-    q[11] = angle1 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pp + v38 * (v28 * v52 - v32 *
-        T33))) * h1;
-    kind[1] = kind_of(q[6] != q[6], outside_ppm);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v66 + only_wide(v66 <= -half_turn, m7);
-    q[16] = q5_pmp; q[17] = angle2;
-    kind[2] = kind_of(q[12] != q[12], outside_pmp);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v67 + only_wide(v67 <= -half_turn, m7);
-    q[22] = q5_pmm;
-    q[23] = angle2 - copysign_wide(all_wide(half_turn), -(v50 * -X4_pm + v38 * (v29 * v52 - v33 *
-        T33))) * h1;
-    kind[3] = kind_of(q[18] != q[18], outside_pmm);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = v68 + only_wide(v68 <= -half_turn, m7);
-    q[28] = q5_mpp; q[29] = angle3;
-    kind[4] = kind_of(q[24] != q[24], outside_mpp);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = v69 + only_wide(v69 <= -half_turn, m7);
-    q[34] = q5_mpm;
-    q[35] = angle3 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mp + v39 * (v30 * v53 - v34 *
-        T33))) * h1;
-    kind[5] = kind_of(q[30] != q[30], outside_mpm);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = v70 + only_wide(v70 <= -half_turn, m7);
-    q[40] = q5_mmp; q[41] = angle4;
-    kind[6] = kind_of(q[36] != q[36], outside_mmp);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = v71 + only_wide(v71 <= -half_turn, m7);
-    q[46] = q5_mmm;
-    q[47] = angle4 - copysign_wide(all_wide(half_turn), -(v51 * -X4_mm + v39 * (v31 * v53 - v35 *
-        T33))) * h1;
-    kind[7] = kind_of(q[42] != q[42], outside_mmm);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
+    q[3] = v64 + only_wide(v64 <= -half_turn, whole_turn); q[4] = q5_ppp; q[5] = angle1;
+    kind[0] = kind_of(q[0], v80 | beyond(q5_ppp, 5));
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
+    q[9] = v65 + only_wide(v65 <= -half_turn, whole_turn); q[10] = q5_ppm;
+    q[11] = angle1 - signed_wide(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)));
+    kind[1] = kind_of(q[6], v80 | beyond(q5_ppm, 5));
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
+    q[15] = v66 + only_wide(v66 <= -half_turn, whole_turn); q[16] = q5_pmp; q[17] = angle2;
+    kind[2] = kind_of(q[12], v81 | beyond(q5_pmp, 5));
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
+    q[21] = v67 + only_wide(v67 <= -half_turn, whole_turn); q[22] = q5_pmm;
+    q[23] = angle2 - signed_wide(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)));
+    kind[3] = kind_of(q[18], v81 | beyond(q5_pmm, 5));
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
+    q[27] = v68 + only_wide(v68 <= -half_turn, whole_turn); q[28] = q5_mpp; q[29] = angle3;
+    kind[4] = kind_of(q[24], v82 | beyond(q5_mpp, 5));
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
+    q[33] = v69 + only_wide(v69 <= -half_turn, whole_turn); q[34] = q5_mpm;
+    q[35] = angle3 - signed_wide(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)));
+    kind[5] = kind_of(q[30], v82 | beyond(q5_mpm, 5));
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
+    q[39] = v70 + only_wide(v70 <= -half_turn, whole_turn); q[40] = q5_mmp; q[41] = angle4;
+    kind[6] = kind_of(q[36], v83 | beyond(q5_mmp, 5));
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
+    q[45] = v71 + only_wide(v71 <= -half_turn, whole_turn); q[46] = q5_mmm;
+    q[47] = angle4 - signed_wide(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)));
+    kind[7] = kind_of(q[42], v83 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -635,8 +625,8 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         v22 = s1 * T23 - v2 * T13;
 
     /* joint values */
-    const four v24 = copysign_four(all_four(half_turn), s3), v25 = m6 * (1.0 - e2),
-        v27 = h1 * copysign_four(all_four(half_turn), -v16);
+    const four v24 = signed_four(half_turn, s3), v25 = m6 * (1.0 - e2),
+        v27 = signed_four(half_turn, -v16);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
     const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
@@ -648,16 +638,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7)),
         angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
-    const four q6_m = angle1 - copysign_four(all_four(half_turn), -(v21 * -X4 + v16 * (v13 * v22 -
-        v14 * T33))) * h1, v23 = angle2 - offset2, q2_p = v23 - only_four(half_turn < v23, m7),
-        v26 = e2 * angle3 + v24 * v25 - offset3, q3_p = v26 + only_four(v26 <= -half_turn, m7),
-        v28 = angle4 - offset4, v29 = angle4 - v27 - offset4,
-        q4_p = v28 + only_four(v28 <= -half_turn, m7),
-        q4_m = v29 + only_four(v29 <= -half_turn, m7), v30 = angle5 - offset5,
-        v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, m7),
-        q5_m = only_four(-v31 <= -half_turn, m7) - v31, q1_p = angle6 + (w3 - w3);
-    const four_mask v32 = beyond(q2_p, low2, high2) | beyond(q3_p, low3, high3),
-        outside_p = v32 | beyond(q5_p, low5, high5), outside_m = v32 | beyond(q5_m, low5, high5);
+    const four q6_m = angle1 - signed_four(half_turn, -(v21 * -X4 + v16 * (v13 * v22 - v14 * T33))),
+        v23 = angle2 - offset2, q2_p = v23 - only_four(half_turn < v23, whole_turn),
+        v26 = e2 * angle3 + v24 * v25 - offset3,
+        q3_p = v26 + only_four(v26 <= -half_turn, whole_turn), v28 = angle4 - offset4,
+        v29 = angle4 - v27 - offset4, q4_p = v28 + only_four(v28 <= -half_turn, whole_turn),
+        q4_m = v29 + only_four(v29 <= -half_turn, whole_turn), v30 = angle5 - offset5,
+        v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, whole_turn),
+        q5_m = only_four(-v31 <= -half_turn, whole_turn) - v31, q1_p = angle6 + (w3 - w3);
+    const four_mask v32 = beyond(q2_p, 2) | beyond(q3_p, 3), outside_p = v32 | beyond(q5_p, 5),
+        outside_m = v32 | beyond(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -688,29 +678,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -851,6 +831,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -858,27 +844,6 @@ struct search {
     unsigned char status[8];
     int joint, row;
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Solves with the joint moved: 0 if it serves, else less. */
 static double attempt(struct search *s, double moved)
@@ -909,8 +874,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -973,8 +937,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -993,12 +956,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.6544502617801046, 0.6544502617801046, 0.6544502617801046,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        staubli_tx2_90_fk(x, P);
+        staubli_tx2_90_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -1019,10 +1043,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == STAUBLI_TX2_90_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = STAUBLI_TX2_90_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX2_90_OUT_OF_LIMITS;
@@ -1063,8 +1089,7 @@ int staubli_tx2_90_ik_nearest(const double T[16], const double q_seed[6], double
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -116,19 +116,18 @@ k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
 k5 = 7.662743501634321  # 1 / ((2 * d4 * a2)^2) [m^-4]
 doubt_limit_squared2 = 2.3347840000000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low2 = -2.2689280285926285  # least of joint 2
-high2 = 2.5743606476916363  # most of joint 2
-low3 = -2.530727416391778  # least of joint 3
-high3 = 2.530727416391778  # most of joint 3
-low5 = -2.007128640793479  # least of joint 5
-high5 = 2.4434609537920613  # most of joint 5
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low2 = -2.2689280285926285
+high2 = 2.5743606476916363
+low3 = -2.530727416391778
+high3 = 2.530727416391778
+low5 = -2.007128640793479
+high5 = 2.4434609537920613
 m1 = 0.2768166089965398  # a coefficient of s3
 m2 = 2.768166089965398  # a coefficient of s3
 m3 = 1.1764705882352942  # a coefficient of Y1_2
 m4 = 5.4512163266560024e-12  # doubt_limit_squared2^2 [m^4]
 m5 = 1e-06  # doubt_limit^2
-m7 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -377,7 +376,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 ed3fa423cea9e7ff"
+_KEY = "staubli_tx2_90 dd49f24c8d902e26"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -625,12 +624,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -649,6 +642,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -790,6 +789,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.6544502617801046, 0.6544502617801046, 0.6544502617801046, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -803,6 +893,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -914,8 +1005,8 @@ def _regular(pose, q, status):
     v53 = s1_m * T23 - v3 * T13
 
     # joint values
-    v62 = h1 * math.copysign(half_turn, -v38)
-    v63 = h1 * math.copysign(half_turn, -v39)
+    v62 = math.copysign(half_turn, -v38)
+    v63 = math.copysign(half_turn, -v39)
     doubt1 = (
         v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <= m5 or
         v24 <= m4 or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach <= N3_p and
@@ -991,28 +1082,28 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) * h1
-    q6_pmm = angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) * h1
-    q6_mpm = angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))) * h1
-    q6_mmm = angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))) * h1
+    q6_ppm = angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)))
+    q6_pmm = angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)))
+    q6_mpm = angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)))
+    q6_mmm = angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)))
 
     # joint values
     v54 = angle5 - offset2
     v55 = angle6 - offset2
     v56 = angle7 - offset2
     v57 = angle8 - offset2
-    q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
-    q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
-    q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
-    q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
+    q2_ppp = v54 - (whole_turn if half_turn < v54 else 0.0)
+    q2_pmp = v55 - (whole_turn if half_turn < v55 else 0.0)
+    q2_mpp = v56 - (whole_turn if half_turn < v56 else 0.0)
+    q2_mmp = v57 - (whole_turn if half_turn < v57 else 0.0)
     v58 = angle9 - offset3
-    v59 = h1 * math.copysign(half_turn, s3_p) - angle9 - offset3
+    v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
     v60 = angle10 - offset3
-    v61 = h1 * math.copysign(half_turn, s3_m) - angle10 - offset3
-    q3_ppp = v58 + (m7 if v58 <= -half_turn else 0.0)
-    q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
-    q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
-    q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
+    v61 = math.copysign(half_turn, s3_m) - angle10 - offset3
+    q3_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+    q3_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+    q3_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+    q3_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
     v64 = angle11 - offset4
     v65 = angle11 - v62 - offset4
     v66 = angle12 - offset4
@@ -1021,14 +1112,14 @@ def _regular(pose, q, status):
     v69 = angle13 - v63 - offset4
     v70 = angle14 - offset4
     v71 = angle14 - v63 - offset4
-    q4_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
-    q4_ppm = v65 + (m7 if v65 <= -half_turn else 0.0)
-    q4_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
-    q4_pmm = v67 + (m7 if v67 <= -half_turn else 0.0)
-    q4_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
-    q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
-    q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
-    q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
+    q4_ppp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+    q4_ppm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+    q4_pmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+    q4_pmm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+    q4_mpp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
+    q4_mpm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+    q4_mmp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+    q4_mmm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
     v72 = angle15 - offset5
     v73 = offset5 + angle15
     v74 = angle16 - offset5
@@ -1037,14 +1128,14 @@ def _regular(pose, q, status):
     v77 = offset5 + angle17
     v78 = angle18 - offset5
     v79 = offset5 + angle18
-    q5_ppp = v72 + (m7 if v72 <= -half_turn else 0.0)
-    q5_ppm = (m7 if -v73 <= -half_turn else 0.0) - v73
-    q5_pmp = v74 + (m7 if v74 <= -half_turn else 0.0)
-    q5_pmm = (m7 if -v75 <= -half_turn else 0.0) - v75
-    q5_mpp = v76 + (m7 if v76 <= -half_turn else 0.0)
-    q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
-    q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
-    q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
+    q5_ppp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v73 <= -half_turn else 0.0) - v73
+    q5_pmp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
+    q5_mpp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
+    q5_mmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
     v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp
@@ -1164,7 +1255,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1420,8 +1511,8 @@ def _in_tiles(T, q, status):
             v51 = v3 * T23 + s1_m * T13
             v52 = s1_p * T23 - v2 * T13
             v53 = s1_m * T23 - v3 * T13
-            v62 = h1 * math.copysign(half_turn, -v38)
-            v63 = h1 * math.copysign(half_turn, -v39)
+            v62 = math.copysign(half_turn, -v38)
+            v63 = math.copysign(half_turn, -v39)
             doubt1 = (
                 v45 <= m5 or v27 <= m4 or v44 <= m5 or v26 <= m4 or v43 <= m5 or v25 <= m4 or v42 <=
                 m5 or v24 <= m4 or abs(D1) <= k2 or N1 <= doubt_limit_squared2 or (shortest3_reach
@@ -1544,37 +1635,33 @@ def _in_tiles(T, q, status):
             angle19 = work[960 + k]
             angle20 = work[976 + k]
             q6_ppm = (
-                angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33))) *
-                h1
+                angle1 - math.copysign(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)))
             )
             q6_pmm = (
-                angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33))) *
-                h1
+                angle2 - math.copysign(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)))
             )
             q6_mpm = (
-                angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33))) *
-                h1
+                angle3 - math.copysign(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)))
             )
             q6_mmm = (
-                angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33))) *
-                h1
+                angle4 - math.copysign(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)))
             )
             v54 = angle5 - offset2
             v55 = angle6 - offset2
             v56 = angle7 - offset2
             v57 = angle8 - offset2
-            q2_ppp = v54 - (m7 if half_turn < v54 else 0.0)
-            q2_pmp = v55 - (m7 if half_turn < v55 else 0.0)
-            q2_mpp = v56 - (m7 if half_turn < v56 else 0.0)
-            q2_mmp = v57 - (m7 if half_turn < v57 else 0.0)
+            q2_ppp = v54 - (whole_turn if half_turn < v54 else 0.0)
+            q2_pmp = v55 - (whole_turn if half_turn < v55 else 0.0)
+            q2_mpp = v56 - (whole_turn if half_turn < v56 else 0.0)
+            q2_mmp = v57 - (whole_turn if half_turn < v57 else 0.0)
             v58 = angle9 - offset3
-            v59 = h1 * math.copysign(half_turn, s3_p) - angle9 - offset3
+            v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
             v60 = angle10 - offset3
-            v61 = h1 * math.copysign(half_turn, s3_m) - angle10 - offset3
-            q3_ppp = v58 + (m7 if v58 <= -half_turn else 0.0)
-            q3_pmp = v59 + (m7 if v59 <= -half_turn else 0.0)
-            q3_mpp = v60 + (m7 if v60 <= -half_turn else 0.0)
-            q3_mmp = v61 + (m7 if v61 <= -half_turn else 0.0)
+            v61 = math.copysign(half_turn, s3_m) - angle10 - offset3
+            q3_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+            q3_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+            q3_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+            q3_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
             v64 = angle11 - offset4
             v65 = angle11 - v62 - offset4
             v66 = angle12 - offset4
@@ -1583,14 +1670,14 @@ def _in_tiles(T, q, status):
             v69 = angle13 - v63 - offset4
             v70 = angle14 - offset4
             v71 = angle14 - v63 - offset4
-            q4_ppp = v64 + (m7 if v64 <= -half_turn else 0.0)
-            q4_ppm = v65 + (m7 if v65 <= -half_turn else 0.0)
-            q4_pmp = v66 + (m7 if v66 <= -half_turn else 0.0)
-            q4_pmm = v67 + (m7 if v67 <= -half_turn else 0.0)
-            q4_mpp = v68 + (m7 if v68 <= -half_turn else 0.0)
-            q4_mpm = v69 + (m7 if v69 <= -half_turn else 0.0)
-            q4_mmp = v70 + (m7 if v70 <= -half_turn else 0.0)
-            q4_mmm = v71 + (m7 if v71 <= -half_turn else 0.0)
+            q4_ppp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+            q4_ppm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+            q4_pmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+            q4_pmm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+            q4_mpp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
+            q4_mpm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+            q4_mmp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
+            q4_mmm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
             v72 = angle15 - offset5
             v73 = offset5 + angle15
             v74 = angle16 - offset5
@@ -1599,14 +1686,14 @@ def _in_tiles(T, q, status):
             v77 = offset5 + angle17
             v78 = angle18 - offset5
             v79 = offset5 + angle18
-            q5_ppp = v72 + (m7 if v72 <= -half_turn else 0.0)
-            q5_ppm = (m7 if -v73 <= -half_turn else 0.0) - v73
-            q5_pmp = v74 + (m7 if v74 <= -half_turn else 0.0)
-            q5_pmm = (m7 if -v75 <= -half_turn else 0.0) - v75
-            q5_mpp = v76 + (m7 if v76 <= -half_turn else 0.0)
-            q5_mpm = (m7 if -v77 <= -half_turn else 0.0) - v77
-            q5_mmp = v78 + (m7 if v78 <= -half_turn else 0.0)
-            q5_mmm = (m7 if -v79 <= -half_turn else 0.0) - v79
+            q5_ppp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v73 <= -half_turn else 0.0) - v73
+            q5_pmp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
+            q5_mpp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
+            q5_mmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
             v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp

@@ -16,6 +16,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -72,14 +88,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -99,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -109,10 +124,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -124,21 +139,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -180,7 +187,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -214,11 +220,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -232,16 +237,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & STAUBLI_TX40_UNREACHABLE) \
-        | (~(none) & (outside) & STAUBLI_TX40_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & STAUBLI_TX40_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & STAUBLI_TX40_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)STAUBLI_TX40_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)STAUBLI_TX40_UNREACHABLE \
         : (outside) ? (int)STAUBLI_TX40_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.32; /* joint offset 1 [m] */
@@ -274,13 +279,12 @@ static const double k5 = 97.54610577655845; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 7.569000000000001e-07;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 2.2222222222222223; /* a coefficient of S2 */
 static const double m2 = 5.728976100000001e-13; /* doubt_limit_squared2^2 [m^4] */
 static const double m3 = 21.947873799725652; /* a coefficient of v9 */
 static const double m4 = 4.4444444444444455; /* a coefficient of s23 */
 static const double m5 = 1e-06; /* doubt_limit^2 */
-static const double m7 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m6 */
 
 const char *const staubli_tx40_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -371,35 +375,19 @@ void staubli_tx40_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -412,7 +400,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -480,21 +468,20 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle7 - offset2, angle8 = atan2_wide(S2_pm, C2_pm), v43 = angle8 - offset2,
         angle9 = atan2_wide(S2_pm, C2_mp), v44 = angle9 - offset2,
         angle10 = atan2_wide(S2_pp, C2_mm), v45 = angle10 - offset2,
-        q2_ppp = v42 + only_wide(v42 <= -half_turn, m7),
-        q2_pmp = v43 + only_wide(v43 <= -half_turn, m7),
-        q2_mpp = v44 + only_wide(v44 <= -half_turn, m7),
-        q2_mmp = v45 + only_wide(v45 <= -half_turn, m7), angle11 = atan2_wide(v7, -(k4 * w3)),
-        v46 = angle11 - offset3,
-        v47 = h1 * copysign_wide(all_wide(half_turn), v7) - angle11 - offset3,
+        q2_ppp = v42 + only_wide(v42 <= -half_turn, whole_turn),
+        q2_pmp = v43 + only_wide(v43 <= -half_turn, whole_turn),
+        q2_mpp = v44 + only_wide(v44 <= -half_turn, whole_turn),
+        q2_mmp = v45 + only_wide(v45 <= -half_turn, whole_turn),
+        angle11 = atan2_wide(v7, -(k4 * w3)), v46 = angle11 - offset3,
+        v47 = signed_wide(half_turn, v7) - angle11 - offset3,
         angle12 = atan2_wide(Y4_p, factor2_pp * -X4_pp),
         angle13 = atan2_wide(Y4_p, factor2_pm * -X4_pm),
         angle14 = atan2_wide(Y4_m, factor2_mp * -X4_mp),
-        angle15 = atan2_wide(Y4_m, factor2_mm * -X4_mm),
-        v48 = h1 * copysign_wide(all_wide(half_turn), Y4_p),
-        v49 = h1 * copysign_wide(all_wide(half_turn), Y4_m), v50 = angle12 - offset4,
-        v51 = angle12 - v48 - offset4, v52 = angle13 - offset4, v53 = angle13 - v48 - offset4,
-        v54 = angle14 - offset4, v55 = angle14 - v49 - offset4, v56 = angle15 - offset4,
-        v57 = angle15 - v49 - offset4, v58 = T33 * S2_pm,
+        angle15 = atan2_wide(Y4_m, factor2_mm * -X4_mm), v48 = signed_wide(half_turn, Y4_p),
+        v49 = signed_wide(half_turn, Y4_m), v50 = angle12 - offset4, v51 = angle12 - v48 - offset4,
+        v52 = angle13 - offset4, v53 = angle13 - v48 - offset4, v54 = angle14 - offset4,
+        v55 = angle14 - v49 - offset4, v56 = angle15 - offset4, v57 = angle15 - v49 - offset4,
+        v58 = T33 * S2_pm,
         angle16 = atan2_wide(sqrt_wide(v28), -(factor2_pp * (v58 + s23_pp * v24))),
         v59 = T33 * S2_pp,
         angle17 = atan2_wide(sqrt_wide(v29), -(factor2_pm * (v59 + s23_pm * v24))),
@@ -503,43 +490,51 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle16 - offset5, v61 = offset5 + angle16, v62 = angle17 - offset5,
         v63 = offset5 + angle17, v64 = angle18 - offset5, v65 = offset5 + angle18,
         v66 = angle19 - offset5, v67 = offset5 + angle19,
-        q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, m7)),
-        q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, m7)),
-        q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, m7)),
-        q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, m7));
+        q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, whole_turn)),
+        q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, whole_turn)),
+        q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, whole_turn)),
+        q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, whole_turn));
     const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v31 <= m5) |
         (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) | (v16 <= m2) | (v28 <= m5) |
         ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v14 <= m2);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v50 + only_wide(v50 <= -half_turn, m7);
-    q[4] = v60 + only_wide(v60 <= -half_turn, m7); q[5] = angle1;
-    kind[0] = kind_of(q[0] != q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v51 + only_wide(v51 <= -half_turn, m7);
-    q[10] = only_wide(-v61 <= -half_turn, m7) - v61;
-    q[11] = angle1 - copysign_wide(all_wide(half_turn), s6_pp) * h1;
-    kind[1] = kind_of(q[6] != q[6], 0);
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = v52 + only_wide(v52 <= -half_turn, m7);
-    q[16] = v62 + only_wide(v62 <= -half_turn, m7); q[17] = angle2;
-    kind[2] = kind_of(q[12] != q[12], 0);
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = v53 + only_wide(v53 <= -half_turn, m7);
-    q[22] = only_wide(-v63 <= -half_turn, m7) - v63;
-    q[23] = angle2 - copysign_wide(all_wide(half_turn), s6_pm) * h1;
-    kind[3] = kind_of(q[18] != q[18], 0);
-    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = v54 + only_wide(v54 <= -half_turn, m7);
-    q[28] = v64 + only_wide(v64 <= -half_turn, m7); q[29] = angle3;
-    kind[4] = kind_of(q[24] != q[24], 0);
-    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = v55 + only_wide(v55 <= -half_turn, m7);
-    q[34] = only_wide(-v65 <= -half_turn, m7) - v65;
-    q[35] = angle3 - copysign_wide(all_wide(half_turn), s6_mp) * h1;
-    kind[5] = kind_of(q[30] != q[30], 0);
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = v56 + only_wide(v56 <= -half_turn, m7);
-    q[40] = v66 + only_wide(v66 <= -half_turn, m7); q[41] = angle4;
-    kind[6] = kind_of(q[36] != q[36], 0);
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = v57 + only_wide(v57 <= -half_turn, m7);
-    q[46] = only_wide(-v67 <= -half_turn, m7) - v67;
-    q[47] = angle4 - copysign_wide(all_wide(half_turn), s6_mm) * h1;
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
+    q[3] = v50 + only_wide(v50 <= -half_turn, whole_turn);
+    q[4] = v60 + only_wide(v60 <= -half_turn, whole_turn); q[5] = angle1;
+    kind[0] = kind_of(q[0], 0);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
+    q[9] = v51 + only_wide(v51 <= -half_turn, whole_turn);
+    q[10] = only_wide(-v61 <= -half_turn, whole_turn) - v61;
+    q[11] = angle1 - signed_wide(half_turn, s6_pp);
+    kind[1] = kind_of(q[6], 0);
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
+    q[15] = v52 + only_wide(v52 <= -half_turn, whole_turn);
+    q[16] = v62 + only_wide(v62 <= -half_turn, whole_turn); q[17] = angle2;
+    kind[2] = kind_of(q[12], 0);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
+    q[21] = v53 + only_wide(v53 <= -half_turn, whole_turn);
+    q[22] = only_wide(-v63 <= -half_turn, whole_turn) - v63;
+    q[23] = angle2 - signed_wide(half_turn, s6_pm);
+    kind[3] = kind_of(q[18], 0);
+    q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
+    q[27] = v54 + only_wide(v54 <= -half_turn, whole_turn);
+    q[28] = v64 + only_wide(v64 <= -half_turn, whole_turn); q[29] = angle3;
+    kind[4] = kind_of(q[24], 0);
+    q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
+    q[33] = v55 + only_wide(v55 <= -half_turn, whole_turn);
+    q[34] = only_wide(-v65 <= -half_turn, whole_turn) - v65;
+    q[35] = angle3 - signed_wide(half_turn, s6_mp);
+    kind[5] = kind_of(q[30], 0);
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
+    q[39] = v56 + only_wide(v56 <= -half_turn, whole_turn);
+    q[40] = v66 + only_wide(v66 <= -half_turn, whole_turn); q[41] = angle4;
+    kind[6] = kind_of(q[36], 0);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
+    q[45] = v57 + only_wide(v57 <= -half_turn, whole_turn);
+    q[46] = only_wide(-v67 <= -half_turn, whole_turn) - v67;
+    q[47] = angle4 - signed_wide(half_turn, s6_mm);
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -590,7 +585,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* joint values */
     const double v27 = copysign(half_turn, v6);
-    const four v29 = h1 * copysign_four(all_four(half_turn), Y4);
+    const four v29 = signed_four(half_turn, Y4);
     const four_mask doubt2 = (v11 <= m2) | (v20 <= m5);
     const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
@@ -602,15 +597,15 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
             __builtin_shufflevector(-v3, all_four(-(k4 * w3)), 0, 5, 2, 3)),
         angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
         angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
-    const four q6_m = angle1 - copysign_four(all_four(half_turn), s6) * h1, v25 = angle2 - offset1,
-        v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, m7),
+    const four q6_m = angle1 - signed_four(half_turn, s6), v25 = angle2 - offset1,
+        v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, whole_turn),
         v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
-        v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, m7),
-        q4_m = v31 + only_four(v31 <= -half_turn, m7), v32 = angle6 - offset5,
-        v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, m7),
-        q5_m = only_four(-v33 <= -half_turn, m7) - v33,
-        q1_p = v5 + (v25 + only_four(v25 <= -half_turn, m7)),
-        q3_p = v1 + (v28 + only_four(v28 <= -half_turn, m7));
+        v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, whole_turn),
+        q4_m = v31 + only_four(v31 <= -half_turn, whole_turn), v32 = angle6 - offset5,
+        v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, whole_turn),
+        q5_m = only_four(-v33 <= -half_turn, whole_turn) - v33,
+        q1_p = v5 + (v25 + only_four(v25 <= -half_turn, whole_turn)),
+        q3_p = v1 + (v28 + only_four(v28 <= -half_turn, whole_turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -638,29 +633,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -797,6 +782,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -813,8 +804,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -833,9 +823,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == STAUBLI_TX40_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = STAUBLI_TX40_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX40_OUT_OF_LIMITS;
@@ -876,8 +865,7 @@ int staubli_tx40_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -113,13 +113,12 @@ k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / ((2 * d4 * a2)^2) [m^-4]
 doubt_limit_squared2 = 7.569000000000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 2.2222222222222223  # a coefficient of S2
 m2 = 5.728976100000001e-13  # doubt_limit_squared2^2 [m^4]
 m3 = 21.947873799725652  # a coefficient of v9
 m4 = 4.4444444444444455  # a coefficient of s23
 m5 = 1e-06  # doubt_limit^2
-m7 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m6
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -666,8 +665,8 @@ def _regular(pose, q, status):
     s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm
 
     # joint values
-    v48 = h1 * math.copysign(half_turn, Y4_p)
-    v49 = h1 * math.copysign(half_turn, Y4_m)
+    v48 = math.copysign(half_turn, Y4_p)
+    v49 = math.copysign(half_turn, Y4_m)
     v58 = T33 * S2_pm
     v59 = T33 * S2_pp
     doubt1 = (
@@ -740,10 +739,10 @@ def _regular(pose, q, status):
     angle19 = room[18]
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
-    q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-    q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
-    q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
-    q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
+    q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
+    q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
+    q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
+    q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
 
     # joint values
     v40 = angle5 - offset1
@@ -752,12 +751,12 @@ def _regular(pose, q, status):
     v43 = angle8 - offset2
     v44 = angle9 - offset2
     v45 = angle10 - offset2
-    q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
-    q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
-    q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
-    q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
+    q2_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
+    q2_pmp = v43 + (whole_turn if v43 <= -half_turn else 0.0)
+    q2_mpp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+    q2_mmp = v45 + (whole_turn if v45 <= -half_turn else 0.0)
     v46 = angle11 - offset3
-    v47 = h1 * math.copysign(half_turn, v7) - angle11 - offset3
+    v47 = math.copysign(half_turn, v7) - angle11 - offset3
     v50 = angle12 - offset4
     v51 = angle12 - v48 - offset4
     v52 = angle13 - offset4
@@ -766,14 +765,14 @@ def _regular(pose, q, status):
     v55 = angle14 - v49 - offset4
     v56 = angle15 - offset4
     v57 = angle15 - v49 - offset4
-    q4_ppp = v50 + (m7 if v50 <= -half_turn else 0.0)
-    q4_ppm = v51 + (m7 if v51 <= -half_turn else 0.0)
-    q4_pmp = v52 + (m7 if v52 <= -half_turn else 0.0)
-    q4_pmm = v53 + (m7 if v53 <= -half_turn else 0.0)
-    q4_mpp = v54 + (m7 if v54 <= -half_turn else 0.0)
-    q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
-    q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
-    q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
+    q4_ppp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
+    q4_ppm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+    q4_pmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
+    q4_pmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+    q4_mpp = v54 + (whole_turn if v54 <= -half_turn else 0.0)
+    q4_mpm = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+    q4_mmp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
+    q4_mmm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
     v60 = angle16 - offset5
     v61 = offset5 + angle16
     v62 = angle17 - offset5
@@ -782,18 +781,18 @@ def _regular(pose, q, status):
     v65 = offset5 + angle18
     v66 = angle19 - offset5
     v67 = offset5 + angle19
-    q5_ppp = v60 + (m7 if v60 <= -half_turn else 0.0)
-    q5_ppm = (m7 if -v61 <= -half_turn else 0.0) - v61
-    q5_pmp = v62 + (m7 if v62 <= -half_turn else 0.0)
-    q5_pmm = (m7 if -v63 <= -half_turn else 0.0) - v63
-    q5_mpp = v64 + (m7 if v64 <= -half_turn else 0.0)
-    q5_mpm = (m7 if -v65 <= -half_turn else 0.0) - v65
-    q5_mmp = v66 + (m7 if v66 <= -half_turn else 0.0)
-    q5_mmm = (m7 if -v67 <= -half_turn else 0.0) - v67
-    q1_ppp = v6 + (v40 + (m7 if v40 <= -half_turn else 0.0))
-    q1_mpp = v6 + (v41 + (m7 if v41 <= -half_turn else 0.0))
-    q3_ppp = v1 + (v46 + (m7 if v46 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v47 + (m7 if v47 <= -half_turn else 0.0))
+    q5_ppp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v61 <= -half_turn else 0.0) - v61
+    q5_pmp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v63 <= -half_turn else 0.0) - v63
+    q5_mpp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v65 <= -half_turn else 0.0) - v65
+    q5_mmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v67 <= -half_turn else 0.0) - v67
+    q1_ppp = v6 + (v40 + (whole_turn if v40 <= -half_turn else 0.0))
+    q1_mpp = v6 + (v41 + (whole_turn if v41 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v46 + (whole_turn if v46 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v47 + (whole_turn if v47 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1148,8 +1147,8 @@ def _in_tiles(T, q, status):
             s6_pm = Y4_p * (s23_pm * T31 - S2_pp * v38) - v36 * -X4_pm
             s6_mp = Y4_m * (s23_mp * T31 - S2_pp * v39) - v37 * -X4_mp
             s6_mm = Y4_m * (s23_mm * T31 - S2_pm * v39) - v37 * -X4_mm
-            v48 = h1 * math.copysign(half_turn, Y4_p)
-            v49 = h1 * math.copysign(half_turn, Y4_m)
+            v48 = math.copysign(half_turn, Y4_p)
+            v49 = math.copysign(half_turn, Y4_m)
             v58 = T33 * S2_pm
             v59 = T33 * S2_pp
             doubt1 = (
@@ -1238,22 +1237,22 @@ def _in_tiles(T, q, status):
             angle17 = work[688 + k]
             angle18 = work[704 + k]
             angle19 = work[720 + k]
-            q6_ppm = angle1 - math.copysign(half_turn, s6_pp) * h1
-            q6_pmm = angle2 - math.copysign(half_turn, s6_pm) * h1
-            q6_mpm = angle3 - math.copysign(half_turn, s6_mp) * h1
-            q6_mmm = angle4 - math.copysign(half_turn, s6_mm) * h1
+            q6_ppm = angle1 - math.copysign(half_turn, s6_pp)
+            q6_pmm = angle2 - math.copysign(half_turn, s6_pm)
+            q6_mpm = angle3 - math.copysign(half_turn, s6_mp)
+            q6_mmm = angle4 - math.copysign(half_turn, s6_mm)
             v40 = angle5 - offset1
             v41 = angle6 - offset1
             v42 = angle7 - offset2
             v43 = angle8 - offset2
             v44 = angle9 - offset2
             v45 = angle10 - offset2
-            q2_ppp = v42 + (m7 if v42 <= -half_turn else 0.0)
-            q2_pmp = v43 + (m7 if v43 <= -half_turn else 0.0)
-            q2_mpp = v44 + (m7 if v44 <= -half_turn else 0.0)
-            q2_mmp = v45 + (m7 if v45 <= -half_turn else 0.0)
+            q2_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
+            q2_pmp = v43 + (whole_turn if v43 <= -half_turn else 0.0)
+            q2_mpp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+            q2_mmp = v45 + (whole_turn if v45 <= -half_turn else 0.0)
             v46 = angle11 - offset3
-            v47 = h1 * math.copysign(half_turn, v7) - angle11 - offset3
+            v47 = math.copysign(half_turn, v7) - angle11 - offset3
             v50 = angle12 - offset4
             v51 = angle12 - v48 - offset4
             v52 = angle13 - offset4
@@ -1262,14 +1261,14 @@ def _in_tiles(T, q, status):
             v55 = angle14 - v49 - offset4
             v56 = angle15 - offset4
             v57 = angle15 - v49 - offset4
-            q4_ppp = v50 + (m7 if v50 <= -half_turn else 0.0)
-            q4_ppm = v51 + (m7 if v51 <= -half_turn else 0.0)
-            q4_pmp = v52 + (m7 if v52 <= -half_turn else 0.0)
-            q4_pmm = v53 + (m7 if v53 <= -half_turn else 0.0)
-            q4_mpp = v54 + (m7 if v54 <= -half_turn else 0.0)
-            q4_mpm = v55 + (m7 if v55 <= -half_turn else 0.0)
-            q4_mmp = v56 + (m7 if v56 <= -half_turn else 0.0)
-            q4_mmm = v57 + (m7 if v57 <= -half_turn else 0.0)
+            q4_ppp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
+            q4_ppm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+            q4_pmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
+            q4_pmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+            q4_mpp = v54 + (whole_turn if v54 <= -half_turn else 0.0)
+            q4_mpm = v55 + (whole_turn if v55 <= -half_turn else 0.0)
+            q4_mmp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
+            q4_mmm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
             v60 = angle16 - offset5
             v61 = offset5 + angle16
             v62 = angle17 - offset5
@@ -1278,18 +1277,18 @@ def _in_tiles(T, q, status):
             v65 = offset5 + angle18
             v66 = angle19 - offset5
             v67 = offset5 + angle19
-            q5_ppp = v60 + (m7 if v60 <= -half_turn else 0.0)
-            q5_ppm = (m7 if -v61 <= -half_turn else 0.0) - v61
-            q5_pmp = v62 + (m7 if v62 <= -half_turn else 0.0)
-            q5_pmm = (m7 if -v63 <= -half_turn else 0.0) - v63
-            q5_mpp = v64 + (m7 if v64 <= -half_turn else 0.0)
-            q5_mpm = (m7 if -v65 <= -half_turn else 0.0) - v65
-            q5_mmp = v66 + (m7 if v66 <= -half_turn else 0.0)
-            q5_mmm = (m7 if -v67 <= -half_turn else 0.0) - v67
-            q1_ppp = v6 + (v40 + (m7 if v40 <= -half_turn else 0.0))
-            q1_mpp = v6 + (v41 + (m7 if v41 <= -half_turn else 0.0))
-            q3_ppp = v1 + (v46 + (m7 if v46 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v47 + (m7 if v47 <= -half_turn else 0.0))
+            q5_ppp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v61 <= -half_turn else 0.0) - v61
+            q5_pmp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v63 <= -half_turn else 0.0) - v63
+            q5_mpp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v65 <= -half_turn else 0.0) - v65
+            q5_mmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v67 <= -half_turn else 0.0) - v67
+            q1_ppp = v6 + (v40 + (whole_turn if v40 <= -half_turn else 0.0))
+            q1_mpp = v6 + (v41 + (whole_turn if v41 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v46 + (whole_turn if v46 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v47 + (whole_turn if v47 <= -half_turn else 0.0))
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

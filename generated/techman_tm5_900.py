@@ -118,13 +118,12 @@ k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 1.7613271225000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-low3 = -2.705260341591211  # least of joint 3
-high3 = 2.705260341591211  # most of joint 3
+whole_turn = 6.283185307179586  # 2 pi [rad]
+low3 = -2.705260341591211
+high3 = 2.705260341591211
 m1 = 1e-06  # doubt_limit^2
 m3 = 1.1655011655011656  # a coefficient of S2
 m4 = 0.017143065268065267  # a coefficient of S2
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -377,7 +376,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 c9ff477879857d37"
+_KEY = "techman_tm5_900 d24d0d8f25cde5ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -637,12 +636,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -661,6 +654,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -869,6 +868,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.753494329955167, 0.753494329955167, 0.753494329955167, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -882,6 +972,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1073,14 +1164,14 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    theta234_pm = angle5 - h1 * math.copysign(half_turn, v9)
-    theta234_mm = angle6 - h1 * math.copysign(half_turn, v10)
+    theta234_pm = angle5 - math.copysign(half_turn, v9)
+    theta234_mm = angle6 - math.copysign(half_turn, v10)
 
     # joint values
     v44 = angle19 - offset1
     v45 = angle20 - offset1
-    q1__p = v44 + (m5 if v44 <= -half_turn else 0.0)
-    q1__m = v45 + (m5 if v45 <= -half_turn else 0.0)
+    q1__p = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+    q1__m = v45 + (whole_turn if v45 <= -half_turn else 0.0)
     v46 = angle11 - offset2
     v47 = angle12 - offset2
     v48 = angle13 - offset2
@@ -1089,14 +1180,14 @@ def _regular(pose, q, status):
     v51 = angle16 - offset2
     v52 = angle17 - offset2
     v53 = angle18 - offset2
-    q2_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
-    q2_ppm = v47 + (m5 if v47 <= -half_turn else 0.0)
-    q2_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
-    q2_pmm = v49 + (m5 if v49 <= -half_turn else 0.0)
-    q2_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
-    q2_mpm = v51 + (m5 if v51 <= -half_turn else 0.0)
-    q2_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
-    q2_mmm = v53 + (m5 if v53 <= -half_turn else 0.0)
+    q2_ppp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+    q2_ppm = v47 + (whole_turn if v47 <= -half_turn else 0.0)
+    q2_pmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+    q2_pmm = v49 + (whole_turn if v49 <= -half_turn else 0.0)
+    q2_mpp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
+    q2_mpm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+    q2_mmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
+    q2_mmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
     v54 = angle5 - (angle7 + angle11) - offset4
     v55 = angle5 - (angle12 - angle7) - offset4
     v56 = theta234_pm - (angle8 + angle13) - offset4
@@ -1105,22 +1196,38 @@ def _regular(pose, q, status):
     v59 = angle6 - (angle16 - angle9) - offset4
     v60 = theta234_mm - (angle10 + angle17) - offset4
     v61 = theta234_mm - (angle18 - angle10) - offset4
-    v62 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-    v63 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-    v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-    v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-    v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-    v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-    v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-    v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
-    q4_ppp = v62 + (m5 if v62 <= -half_turn else 0.0)
-    q4_ppm = v63 + (m5 if v63 <= -half_turn else 0.0)
-    q4_pmp = v64 + (m5 if v64 <= -half_turn else 0.0)
-    q4_pmm = v65 + (m5 if v65 <= -half_turn else 0.0)
-    q4_mpp = v66 + (m5 if v66 <= -half_turn else 0.0)
-    q4_mpm = v67 + (m5 if v67 <= -half_turn else 0.0)
-    q4_mmp = v68 + (m5 if v68 <= -half_turn else 0.0)
-    q4_mmm = v69 + (m5 if v69 <= -half_turn else 0.0)
+    v62 = (
+        v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn else 0.0)
+    )
+    v63 = (
+        v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn else 0.0)
+    )
+    v64 = (
+        v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn else 0.0)
+    )
+    v65 = (
+        v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn else 0.0)
+    )
+    v66 = (
+        v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn else 0.0)
+    )
+    v67 = (
+        v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn else 0.0)
+    )
+    v68 = (
+        v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn else 0.0)
+    )
+    v69 = (
+        v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn else 0.0)
+    )
+    q4_ppp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
+    q4_ppm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
+    q4_pmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+    q4_pmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+    q4_mpp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+    q4_mpm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+    q4_mmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
+    q4_mmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
     outside_ppp = angle7 < low3 or high3 < angle7
     outside_ppm = -angle7 < low3 or high3 < -angle7
     outside_pmp = angle8 < low3 or high3 < angle8
@@ -1138,9 +1245,9 @@ def _regular(pose, q, status):
     q5_mpp = angle4 + v26
     q5_mmp = v27 - angle4
     q6_ppp = angle1 + v24
-    q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+    q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p))
     q6_mpp = angle2 + v26
-    q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m) * h1)
+    q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1246,7 +1353,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1594,12 +1701,12 @@ def _in_tiles(T, q, status):
             angle18 = work[688 + k]
             angle19 = work[704 + k]
             angle20 = work[720 + k]
-            theta234_pm = angle5 - h1 * math.copysign(half_turn, v9)
-            theta234_mm = angle6 - h1 * math.copysign(half_turn, v10)
+            theta234_pm = angle5 - math.copysign(half_turn, v9)
+            theta234_mm = angle6 - math.copysign(half_turn, v10)
             v44 = angle19 - offset1
             v45 = angle20 - offset1
-            q1__p = v44 + (m5 if v44 <= -half_turn else 0.0)
-            q1__m = v45 + (m5 if v45 <= -half_turn else 0.0)
+            q1__p = v44 + (whole_turn if v44 <= -half_turn else 0.0)
+            q1__m = v45 + (whole_turn if v45 <= -half_turn else 0.0)
             v46 = angle11 - offset2
             v47 = angle12 - offset2
             v48 = angle13 - offset2
@@ -1608,14 +1715,14 @@ def _in_tiles(T, q, status):
             v51 = angle16 - offset2
             v52 = angle17 - offset2
             v53 = angle18 - offset2
-            q2_ppp = v46 + (m5 if v46 <= -half_turn else 0.0)
-            q2_ppm = v47 + (m5 if v47 <= -half_turn else 0.0)
-            q2_pmp = v48 + (m5 if v48 <= -half_turn else 0.0)
-            q2_pmm = v49 + (m5 if v49 <= -half_turn else 0.0)
-            q2_mpp = v50 + (m5 if v50 <= -half_turn else 0.0)
-            q2_mpm = v51 + (m5 if v51 <= -half_turn else 0.0)
-            q2_mmp = v52 + (m5 if v52 <= -half_turn else 0.0)
-            q2_mmm = v53 + (m5 if v53 <= -half_turn else 0.0)
+            q2_ppp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+            q2_ppm = v47 + (whole_turn if v47 <= -half_turn else 0.0)
+            q2_pmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+            q2_pmm = v49 + (whole_turn if v49 <= -half_turn else 0.0)
+            q2_mpp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
+            q2_mpm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
+            q2_mmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
+            q2_mmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
             v54 = angle5 - (angle7 + angle11) - offset4
             v55 = angle5 - (angle12 - angle7) - offset4
             v56 = theta234_pm - (angle8 + angle13) - offset4
@@ -1624,22 +1731,46 @@ def _in_tiles(T, q, status):
             v59 = angle6 - (angle16 - angle9) - offset4
             v60 = theta234_mm - (angle10 + angle17) - offset4
             v61 = theta234_mm - (angle18 - angle10) - offset4
-            v62 = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-            v63 = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-            v64 = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-            v65 = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-            v66 = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-            v67 = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-            v68 = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-            v69 = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
-            q4_ppp = v62 + (m5 if v62 <= -half_turn else 0.0)
-            q4_ppm = v63 + (m5 if v63 <= -half_turn else 0.0)
-            q4_pmp = v64 + (m5 if v64 <= -half_turn else 0.0)
-            q4_pmm = v65 + (m5 if v65 <= -half_turn else 0.0)
-            q4_mpp = v66 + (m5 if v66 <= -half_turn else 0.0)
-            q4_mpm = v67 + (m5 if v67 <= -half_turn else 0.0)
-            q4_mmp = v68 + (m5 if v68 <= -half_turn else 0.0)
-            q4_mmm = v69 + (m5 if v69 <= -half_turn else 0.0)
+            v62 = (
+                v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn
+                else 0.0)
+            )
+            v63 = (
+                v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn
+                else 0.0)
+            )
+            v64 = (
+                v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn
+                else 0.0)
+            )
+            v65 = (
+                v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn
+                else 0.0)
+            )
+            v66 = (
+                v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn
+                else 0.0)
+            )
+            v67 = (
+                v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn
+                else 0.0)
+            )
+            v68 = (
+                v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn
+                else 0.0)
+            )
+            v69 = (
+                v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn
+                else 0.0)
+            )
+            q4_ppp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
+            q4_ppm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
+            q4_pmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+            q4_pmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+            q4_mpp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
+            q4_mpm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+            q4_mmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
+            q4_mmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
             outside_ppp = angle7 < low3 or high3 < angle7
             outside_ppm = -angle7 < low3 or high3 < -angle7
             outside_pmp = angle8 < low3 or high3 < angle8
@@ -1657,9 +1788,9 @@ def _in_tiles(T, q, status):
             q5_mpp = angle4 + v26
             q5_mmp = v27 - angle4
             q6_ppp = angle1 + v24
-            q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p) * h1)
+            q6_pmp = v25 + (angle1 - math.copysign(half_turn, Y6_p))
             q6_mpp = angle2 + v26
-            q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m) * h1)
+            q6_mmp = v27 + (angle2 - math.copysign(half_turn, Y6_m))
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = q2_ppp

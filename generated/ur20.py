@@ -114,11 +114,10 @@ k4 = 1.27404769  # a2^2 + a3^2 [m^2]
 k5 = 0.796001651862628  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 5.4830905600000006e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1e-06  # doubt_limit^2
 m3 = 0.580046403712297  # a coefficient of S2
 m4 = 0.1229932192575406  # a coefficient of S2
-m5 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -364,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur20 6f3029a2b55bc880"
+_KEY = "ur20 1cc16c886981dfd2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -617,12 +616,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -641,6 +634,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -849,6 +848,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.4270584215920738, 0.4270584215920738, 0.4270584215920738, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -862,6 +952,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1057,8 +1148,8 @@ def _regular(pose, q, status):
     angle20 = room[19]
 
     # theta234, type 3: U0 (A5 A6)^-1 [3, 3] and U0 (A5 A6)^-1 [3, 1]
-    theta234_pm = angle7 - h1 * math.copysign(half_turn, v15)
-    theta234_mm = angle8 - h1 * math.copysign(half_turn, v16)
+    theta234_pm = angle7 - math.copysign(half_turn, v15)
+    theta234_mm = angle8 - math.copysign(half_turn, v16)
 
     # joint values
     v54 = angle7 - (angle9 + angle13)
@@ -1069,14 +1160,30 @@ def _regular(pose, q, status):
     v59 = angle8 - (angle18 - angle11)
     v60 = theta234_mm - (angle12 + angle19)
     v61 = theta234_mm - (angle20 - angle12)
-    q4_ppp = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-    q4_ppm = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-    q4_pmp = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-    q4_pmm = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-    q4_mpp = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-    q4_mpm = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-    q4_mmp = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-    q4_mmm = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
+    q4_ppp = (
+        v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn else 0.0)
+    )
+    q4_ppm = (
+        v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn else 0.0)
+    )
+    q4_pmp = (
+        v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn else 0.0)
+    )
+    q4_pmm = (
+        v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn else 0.0)
+    )
+    q4_mpp = (
+        v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn else 0.0)
+    )
+    q4_mpm = (
+        v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn else 0.0)
+    )
+    q4_mmp = (
+        v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn else 0.0)
+    )
+    q4_mmm = (
+        v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn else 0.0)
+    )
     q1_ppp = angle1 + v30
     q1_pmp = angle1 + v31
     q1_mpp = angle2 + v32
@@ -1086,9 +1193,9 @@ def _regular(pose, q, status):
     q5_mpp = angle6 + v32
     q5_mmp = v33 - angle6
     q6_ppp = angle3 + v30
-    q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7) * h1)
+    q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7))
     q6_mpp = angle4 + v32
-    q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8) * h1)
+    q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1194,7 +1301,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1546,8 +1653,8 @@ def _in_tiles(T, q, status):
             angle18 = work[688 + k]
             angle19 = work[704 + k]
             angle20 = work[720 + k]
-            theta234_pm = angle7 - h1 * math.copysign(half_turn, v15)
-            theta234_mm = angle8 - h1 * math.copysign(half_turn, v16)
+            theta234_pm = angle7 - math.copysign(half_turn, v15)
+            theta234_mm = angle8 - math.copysign(half_turn, v16)
             v54 = angle7 - (angle9 + angle13)
             v55 = angle7 - (angle14 - angle9)
             v56 = theta234_pm - (angle10 + angle15)
@@ -1556,14 +1663,38 @@ def _in_tiles(T, q, status):
             v59 = angle8 - (angle18 - angle11)
             v60 = theta234_mm - (angle12 + angle19)
             v61 = theta234_mm - (angle20 - angle12)
-            q4_ppp = v54 - (m5 if half_turn < v54 else 0.0) + (m5 if v54 <= -half_turn else 0.0)
-            q4_ppm = v55 - (m5 if half_turn < v55 else 0.0) + (m5 if v55 <= -half_turn else 0.0)
-            q4_pmp = v56 - (m5 if half_turn < v56 else 0.0) + (m5 if v56 <= -half_turn else 0.0)
-            q4_pmm = v57 - (m5 if half_turn < v57 else 0.0) + (m5 if v57 <= -half_turn else 0.0)
-            q4_mpp = v58 - (m5 if half_turn < v58 else 0.0) + (m5 if v58 <= -half_turn else 0.0)
-            q4_mpm = v59 - (m5 if half_turn < v59 else 0.0) + (m5 if v59 <= -half_turn else 0.0)
-            q4_mmp = v60 - (m5 if half_turn < v60 else 0.0) + (m5 if v60 <= -half_turn else 0.0)
-            q4_mmm = v61 - (m5 if half_turn < v61 else 0.0) + (m5 if v61 <= -half_turn else 0.0)
+            q4_ppp = (
+                v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn
+                else 0.0)
+            )
+            q4_ppm = (
+                v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn
+                else 0.0)
+            )
+            q4_pmp = (
+                v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn
+                else 0.0)
+            )
+            q4_pmm = (
+                v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn
+                else 0.0)
+            )
+            q4_mpp = (
+                v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn
+                else 0.0)
+            )
+            q4_mpm = (
+                v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn
+                else 0.0)
+            )
+            q4_mmp = (
+                v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn
+                else 0.0)
+            )
+            q4_mmm = (
+                v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn
+                else 0.0)
+            )
             q1_ppp = angle1 + v30
             q1_pmp = angle1 + v31
             q1_mpp = angle2 + v32
@@ -1573,9 +1704,9 @@ def _in_tiles(T, q, status):
             q5_mpp = angle6 + v32
             q5_mmp = v33 - angle6
             q6_ppp = angle3 + v30
-            q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7) * h1)
+            q6_pmp = v31 + (angle3 - math.copysign(half_turn, -v7))
             q6_mpp = angle4 + v32
-            q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8) * h1)
+            q6_mmp = v33 + (angle4 - math.copysign(half_turn, -v8))
             _1056 = q1_ppp
             work[1056 + k] = _1056
             _1072 = angle13

@@ -15,6 +15,22 @@ static float wrap(float angle)
     return angle - turn * ceilf(angle / turn - 0.5f);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, float)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -64,10 +80,10 @@ HELPER v atan2_##v(v y, v x) \
 typedef float wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
+#define signed_wide copysignf
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
 #define maximum_wide maximum_double
@@ -78,28 +94,20 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0f;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0f;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return xx * xx + yy * yy + 2.0f * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#define kind_of(none, outside) \
-    ((none) ? (int)UR5_F32_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)UR5_F32_UNREACHABLE \
         : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
 static const float d1 = 0.089159f; /* joint offset 1 [m] */
 static const float a2 = -0.425f; /* link length 2 [m] */
@@ -133,11 +141,10 @@ static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
 static const float doubt_limit_squared2 = 1.4220777e-06f;
 static const float half_turn = 3.1415927f; /* pi [rad] */
+static const float whole_turn = 6.2831855f; /* 2 pi [rad] */
 static const float m1 = 1e-06f; /* doubt_limit^2 */
 static const float m3 = 1.1764706f; /* a coefficient of S2 */
 static const float m4 = 0.03148816f; /* a coefficient of S2 */
-static const float m5 = 6.2831855f; /* 2 * half_turn */
-static const float h1 = 1.0f; /* 2 * m2 */
 
 const char *const ur5_f32_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -227,35 +234,19 @@ void ur5_f32_jacobian(const float q[6], float J[36])
     J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = 0.0f; J[34] = J65; J[35] = -v6;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static float misfit(const float T[16])
-{
-    const float *x = T, *y = T + 4, *z = T + 8;
-    float xx = -1.0f, yy = -1.0f, xy = 0.0f, zz = 0.0f;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const float off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0f * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(float T[16])
 {
-    float R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    float G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5f : 0.0f)
-                - 0.5f * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5f : 0.0f)
+                - 0.5f * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (float *row = T; row < T + 12; row += 4) {
+        const float x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -268,7 +259,7 @@ static int read_pose(const float given[16], float T[16])
         return 0;
     if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
         return 0;
-    const float miss = misfit(T);
+    const float miss = misfit_one(T);
     if (!(miss <= 1e-09f))
         return 0;
     if (miss <= 1e-12f)
@@ -276,6 +267,27 @@ static int read_pose(const float given[16], float T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static float overshoot(int joint, float value)
+{
+    const float low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0f;
+    const float gap = turn - (high - low), over = value - high;
+    const float rest = over - turn * floorf(over / turn);
+    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
+    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+}
+
+/* The same of a row. */
+static float beyond_limits(const float values[6])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 6; i++)
+        sum += fabsf(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -308,8 +320,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         c234_p = w6_p * v13, c234_m = w6_m * v14, v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33,
         v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33, s234_p = w6_p * v15, s234_m = w6_m * v16,
         angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14),
-        theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15),
-        theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
+        theta234_pm = angle7 - signed_wide(half_turn, v15),
+        theta234_mm = angle8 - signed_wide(half_turn, v16);
 
     /* theta3 */
     const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p,
@@ -351,10 +363,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12),
         q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32, q1_mmp = angle2 + v33,
         q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
-        q6_ppp = angle3 + v30,
-        q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1),
-        q6_mpp = angle4 + v32,
-        q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
+        q6_ppp = angle3 + v30, q6_pmp = v31 + (angle3 - signed_wide(half_turn, -v7)),
+        q6_mpp = angle4 + v32, q6_mmp = v33 + (angle4 - signed_wide(half_turn, -v8));
     const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
         <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
@@ -366,37 +376,37 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5); q[4] = q5_ppp;
-    q[5] = q6_ppp;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = v54 - only_wide(half_turn < v54, whole_turn) + only_wide(v54 <= -half_turn, whole_turn);
+    q[4] = q5_ppp; q[5] = q6_ppp;
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5); q[10] = q5_ppp;
-    q[11] = q6_ppp;
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[9] = v55 - only_wide(half_turn < v55, whole_turn) + only_wide(v55 <= -half_turn, whole_turn);
+    q[10] = q5_ppp; q[11] = q6_ppp;
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5); q[16] = q5_pmp;
-    q[17] = q6_pmp;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    q[15] = v56 - only_wide(half_turn < v56, whole_turn) + only_wide(v56 <= -half_turn, whole_turn);
+    q[16] = q5_pmp; q[17] = q6_pmp;
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5); q[22] = q5_pmp;
-    q[23] = q6_pmp;
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[21] = v57 - only_wide(half_turn < v57, whole_turn) + only_wide(v57 <= -half_turn, whole_turn);
+    q[22] = q5_pmp; q[23] = q6_pmp;
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5); q[28] = q5_mpp;
-    q[29] = q6_mpp;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    q[27] = v58 - only_wide(half_turn < v58, whole_turn) + only_wide(v58 <= -half_turn, whole_turn);
+    q[28] = q5_mpp; q[29] = q6_mpp;
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5); q[34] = q5_mpp;
-    q[35] = q6_mpp;
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[33] = v59 - only_wide(half_turn < v59, whole_turn) + only_wide(v59 <= -half_turn, whole_turn);
+    q[34] = q5_mpp; q[35] = q6_mpp;
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5); q[40] = q5_mmp;
-    q[41] = q6_mmp;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    q[39] = v60 - only_wide(half_turn < v60, whole_turn) + only_wide(v60 <= -half_turn, whole_turn);
+    q[40] = q5_mmp; q[41] = q6_mmp;
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5); q[46] = q5_mmp;
-    q[47] = q6_mmp;
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[45] = v61 - only_wide(half_turn < v61, whole_turn) + only_wide(v61 <= -half_turn, whole_turn);
+    q[46] = q5_mmp; q[47] = q6_mmp;
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
 }
@@ -408,6 +418,8 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
     if (solve_wide(T, &q[0][0], kind))
         return -1;
     for (int row = 0; row < 8; row++) {
+        if (kind[row] == UR5_F32_OUT_OF_LIMITS && beyond_limits(q[row]) < 0.01f)
+            return -1; /* by rounding, perhaps */
         status[row] = (unsigned char)kind[row];
         count += kind[row] == 0;
     }
@@ -546,6 +558,12 @@ static void solve(
     }
 }
 
+static void take(const float from[6], float to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const float *T;
@@ -554,27 +572,6 @@ struct search {
     int joint, row;
     int within; /* whether limits count */
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static float overshoot(int joint, float value)
-{
-    const float low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0f;
-    const float gap = turn - (high - low), over = value - high;
-    const float rest = over - turn * floorf(over / turn);
-    const float off = rest >= gap ? 0.0f : rest <= gap - rest ? rest : rest - gap;
-    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
-}
-
-/* The same of a row. */
-static float beyond_limits(const float values[6])
-{
-    float sum = 0.0f;
-    for (int i = 0; i < 6; i++)
-        sum += fabsf(overshoot(i, values[i]));
-    return sum;
-}
 
 /* How far a row is from a solution: 0 if it is solved. */
 static float shortfall(const struct search *s)
@@ -618,15 +615,14 @@ static float summit(struct search *s, float low, float high)
             low += third;
     }
     /* beside a place where the branches meet, this one has no solution of its own */
-    if (isinf(attempt(s, low - 1e-09f)) || isinf(attempt(s, high + 1e-09f)))
+    if (isinf(attempt(s, low - 2e-06f)) || isinf(attempt(s, high + 2e-06f)))
         return NAN;
     (void)attempt(s, low);
     return serves(s) ? low : (float)NAN;
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static float serving_value(struct search *s)
 {
     const float step = 0.09817477f;
@@ -651,7 +647,7 @@ static float serving_value(struct search *s)
             else
                 inner = middle;
         }
-        if (!(fabsf(outer) >= fabsf(nearest) - 1e-09f))
+        if (!(fabsf(outer) >= fabsf(nearest) - 2e-06f))
             nearest = outer;
     }
     return nearest;
@@ -678,8 +674,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 6; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmodf(lost.start, turn);
     const float nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
@@ -700,7 +695,7 @@ static int hopeless(struct search *s)
         return 0;
     for (int i = 0; i < 6; i++) {
         const float value = s->q[s->row][i], moved = fabsf(value - other.q[s->row][i]);
-        if (moved < 1e-09f && fabsf(overshoot(i, value)) > 0.0f)
+        if (moved < 2e-06f && fabsf(overshoot(i, value)) > 0.0f)
             return 1;
     }
     return 0;
@@ -722,11 +717,10 @@ static void keep_limits(
         search.start = fmodf(seed[joint], turn);
         const float nearest = hopeless(&search) ? (float)NAN : serving_value(&search);
         /* beside the solution of another row this one has none */
-        if (!isnan(nearest) && (fabsf(nearest) >= 1e-06f || !isinf(attempt(&search, 0.0f)))) {
+        if (!isnan(nearest) && (fabsf(nearest) >= 0.003f || !isinf(attempt(&search, 0.0f)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -745,12 +739,73 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const float T[16], float q[6])
+{
+    static const float weights[6] = { 0.8385681f, 0.8385681f, 0.8385681f,
+        1.0f, 1.0f, 1.0f };
+    float x[6], P[16], J[36], enough = 0.0f;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        float e[6] = { 0.0f }, p[6] = { 0.0f }, square = 0.0f, before = HUGE_VALF;
+        ur5_f32_fk(x, P);
+        ur5_f32_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0f : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrtf(square) + 1e-06f;
+        else if (sqrtf(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrtf(square) > 0.1f * enough; k++) {
+            float w[6] = { 0.0f }, s[6] = { 0.0f }, slope = 0.0f, length = 0.0f;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const float part = length > 0.0f ? slope / length : 0.0f;
+            square = 0.0f;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const float off = held[i] ? 0.0f : overshoot(i, x[i]);
+            held[i] |= fabsf(off) > 0.0f;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], unsigned char
     status[8])
 {
-    static const float zeros[6] = { 0.0f };
-    const float *seed = q_seed ? q_seed : zeros;
+    const float zeros[6] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -774,10 +829,12 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     for (int row = 0; row < 8; row++) {
         if (status[row] == UR5_F32_UNREACHABLE)
             continue;
+        const float off = beyond_limits(q[row]);
+        if (0.0f < off && off < 0.01f)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 2e-06f <= q[row][i]
-                    && q[row][i] <= highest[i] + 2e-06f))
+            const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))
                 status[row] = UR5_F32_OUT_OF_LIMITS;
         }
         count += status[row] != UR5_F32_OUT_OF_LIMITS;
@@ -817,8 +874,7 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -15,6 +15,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -71,14 +87,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -98,6 +112,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -108,10 +123,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -123,21 +138,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -179,7 +186,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -213,11 +219,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -231,16 +236,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & UR5E_UNREACHABLE) \
-        | (~(none) & (outside) & UR5E_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & UR5E_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & UR5E_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)UR5E_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)UR5E_UNREACHABLE \
         : (outside) ? (int)UR5E_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.1625; /* joint offset 1 [m] */
@@ -275,11 +280,10 @@ static const double k5 = 2.9996700362960076; /* 1 / (2 * a3 * a2) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.7221312899999994e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1e-06; /* doubt_limit^2 */
 static const double m3 = 1.1764705882352942; /* a coefficient of S2 */
 static const double m4 = 0.031534305882352925; /* a coefficient of S2 */
-static const double m5 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m2 */
 
 const char *const ur5e_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -369,35 +373,19 @@ void ur5e_jacobian(const double q[6], double J[36])
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = 0.0; J[34] = J65; J[35] = -v6;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -410,7 +398,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -418,6 +406,27 @@ static int read_pose(const double given[16], double T[16])
     straighten(T);
     straighten(T);
     return 2;
+}
+
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
 }
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
@@ -450,8 +459,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         c234_p = w6_p * v13, c234_m = w6_m * v14, v15 = v11 * (c5_p * (v5 * T31 + v7 * T32)) - T33,
         v16 = v12 * (c5_m * (v6 * T31 + v8 * T32)) - T33, s234_p = w6_p * v15, s234_m = w6_m * v16,
         angle7 = atan2_wide(v15, v13), angle8 = atan2_wide(v16, v14),
-        theta234_pm = angle7 - h1 * copysign_wide(all_wide(half_turn), v15),
-        theta234_mm = angle8 - h1 * copysign_wide(all_wide(half_turn), v16);
+        theta234_pm = angle7 - signed_wide(half_turn, v15),
+        theta234_mm = angle8 - signed_wide(half_turn, v16);
 
     /* theta3 */
     const wide v17 = d6 * w6_p, v18 = d6 * w6_m, v19 = T34 - d1, v20 = d5 * c234_p,
@@ -493,10 +502,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = theta234_mm - (angle12 + angle19), v61 = theta234_mm - (angle20 - angle12),
         q1_ppp = angle1 + v30, q1_pmp = angle1 + v31, q1_mpp = angle2 + v32, q1_mmp = angle2 + v33,
         q5_ppp = angle5 + v30, q5_pmp = v31 - angle5, q5_mpp = angle6 + v32, q5_mmp = v33 - angle6,
-        q6_ppp = angle3 + v30,
-        q6_pmp = v31 + (angle3 - copysign_wide(all_wide(half_turn), -v7) * h1),
-        q6_mpp = angle4 + v32,
-        q6_mmp = v33 + (angle4 - copysign_wide(all_wide(half_turn), -v8) * h1);
+        q6_ppp = angle3 + v30, q6_pmp = v31 + (angle3 - signed_wide(half_turn, -v7)),
+        q6_mpp = angle4 + v32, q6_mmp = v33 + (angle4 - signed_wide(half_turn, -v8));
     const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
         <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
@@ -508,37 +515,37 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 - only_wide(half_turn < v54, m5) + only_wide(v54 <= -half_turn, m5); q[4] = q5_ppp;
-    q[5] = q6_ppp;
-    kind[0] = kind_of(q[0] != q[0], 0);
+    q[3] = v54 - only_wide(half_turn < v54, whole_turn) + only_wide(v54 <= -half_turn, whole_turn);
+    q[4] = q5_ppp; q[5] = q6_ppp;
+    kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 - only_wide(half_turn < v55, m5) + only_wide(v55 <= -half_turn, m5); q[10] = q5_ppp;
-    q[11] = q6_ppp;
-    kind[1] = kind_of(q[6] != q[6], 0);
+    q[9] = v55 - only_wide(half_turn < v55, whole_turn) + only_wide(v55 <= -half_turn, whole_turn);
+    q[10] = q5_ppp; q[11] = q6_ppp;
+    kind[1] = kind_of(q[6], 0);
     q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 - only_wide(half_turn < v56, m5) + only_wide(v56 <= -half_turn, m5); q[16] = q5_pmp;
-    q[17] = q6_pmp;
-    kind[2] = kind_of(q[12] != q[12], 0);
+    q[15] = v56 - only_wide(half_turn < v56, whole_turn) + only_wide(v56 <= -half_turn, whole_turn);
+    q[16] = q5_pmp; q[17] = q6_pmp;
+    kind[2] = kind_of(q[12], 0);
     q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 - only_wide(half_turn < v57, m5) + only_wide(v57 <= -half_turn, m5); q[22] = q5_pmp;
-    q[23] = q6_pmp;
-    kind[3] = kind_of(q[18] != q[18], 0);
+    q[21] = v57 - only_wide(half_turn < v57, whole_turn) + only_wide(v57 <= -half_turn, whole_turn);
+    q[22] = q5_pmp; q[23] = q6_pmp;
+    kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 - only_wide(half_turn < v58, m5) + only_wide(v58 <= -half_turn, m5); q[28] = q5_mpp;
-    q[29] = q6_mpp;
-    kind[4] = kind_of(q[24] != q[24], 0);
+    q[27] = v58 - only_wide(half_turn < v58, whole_turn) + only_wide(v58 <= -half_turn, whole_turn);
+    q[28] = q5_mpp; q[29] = q6_mpp;
+    kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 - only_wide(half_turn < v59, m5) + only_wide(v59 <= -half_turn, m5); q[34] = q5_mpp;
-    q[35] = q6_mpp;
-    kind[5] = kind_of(q[30] != q[30], 0);
+    q[33] = v59 - only_wide(half_turn < v59, whole_turn) + only_wide(v59 <= -half_turn, whole_turn);
+    q[34] = q5_mpp; q[35] = q6_mpp;
+    kind[5] = kind_of(q[30], 0);
     q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 - only_wide(half_turn < v60, m5) + only_wide(v60 <= -half_turn, m5); q[40] = q5_mmp;
-    q[41] = q6_mmp;
-    kind[6] = kind_of(q[36] != q[36], 0);
+    q[39] = v60 - only_wide(half_turn < v60, whole_turn) + only_wide(v60 <= -half_turn, whole_turn);
+    q[40] = q5_mmp; q[41] = q6_mmp;
+    kind[6] = kind_of(q[36], 0);
     q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 - only_wide(half_turn < v61, m5) + only_wide(v61 <= -half_turn, m5); q[46] = q5_mmp;
-    q[47] = q6_mmp;
-    kind[7] = kind_of(q[42] != q[42], 0);
+    q[45] = v61 - only_wide(half_turn < v61, whole_turn) + only_wide(v61 <= -half_turn, whole_turn);
+    q[46] = q5_mmp; q[47] = q6_mmp;
+    kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -567,7 +574,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four v4 = v2 * T21 + s1 * T11, v5 = v2 * T22 + s1 * T12, v6 = v4 * v4 + v5 * v5,
         w6 = sqrt_four(v6);
     const four_mask doubt2 = v6 <= m1;
-    const four v7 = 1.0 / v6, v8 = copysign_four(all_four(half_turn), -v5), v9 = m2 * (e2 - 1.0);
+    const four v7 = 1.0 / v6, v8 = signed_four(half_turn, -v5), v9 = m2 * (e2 - 1.0);
 
     /* theta5 */
     const four c5 = T13 * s1 + T23 * v2;
@@ -575,7 +582,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta234 */
     const four v10 = v7 * (v4 * T32 - v5 * T31), c234 = w6 * v10,
         v11 = v7 * (c5 * (v4 * T31 + v5 * T32)) - T33, s234 = w6 * v11,
-        v12 = copysign_four(all_four(half_turn), v11);
+        v12 = signed_four(half_turn, v11);
 
     /* theta3 */
     const four v13 = d6 * w6;
@@ -606,9 +613,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
     const four theta234 = angle4 + v9 * v12, v26 = theta234 - (angle5 + angle6),
         v27 = theta234 - (angle7 - angle5),
-        q4_p = v26 - only_four(half_turn < v26, m5) + only_four(v26 <= -half_turn, m5),
-        q4_m = v27 - only_four(half_turn < v27, m5) + only_four(v27 <= -half_turn, m5),
-        q1_p = angle1 + v20, q5_p = v20 + e2 * angle3, q6_p = v20 + (angle2 + v8 * v9);
+        q4_p = v26 - only_four(half_turn < v26, whole_turn) + only_four(v26 <= -half_turn,
+            whole_turn),
+        q4_m = v27 - only_four(half_turn < v27, whole_turn) + only_four(v27 <= -half_turn,
+            whole_turn), q1_p = angle1 + v20, q5_p = v20 + e2 * angle3,
+        q6_p = v20 + (angle2 + v8 * v9);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -636,29 +645,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (48 >= LANES) {
-        for (int i = 0; i < 48; i += LANES) {
-            const int from = i + LANES <= 48 ? i : 48 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 48 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 48; i++)
-            for (int k = 0; k < LANES; k++)
-                q[48 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 8; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 8 - row < 8 ? 8 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 48; i += LANES) {
+        const int from = i + LANES <= 48 ? i : 48 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[8 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 48 * k + from) = x[k];
     }
+    for (int i = 1; i < 8; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 8; i++)
+            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -808,6 +807,12 @@ static void solve(
     }
 }
 
+static void take(const double from[6], double to[6])
+{
+    for (int i = 0; i < 6; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -816,27 +821,6 @@ struct search {
     int joint, row;
     int within; /* whether limits count */
 };
-
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    const double gap = turn - (high - low), over = value - high;
-    const double rest = over - turn * floor(over / turn);
-    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* How far a row is from a solution: 0 if it is solved. */
 static double shortfall(const struct search *s)
@@ -887,8 +871,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -940,8 +923,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 6; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
@@ -987,8 +969,7 @@ static void keep_limits(
         if (!isnan(nearest) && (fabs(nearest) >= 1e-06 || !isinf(attempt(&search, 0.0)))) {
             (void)attempt(&search, nearest);
             status[row] = search.status[row];
-            for (int i = 0; i < 6; i++)
-                q[row][i] = search.q[row][i];
+            take(search.q[row], q[row]);
             return;
         }
         search.seed[joint] = inside;
@@ -1007,12 +988,73 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.762020879372095, 0.762020879372095, 0.762020879372095, 1.0,
+        1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        ur5e_fk(x, P);
+        ur5e_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
 {
-    static const double zeros[6] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -1036,10 +1078,12 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == UR5E_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = UR5E_OUT_OF_LIMITS;
         }
         count += status[row] != UR5E_OUT_OF_LIMITS;
@@ -1079,8 +1123,7 @@ int ur5e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 6; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

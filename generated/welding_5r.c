@@ -3379,6 +3379,12 @@ static void solve(
     }
 }
 
+static void take(const double from[5], double to[5])
+{
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
+}
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -3394,8 +3400,7 @@ static double turned(int joint, double given, double towards)
 int welding_5r_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16])
 {
-    static const double zeros[5] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -3411,9 +3416,8 @@ int welding_5r_ik(
         if (status[row] == WELDING_5R_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = WELDING_5R_OUT_OF_LIMITS;
         }
         count += status[row] != WELDING_5R_OUT_OF_LIMITS;
@@ -3447,8 +3451,7 @@ int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 5; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -82,7 +82,6 @@ INVALID_POSE = 4  # NaN: T is no pose
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -347,13 +346,13 @@ def _regular(pose, q, status):
     angle3 = room[2]
 
     # theta1, type 2: U1[1, 3]
-    q1_m = angle1 - math.copysign(half_turn, -T31) * h1
+    q1_m = angle1 - math.copysign(half_turn, -T31)
 
     # theta2, type 3: U1[3, 3] and U1[2, 3]
-    q2_m = h1 * math.copysign(half_turn, T21) - angle2
+    q2_m = math.copysign(half_turn, T21) - angle2
 
     # theta3, type 3: U1[1, 2] and U1[1, 1]
-    q3_m = angle3 - h1 * math.copysign(half_turn, s3)
+    q3_m = angle3 - math.copysign(half_turn, s3)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -592,9 +591,9 @@ def _in_tiles(T, q, status):
             angle1 = work[304 + k]
             angle2 = work[320 + k]
             angle3 = work[336 + k]
-            q1_m = angle1 - math.copysign(half_turn, -T31) * h1
-            q2_m = h1 * math.copysign(half_turn, T21) - angle2
-            q3_m = angle3 - h1 * math.copysign(half_turn, s3)
+            q1_m = angle1 - math.copysign(half_turn, -T31)
+            q2_m = math.copysign(half_turn, T21) - angle2
+            q3_m = angle3 - math.copysign(half_turn, s3)
             _400 = angle1
             work[400 + k] = _400
             _416 = angle2

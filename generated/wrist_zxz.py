@@ -81,7 +81,6 @@ INVALID_POSE = 4  # NaN: T is no pose
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -344,10 +343,10 @@ def _regular(pose, q, status):
     angle3 = room[2]
 
     # theta1, type 2: U1[1, 3]
-    q1_m = angle1 - math.copysign(half_turn, -T13) * h1
+    q1_m = angle1 - math.copysign(half_turn, -T13)
 
     # theta3, type 3: U1[1, 2] and U1[1, 1]
-    q3_m = angle3 - h1 * math.copysign(half_turn, v2)
+    q3_m = angle3 - math.copysign(half_turn, v2)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -585,8 +584,8 @@ def _in_tiles(T, q, status):
             angle1 = work[304 + k]
             angle2 = work[320 + k]
             angle3 = work[336 + k]
-            q1_m = angle1 - math.copysign(half_turn, -T13) * h1
-            q3_m = angle3 - h1 * math.copysign(half_turn, v2)
+            q1_m = angle1 - math.copysign(half_turn, -T13)
+            q3_m = angle3 - math.copysign(half_turn, v2)
             _400 = angle1
             work[400 + k] = _400
             _416 = angle2

@@ -81,7 +81,6 @@ INVALID_POSE = 4  # NaN: T is no pose
 free_limit = 1e-12  # a length that fixes no angle
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-06  # doubt_limit^2
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -342,10 +341,10 @@ def _regular(pose, q, status):
     angle3 = room[2]
 
     # theta1, type 2: U1[3, 3]
-    q1_m = angle1 - math.copysign(half_turn, T23) * h1
+    q1_m = angle1 - math.copysign(half_turn, T23)
 
     # theta3, type 3: U1[3, 2] and U1[3, 1]
-    q3_m = angle3 - h1 * math.copysign(half_turn, s3)
+    q3_m = angle3 - math.copysign(half_turn, s3)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -583,8 +582,8 @@ def _in_tiles(T, q, status):
             angle1 = work[304 + k]
             angle2 = work[320 + k]
             angle3 = work[336 + k]
-            q1_m = angle1 - math.copysign(half_turn, T23) * h1
-            q3_m = angle3 - h1 * math.copysign(half_turn, s3)
+            q1_m = angle1 - math.copysign(half_turn, T23)
+            q3_m = angle3 - math.copysign(half_turn, s3)
             _400 = angle1
             work[400 + k] = _400
             _416 = angle2

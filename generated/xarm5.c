@@ -15,6 +15,22 @@ static double wrap(double angle)
     return angle - turn * ceil(angle / turn - 0.5);
 }
 
+/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
+#define MISFIT(name, number) \
+static inline number misfit_##name(const number T[16]) \
+{ \
+    const number x0 = T[0], x1 = T[1], x2 = T[2]; \
+    const number y0 = T[4], y1 = T[5], y2 = T[6]; \
+    const number xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0; \
+    const number yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0; \
+    const number xy = x0 * y0 + x1 * y1 + x2 * y2; \
+    const number zx = x1 * y2 - x2 * y1 - T[8]; \
+    const number zy = x2 * y0 - x0 * y2 - T[9]; \
+    const number zz = x0 * y1 - x1 * y0 - T[10]; \
+    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz; \
+}
+MISFIT(one, double)
+
 #ifdef __GNUC__
 #define HELPER __attribute__((unused)) static inline
 #define APART __attribute__((noinline)) static
@@ -71,14 +87,12 @@ HELPER v atan2_##v(v y, v x) \
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
-#define where_wide(truth) ((wide_mask)_mm512_set1_epi64(-(long long)(truth)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
-#define where_wide where_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
@@ -98,6 +112,7 @@ HELPER v copysign_##v(v x, v y) \
     const v##_mask sign = (v##_mask)all_##v(-0.0); \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
+HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -108,10 +123,10 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
-#define where_wide(truth) (truth)
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
+#define signed_wide copysign
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -123,21 +138,13 @@ typedef int wide_mask;
 ARCTANGENT(wide)
 #endif
 
+MISFIT(wide, wide)
+
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    const wide x0 = T[0], x1 = T[1], x2 = T[2];
-    const wide y0 = T[4], y1 = T[5], y2 = T[6];
-    const wide z0 = T[8], z1 = T[9], z2 = T[10];
-    const wide xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;
-    const wide yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;
-    const wide xy = x0 * y0 + x1 * y1 + x2 * y2;
-    const wide zx = x1 * y2 - x2 * y1 - z0;
-    const wide zy = x2 * y0 - x0 * y2 - z1;
-    const wide zz = x0 * y1 - x1 * y0 - z2;
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz + w0 * w0 + w1 * w1 + w2
-        * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
 }
 
 #if LANES > 1
@@ -177,7 +184,6 @@ HELPER unsigned bits_wide(wide_mask m)
 #endif
 }
 
-/* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -211,11 +217,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        y[k + 4] = __builtin_shufflevector(x[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        y[k] = x[k];
+        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
-    for (int k = 0; k < 8; k++)
-        x[k] = y[k];
 #else
     y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
     y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
@@ -229,16 +234,16 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, low, high) (((x) < (low)) | ((high) < (x)))
+#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
-#define kind_of(none, outside) \
-    (((none) & XARM5_UNREACHABLE) \
-        | (~(none) & (outside) & XARM5_OUT_OF_LIMITS))
+#define kind_of(x, outside) \
+    ((((x) != (x)) & XARM5_UNREACHABLE) \
+        | (((x) == (x)) & (outside) & XARM5_OUT_OF_LIMITS))
 #else
-#define kind_of(none, outside) \
-    ((none) ? (int)XARM5_UNREACHABLE \
+#define kind_of(x, outside) \
+    ((x) != (x) ? (int)XARM5_UNREACHABLE \
         : (outside) ? (int)XARM5_OUT_OF_LIMITS : 0)
 #endif
 static const double d1 = 0.267; /* joint offset 1 [m] */
@@ -272,6 +277,7 @@ static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
 /* square of a length that fixes no angle [m^2] */
 static const double doubt_limit_squared2 = 1.1677971055248617e-06;
 static const double half_turn = 3.141592653589793; /* pi [rad] */
+static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
 static const double m1 = 1.1677971055248613e-06; /* doubt_limit1^2 [m^2] */
 static const double m2 = 1e-12; /* doubt_limit_squared^2 */
 static const double m4 = 0.076; /* a coefficient of v9 */
@@ -283,8 +289,6 @@ static const double m9 = 0.05625761134525573; /* a coefficient of c23 */
 static const double m10 = 1.0000000000000002e-10; /* pose_slack^2 */
 static const double m11 = 1.167797105524862e-10; /* pose_slack1^2 [m^2] */
 static const double m12 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
-static const double m13 = 6.283185307179586; /* 2 * half_turn */
-static const double h1 = 1.0; /* 2 * m3 */
 
 const char *const xarm5_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -363,35 +367,19 @@ void xarm5_jacobian(const double q[5], double J[30])
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = J65;
 }
 
-/* How far the rotation part is from orthonormal and right-handed, as a sum of squares. */
-static double misfit(const double T[16])
-{
-    const double *x = T, *y = T + 4, *z = T + 8;
-    double xx = -1.0, yy = -1.0, xy = 0.0, zz = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double off = x[j] * y[k] - x[k] * y[j] - z[i];
-        xx += x[i] * x[i];
-        yy += y[i] * y[i];
-        xy += x[i] * y[i];
-        zz += off * off;
-    }
-    return xx * xx + yy * yy + 2.0 * xy * xy + zz;
-}
-
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
 static void straighten(double T[16])
 {
-    double R[9], G[9];
-    for (int i = 0; i < 9; i++)
-        R[i] = T[4 * (i / 3) + i % 3];
+    double G[3][3];
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
-            G[3 * i + j] = (i == j ? 1.5 : 0.0)
-                - 0.5 * (R[i] * R[j] + R[3 + i] * R[3 + j] + R[6 + i] * R[6 + j]);
-    for (int i = 0; i < 3; i++)
+            G[i][j] = (i == j ? 1.5 : 0.0)
+                - 0.5 * (T[i] * T[j] + T[4 + i] * T[4 + j] + T[8 + i] * T[8 + j]);
+    for (double *row = T; row < T + 12; row += 4) {
+        const double x = row[0], y = row[1], z = row[2];
         for (int j = 0; j < 3; j++)
-            T[4 * i + j] = R[3 * i] * G[j] + R[3 * i + 1] * G[3 + j] + R[3 * i + 2] * G[6 + j];
+            row[j] = x * G[0][j] + y * G[1][j] + z * G[2][j];
+    }
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -404,7 +392,7 @@ static int read_pose(const double given[16], double T[16])
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;
-    const double miss = misfit(T);
+    const double miss = misfit_one(T);
     if (!(miss <= 1e-09))
         return 0;
     if (miss <= 1e-24)
@@ -423,9 +411,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide T31 = T[8], T33 = T[10], T34 = T[11];
 
     /* theta1 */
-    const wide v1 = copysign_wide(all_wide(second_weight), T14 * T13 + T24 * T23),
-        v2 = T14 + T13 * v1, v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4),
-        v5 = 1.0 / v4, factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
+    const wide v1 = signed_wide(second_weight, T14 * T13 + T24 * T23), v2 = T14 + T13 * v1,
+        v3 = T24 + T23 * v1, v4 = v2 * v2 + v3 * v3, w1 = sqrt_wide(v4), v5 = 1.0 / v4,
+        factor1 = w1 * v5, c1 = v2 * factor1, s1 = v3 * factor1;
 
     /* theta234 */
     const wide v6 = v5 * (T13 * v2 + T23 * v3), Z2_234 = w1 * v6, v7 = T33 * T33 + Z2_234 * Z2_234,
@@ -477,22 +465,26 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 
     /* joint values */
     const wide angle9 = atan2_wide(v3, v2), v61 = angle9 - offset1,
-        v62 = angle9 - h1 * copysign_wide(all_wide(half_turn), v3) - offset1,
-        v63 = angle5 - offset2, v64 = angle6 - offset2, v65 = angle7 - offset2,
-        v66 = angle8 - offset2, v67 = angle3 - offset3, v68 = offset3 + angle3,
-        v69 = angle4 - offset3, v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
+        v62 = angle9 - signed_wide(half_turn, v3) - offset1, v63 = angle5 - offset2,
+        v64 = angle6 - offset2, v65 = angle7 - offset2, v66 = angle8 - offset2,
+        v67 = angle3 - offset3, v68 = offset3 + angle3, v69 = angle4 - offset3,
+        v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
         v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
         v74 = offset4 + (angle1 + (angle8 - angle4)),
-        v75 = v71 - only_wide(half_turn < v71, m13) + only_wide(v71 <= -half_turn, m13),
-        v76 = v72 - only_wide(half_turn < v72, m13) + only_wide(v72 <= -half_turn, m13),
-        v77 = only_wide(-v73 <= -half_turn, m13) - (v73 + only_wide(half_turn < -v73, m13)),
-        v78 = only_wide(-v74 <= -half_turn, m13) - (v74 + only_wide(half_turn < -v74, m13));
+        v75 = v71 - only_wide(half_turn < v71, whole_turn) + only_wide(v71 <= -half_turn,
+            whole_turn),
+        v76 = v72 - only_wide(half_turn < v72, whole_turn) + only_wide(v72 <= -half_turn,
+            whole_turn),
+        v77 = only_wide(-v73 <= -half_turn, whole_turn) - (v73 + only_wide(half_turn < -v73,
+            whole_turn)),
+        v78 = only_wide(-v74 <= -half_turn, whole_turn) - (v74 + only_wide(half_turn < -v74,
+            whole_turn));
     const double v79 = NAN;
     const wide v80 = only_wide((v57 <= m11) == 0, v79), v81 = only_wide((v58 <= m11) == 0, v79),
         v82 = only_wide((v59 <= m11) == 0, v79), v83 = only_wide((v60 <= m11) == 0, v79),
-        v84 = v23 + (v61 + only_wide(v61 <= -half_turn, m13)),
-        v85 = v24 + (v62 + only_wide(v62 <= -half_turn, m13)), v86 = angle2 + v23,
-        v87 = v24 + (angle2 - copysign_wide(all_wide(half_turn), -Z2_5) * h1);
+        v84 = v23 + (v61 + only_wide(v61 <= -half_turn, whole_turn)),
+        v85 = v24 + (v62 + only_wide(v62 <= -half_turn, whole_turn)), v86 = angle2 + v23,
+        v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
     const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (N3_m <= doubt_limit_squared2) |
         ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
         longest3_apart)) == 0)) | (N3_p <= doubt_limit_squared2) | ((shortest3_reach <= N3_p) &
@@ -501,22 +493,22 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         ((m11 < v60) & (v60 <= m12)) | ((m11 < v59) & (v59 <= m12)) | ((m11 < v57) & (v57 <= m12)) |
         ((m11 < v58) & (v58 <= m12));
 
-    q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, m13));
-    q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, m13));
-    q[3] = v80 + (v75 - only_wide(half_turn < v75, m13)); q[4] = v80 + v86;
-    kind[0] = kind_of(q[0] != q[0], 0);
-    q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, m13));
-    q[7] = v81 + (only_wide(-v68 <= -half_turn, m13) - v68);
-    q[8] = v81 + (v76 - only_wide(half_turn < v76, m13)); q[9] = v81 + v86;
-    kind[1] = kind_of(q[5] != q[5], 0);
-    q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, m13));
-    q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, m13));
-    q[13] = v82 + (v77 - only_wide(half_turn < v77, m13)); q[14] = v82 + v87;
-    kind[2] = kind_of(q[10] != q[10], 0);
-    q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, m13));
-    q[17] = v83 + (only_wide(-v70 <= -half_turn, m13) - v70);
-    q[18] = v83 + (v78 - only_wide(half_turn < v78, m13)); q[19] = v83 + v87;
-    kind[3] = kind_of(q[15] != q[15], 0);
+    q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, whole_turn));
+    q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, whole_turn));
+    q[3] = v80 + (v75 - only_wide(half_turn < v75, whole_turn)); q[4] = v80 + v86;
+    kind[0] = kind_of(q[0], 0);
+    q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, whole_turn));
+    q[7] = v81 + (only_wide(-v68 <= -half_turn, whole_turn) - v68);
+    q[8] = v81 + (v76 - only_wide(half_turn < v76, whole_turn)); q[9] = v81 + v86;
+    kind[1] = kind_of(q[5], 0);
+    q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, whole_turn));
+    q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, whole_turn));
+    q[13] = v82 + (v77 - only_wide(half_turn < v77, whole_turn)); q[14] = v82 + v87;
+    kind[2] = kind_of(q[10], 0);
+    q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, whole_turn));
+    q[17] = v83 + (only_wide(-v70 <= -half_turn, whole_turn) - v70);
+    q[18] = v83 + (v78 - only_wide(half_turn < v78, whole_turn)); q[19] = v83 + v87;
+    kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -595,11 +587,11 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
     const four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
         v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
-        v48 = v47 - only_four(half_turn < v47, m13) + only_four(v47 <= -half_turn, m13),
-        v51 = v21 + (v42 + only_four(v42 <= -half_turn, m13)), q1 = v50 + v51,
-        q2 = v50 + (v43 + only_four(v43 <= -half_turn, m13)),
-        q3 = v50 + (v45 + only_four(v45 <= -half_turn, m13)),
-        q4 = v50 + (v48 - only_four(half_turn < v48, m13)), v52 = v21 + (angle2 + v12 * v13),
+        v48 = v47 - only_four(half_turn < v47, whole_turn) + only_four(v47 <= -half_turn,
+            whole_turn), v51 = v21 + (v42 + only_four(v42 <= -half_turn, whole_turn)),
+        q1 = v50 + v51, q2 = v50 + (v43 + only_four(v43 <= -half_turn, whole_turn)),
+        q3 = v50 + (v45 + only_four(v45 <= -half_turn, whole_turn)),
+        q4 = v50 + (v48 - only_four(half_turn < v48, whole_turn)), v52 = v21 + (angle2 + v12 * v13),
         q5 = v50 + v52;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
@@ -625,29 +617,19 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             pose[i + k] = x[k];
     }
     const wide_mask left = solve_wide(pose, found, kind);
-    if (20 >= LANES) {
-        for (int i = 0; i < 20; i += LANES) {
-            const int from = i + LANES <= 20 ? i : 20 - LANES;
-            for (int k = 0; k < LANES; k++)
-                x[k] = found[from + k];
-            transpose(x);
-            for (int k = 0; k < LANES; k++)
-                *(wide_at *)(q + 20 * k + from) = x[k];
-        }
-    } else {
-        for (int i = 0; i < 20; i++)
-            for (int k = 0; k < LANES; k++)
-                q[20 * k + i] = found[i][k];
-    }
-    for (int row = 0; row < 4; row += 8) {
-        wide_mask word = kind[row];
-        const int size = 4 - row < 8 ? 4 - row : 8;
-        for (int i = 1; i < size; i++)
-            word |= kind[row + i] << 8 * i;
+    for (int i = 0; i < 20; i += LANES) {
+        const int from = i + LANES <= 20 ? i : 20 - LANES;
         for (int k = 0; k < LANES; k++)
-            for (int i = 0; i < size; i++)
-                status[4 * k + row + i] = (unsigned char)(word[k] >> 8 * i);
+            x[k] = found[from + k];
+        transpose(x);
+        for (int k = 0; k < LANES; k++)
+            *(wide_at *)(q + 20 * k + from) = x[k];
     }
+    for (int i = 1; i < 4; i++)
+        kind[0] |= kind[i] << 8 * i;
+    for (int k = 0; k < LANES; k++)
+        for (int i = 0; i < 4; i++)
+            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
     return bits_wide(left);
 }
 #else
@@ -797,6 +779,12 @@ static void solve(
     }
 }
 
+static void take(const double from[5], double to[5])
+{
+    for (int i = 0; i < 5; i++)
+        to[i] = from[i];
+}
+
 /* A row for which another value of a free joint is looked for, and what solving again needs. */
 struct search {
     const double *T;
@@ -851,8 +839,7 @@ static double summit(struct search *s, double low, double high)
 }
 
 /* How far a free joint has to be moved from the seed's value until it serves, or NaN: a fan of
- * values, golden section where it nearly serves, bisection of the end that is nearest to the seed;
- * of two equally near the lower one. */
+ * values, golden section, bisection of the nearest end; of two equally near the lower one. */
 static double serving_value(struct search *s)
 {
     const double step = 0.09817477042468103;
@@ -904,8 +891,7 @@ static void choose_again(
     const int nearly = status[row] > NEARLY;
     struct search lost = { .T = T, .row = row };
     lost.joint = status[row] - (nearly ? NEARLY : LOST) - 1;
-    for (int i = 0; i < 5; i++)
-        lost.seed[i] = seed[i];
+    take(seed, lost.seed);
     lost.start = nearly ? q[row][1] : seed[lost.joint];
     lost.start = fmod(lost.start, turn);
     const double nearest = nearly ? serving_digits(&lost) : serving_value(&lost);
@@ -932,8 +918,7 @@ static double turned(int joint, double given, double towards)
 APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5], unsigned char
     status[4])
 {
-    static const double zeros[5] = { 0.0 };
-    const double *seed = q_seed ? q_seed : zeros;
+    const double zeros[5] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
     const int valid = read_pose(T, pose);
@@ -955,9 +940,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][5],
         if (status[row] == XARM5_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= q[row][i]
-                    && q[row][i] <= highest[i] + 1e-09))
+            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
+            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
                 status[row] = XARM5_OUT_OF_LIMITS;
         }
         count += status[row] != XARM5_OUT_OF_LIMITS;
@@ -997,8 +981,7 @@ int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            for (int i = 0; i < 5; i++)
-                q[i] = all[row][i];
+            take(all[row], q);
         }
     }
     return result;

@@ -110,6 +110,7 @@ k1 = 0.20711584560000001  # a2^2 + a3^2 [m^2]
 k2 = 4.918543046385274  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 1.1677971055248617e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
+whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1.1677971055248613e-06  # doubt_limit1^2 [m^2]
 m2 = 1e-12  # doubt_limit_squared^2
 m4 = 0.076  # a coefficient of v9
@@ -121,8 +122,6 @@ m9 = 0.05625761134525573  # a coefficient of c23
 m10 = 1.0000000000000002e-10  # pose_slack^2
 m11 = 1.167797105524862e-10  # pose_slack1^2 [m^2]
 m12 = 3.5033913165745856e-10  # 3 * pose_slack1^2 [m^2]
-m13 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -350,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 ae678d65c9490d58"
+_KEY = "xarm5 a1aadde5bf106d41"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -944,7 +943,7 @@ def _regular(pose, q, status):
 
     # joint values
     v61 = angle9 - offset1
-    v62 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+    v62 = angle9 - math.copysign(half_turn, v3) - offset1
     v63 = angle5 - offset2
     v64 = angle6 - offset2
     v65 = angle7 - offset2
@@ -957,30 +956,40 @@ def _regular(pose, q, status):
     v72 = angle1 - (angle6 - angle3) - offset4
     v73 = offset4 + (angle1 + (angle4 + angle7))
     v74 = offset4 + (angle1 + (angle8 - angle4))
-    v75 = v71 - (m13 if half_turn < v71 else 0.0) + (m13 if v71 <= -half_turn else 0.0)
-    v76 = v72 - (m13 if half_turn < v72 else 0.0) + (m13 if v72 <= -half_turn else 0.0)
-    v77 = (m13 if -v73 <= -half_turn else 0.0) - (v73 + (m13 if half_turn < -v73 else 0.0))
-    v78 = (m13 if -v74 <= -half_turn else 0.0) - (v74 + (m13 if half_turn < -v74 else 0.0))
-    v84 = v23 + (v61 + (m13 if v61 <= -half_turn else 0.0))
-    v85 = v24 + (v62 + (m13 if v62 <= -half_turn else 0.0))
+    v75 = (
+        v71 - (whole_turn if half_turn < v71 else 0.0) + (whole_turn if v71 <= -half_turn else 0.0)
+    )
+    v76 = (
+        v72 - (whole_turn if half_turn < v72 else 0.0) + (whole_turn if v72 <= -half_turn else 0.0)
+    )
+    v77 = (
+        (whole_turn if -v73 <= -half_turn else 0.0) - (v73 + (whole_turn if half_turn < -v73 else
+        0.0))
+    )
+    v78 = (
+        (whole_turn if -v74 <= -half_turn else 0.0) - (v74 + (whole_turn if half_turn < -v74 else
+        0.0))
+    )
+    v84 = v23 + (v61 + (whole_turn if v61 <= -half_turn else 0.0))
+    v85 = v24 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
     q1_pp = v80 + v84
     q1_pm = v81 + v84
     q1_mp = v82 + v85
     q1_mm = v83 + v85
-    q2_pp = v80 + (v63 + (m13 if v63 <= -half_turn else 0.0))
-    q2_pm = v81 + (v64 + (m13 if v64 <= -half_turn else 0.0))
-    q2_mp = v82 + (v65 + (m13 if v65 <= -half_turn else 0.0))
-    q2_mm = v83 + (v66 + (m13 if v66 <= -half_turn else 0.0))
-    q3_pp = v80 + (v67 + (m13 if v67 <= -half_turn else 0.0))
-    q3_pm = v81 + ((m13 if -v68 <= -half_turn else 0.0) - v68)
-    q3_mp = v82 + (v69 + (m13 if v69 <= -half_turn else 0.0))
-    q3_mm = v83 + ((m13 if -v70 <= -half_turn else 0.0) - v70)
-    q4_pp = v80 + (v75 - (m13 if half_turn < v75 else 0.0))
-    q4_pm = v81 + (v76 - (m13 if half_turn < v76 else 0.0))
-    q4_mp = v82 + (v77 - (m13 if half_turn < v77 else 0.0))
-    q4_mm = v83 + (v78 - (m13 if half_turn < v78 else 0.0))
+    q2_pp = v80 + (v63 + (whole_turn if v63 <= -half_turn else 0.0))
+    q2_pm = v81 + (v64 + (whole_turn if v64 <= -half_turn else 0.0))
+    q2_mp = v82 + (v65 + (whole_turn if v65 <= -half_turn else 0.0))
+    q2_mm = v83 + (v66 + (whole_turn if v66 <= -half_turn else 0.0))
+    q3_pp = v80 + (v67 + (whole_turn if v67 <= -half_turn else 0.0))
+    q3_pm = v81 + ((whole_turn if -v68 <= -half_turn else 0.0) - v68)
+    q3_mp = v82 + (v69 + (whole_turn if v69 <= -half_turn else 0.0))
+    q3_mm = v83 + ((whole_turn if -v70 <= -half_turn else 0.0) - v70)
+    q4_pp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
+    q4_pm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
+    q4_mp = v82 + (v77 - (whole_turn if half_turn < v77 else 0.0))
+    q4_mm = v83 + (v78 - (whole_turn if half_turn < v78 else 0.0))
     v86 = angle2 + v23
-    v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
+    v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
     q5_pp = v80 + v86
     q5_pm = v81 + v86
     q5_mp = v82 + v87
@@ -1378,7 +1387,7 @@ def _in_tiles(T, q, status):
             angle8 = work[528 + k]
             angle9 = work[544 + k]
             v61 = angle9 - offset1
-            v62 = angle9 - h1 * math.copysign(half_turn, v3) - offset1
+            v62 = angle9 - math.copysign(half_turn, v3) - offset1
             v63 = angle5 - offset2
             v64 = angle6 - offset2
             v65 = angle7 - offset2
@@ -1391,30 +1400,42 @@ def _in_tiles(T, q, status):
             v72 = angle1 - (angle6 - angle3) - offset4
             v73 = offset4 + (angle1 + (angle4 + angle7))
             v74 = offset4 + (angle1 + (angle8 - angle4))
-            v75 = v71 - (m13 if half_turn < v71 else 0.0) + (m13 if v71 <= -half_turn else 0.0)
-            v76 = v72 - (m13 if half_turn < v72 else 0.0) + (m13 if v72 <= -half_turn else 0.0)
-            v77 = (m13 if -v73 <= -half_turn else 0.0) - (v73 + (m13 if half_turn < -v73 else 0.0))
-            v78 = (m13 if -v74 <= -half_turn else 0.0) - (v74 + (m13 if half_turn < -v74 else 0.0))
-            v84 = v23 + (v61 + (m13 if v61 <= -half_turn else 0.0))
-            v85 = v24 + (v62 + (m13 if v62 <= -half_turn else 0.0))
+            v75 = (
+                v71 - (whole_turn if half_turn < v71 else 0.0) + (whole_turn if v71 <= -half_turn
+                else 0.0)
+            )
+            v76 = (
+                v72 - (whole_turn if half_turn < v72 else 0.0) + (whole_turn if v72 <= -half_turn
+                else 0.0)
+            )
+            v77 = (
+                (whole_turn if -v73 <= -half_turn else 0.0) - (v73 + (whole_turn if half_turn < -v73
+                else 0.0))
+            )
+            v78 = (
+                (whole_turn if -v74 <= -half_turn else 0.0) - (v74 + (whole_turn if half_turn < -v74
+                else 0.0))
+            )
+            v84 = v23 + (v61 + (whole_turn if v61 <= -half_turn else 0.0))
+            v85 = v24 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
             q1_pp = v80 + v84
             q1_pm = v81 + v84
             q1_mp = v82 + v85
             q1_mm = v83 + v85
-            q2_pp = v80 + (v63 + (m13 if v63 <= -half_turn else 0.0))
-            q2_pm = v81 + (v64 + (m13 if v64 <= -half_turn else 0.0))
-            q2_mp = v82 + (v65 + (m13 if v65 <= -half_turn else 0.0))
-            q2_mm = v83 + (v66 + (m13 if v66 <= -half_turn else 0.0))
-            q3_pp = v80 + (v67 + (m13 if v67 <= -half_turn else 0.0))
-            q3_pm = v81 + ((m13 if -v68 <= -half_turn else 0.0) - v68)
-            q3_mp = v82 + (v69 + (m13 if v69 <= -half_turn else 0.0))
-            q3_mm = v83 + ((m13 if -v70 <= -half_turn else 0.0) - v70)
-            q4_pp = v80 + (v75 - (m13 if half_turn < v75 else 0.0))
-            q4_pm = v81 + (v76 - (m13 if half_turn < v76 else 0.0))
-            q4_mp = v82 + (v77 - (m13 if half_turn < v77 else 0.0))
-            q4_mm = v83 + (v78 - (m13 if half_turn < v78 else 0.0))
+            q2_pp = v80 + (v63 + (whole_turn if v63 <= -half_turn else 0.0))
+            q2_pm = v81 + (v64 + (whole_turn if v64 <= -half_turn else 0.0))
+            q2_mp = v82 + (v65 + (whole_turn if v65 <= -half_turn else 0.0))
+            q2_mm = v83 + (v66 + (whole_turn if v66 <= -half_turn else 0.0))
+            q3_pp = v80 + (v67 + (whole_turn if v67 <= -half_turn else 0.0))
+            q3_pm = v81 + ((whole_turn if -v68 <= -half_turn else 0.0) - v68)
+            q3_mp = v82 + (v69 + (whole_turn if v69 <= -half_turn else 0.0))
+            q3_mm = v83 + ((whole_turn if -v70 <= -half_turn else 0.0) - v70)
+            q4_pp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
+            q4_pm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
+            q4_mp = v82 + (v77 - (whole_turn if half_turn < v77 else 0.0))
+            q4_mm = v83 + (v78 - (whole_turn if half_turn < v78 else 0.0))
             v86 = angle2 + v23
-            v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5) * h1)
+            v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
             q5_pp = v80 + v86
             q5_pm = v81 + v86
             q5_mp = v82 + v87

@@ -116,15 +116,15 @@ k4 = 6.467555636500607  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
 doubt_limit_squared2 = 1.890625e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4801364395941514  # a constant angle [rad]
-low1 = -2.967000001  # least of joint 1
-high1 = 2.967000001  # most of joint 1
 whole_turn = 6.283185307179586  # 2 pi [rad]
-low2 = -1.1344000010000002  # least of joint 2
-high2 = 2.530700001  # most of joint 2
-low3 = -1.221700001  # least of joint 3
-high3 = 3.316100001  # most of joint 3
-low5 = -2.356100001  # least of joint 5
-high5 = 2.356100001  # most of joint 5
+low1 = -2.967000001
+high1 = 2.967000001
+low2 = -1.1344000010000002
+high2 = 2.530700001
+low3 = -1.221700001
+high3 = 3.316100001
+low5 = -2.356100001
+high5 = 2.356100001
 m1 = 1.8906249999999998e-06  # doubt_limit1^2 [m^2]
 m3 = 1.1235955056179774  # a coefficient of Y1_2
 m4 = 0.003174157303370838  # a coefficient of Y1_2
@@ -133,8 +133,6 @@ m6 = 1.1270491803278688  # a coefficient of c2m3
 m7 = 0.0031839139344262803  # a coefficient of c2m3
 m8 = 0.00028944672131148006  # a coefficient of c2m3
 m9 = 1e-06  # doubt_limit^2
-m10 = 6.283185307179586  # 2 * half_turn
-h1 = 1.0  # 2 * m2
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -388,7 +386,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 5da3f1a6a87b41ed"
+_KEY = "yaskawa_gp7 5e6a8ef76d655804"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -623,12 +621,6 @@ def _turned(joint, given, towards):
 
 
 @_inner
-def _without_turns(angle):
-    """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
-
-
-@_inner
 def _overshoot(joint, value):
     """How far a joint value is beyond its limits, whole turns aside; negative below."""
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
@@ -647,6 +639,12 @@ def _beyond_limits(values):
     for i in range(6):
         total += abs(_overshoot(i, values[i]))
     return total
+
+
+@_inner
+def _without_turns(angle):
+    """An angle without its whole turns, by which a search could not tell small moves."""
+    return math.copysign(abs(angle) % _TURN, angle)
 
 
 @_inner
@@ -788,6 +786,97 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.7272727272727273, 0.7272727272727273, 0.7272727272727273, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -801,6 +890,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -883,8 +973,8 @@ def _regular(pose, q, status):
     v32 = v30 + X4_pm * X4_pm
     v33 = v30 + X4_mp * X4_mp
     v34 = v30 + X4_mm * X4_mm
-    v35 = h1 * math.copysign(half_turn, -v29)
-    v36 = h1 * math.copysign(half_turn, v29)
+    v35 = math.copysign(half_turn, -v29)
+    v36 = math.copysign(half_turn, v29)
 
     # theta6, type 3: U4[3, 2] and U4[3, 1]
     v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
@@ -969,7 +1059,7 @@ def _regular(pose, q, status):
     angle19 = room[18]
 
     # theta1, type 2: U1 A6^-1 [3, 4]
-    q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+    q1__m = angle1 - math.copysign(half_turn, Y1)
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     q3__pp = angle2 - turn1
@@ -988,10 +1078,10 @@ def _regular(pose, q, status):
     v43 = angle9 - offset2
     v44 = angle10 - offset2
     v45 = angle11 - offset2
-    q2_ppp = v42 - (m10 if half_turn < v42 else 0.0)
-    q2_pmp = v43 - (m10 if half_turn < v43 else 0.0)
-    q2_mpp = v44 - (m10 if half_turn < v44 else 0.0)
-    q2_mmp = v45 - (m10 if half_turn < v45 else 0.0)
+    q2_ppp = v42 - (whole_turn if half_turn < v42 else 0.0)
+    q2_pmp = v43 - (whole_turn if half_turn < v43 else 0.0)
+    q2_mpp = v44 - (whole_turn if half_turn < v44 else 0.0)
+    q2_mmp = v45 - (whole_turn if half_turn < v45 else 0.0)
     v46 = angle12 - offset5
     v47 = offset5 + angle12
     v48 = angle13 - offset5
@@ -1000,34 +1090,34 @@ def _regular(pose, q, status):
     v51 = offset5 + angle14
     v52 = angle15 - offset5
     v53 = offset5 + angle15
-    q5_ppp = v46 + (m10 if v46 <= -half_turn else 0.0)
-    q5_ppm = (m10 if -v47 <= -half_turn else 0.0) - v47
-    q5_pmp = v48 + (m10 if v48 <= -half_turn else 0.0)
-    q5_pmm = (m10 if -v49 <= -half_turn else 0.0) - v49
-    q5_mpp = v50 + (m10 if v50 <= -half_turn else 0.0)
-    q5_mpm = (m10 if -v51 <= -half_turn else 0.0) - v51
-    q5_mmp = v52 + (m10 if v52 <= -half_turn else 0.0)
-    q5_mmm = (m10 if -v53 <= -half_turn else 0.0) - v53
+    q5_ppp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+    q5_ppm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
+    q5_pmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+    q5_pmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
+    q5_mpp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
+    q5_mpm = (whole_turn if -v51 <= -half_turn else 0.0) - v51
+    q5_mmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
+    q5_mmm = (whole_turn if -v53 <= -half_turn else 0.0) - v53
     v58 = angle16 - offset6
-    v59 = angle16 - h1 * math.copysign(half_turn, v54) - offset6
+    v59 = angle16 - math.copysign(half_turn, v54) - offset6
     v60 = angle17 - offset6
-    v61 = angle17 - h1 * math.copysign(half_turn, v55) - offset6
+    v61 = angle17 - math.copysign(half_turn, v55) - offset6
     v62 = angle18 - offset6
-    v63 = angle18 - h1 * math.copysign(half_turn, v56) - offset6
+    v63 = angle18 - math.copysign(half_turn, v56) - offset6
     v64 = angle19 - offset6
-    v65 = angle19 - h1 * math.copysign(half_turn, v57) - offset6
-    q6_ppp = v58 + (m10 if v58 <= -half_turn else 0.0)
-    q6_ppm = v59 + (m10 if v59 <= -half_turn else 0.0)
-    q6_pmp = v60 + (m10 if v60 <= -half_turn else 0.0)
-    q6_pmm = v61 + (m10 if v61 <= -half_turn else 0.0)
-    q6_mpp = v62 + (m10 if v62 <= -half_turn else 0.0)
-    q6_mpm = v63 + (m10 if v63 <= -half_turn else 0.0)
-    q6_mmp = v64 + (m10 if v64 <= -half_turn else 0.0)
-    q6_mmm = v65 + (m10 if v65 <= -half_turn else 0.0)
-    v66 = q3__pp - (m10 if half_turn < q3__pp else 0.0)
-    v67 = v6 + (m10 if half_turn < -v6 else 0.0)
-    v68 = q3__mp - (m10 if half_turn < q3__mp else 0.0)
-    v69 = v7 + (m10 if half_turn < -v7 else 0.0)
+    v65 = angle19 - math.copysign(half_turn, v57) - offset6
+    q6_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+    q6_ppm = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+    q6_pmp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+    q6_pmm = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+    q6_mpp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
+    q6_mpm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
+    q6_mmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+    q6_mmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+    v66 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
+    v67 = v6 + (whole_turn if half_turn < -v6 else 0.0)
+    v68 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
+    v69 = v7 + (whole_turn if half_turn < -v7 else 0.0)
     v70 = angle1 < low1 or high1 < angle1
     v71 = q1__m < low1 or high1 < q1__m
     v72 = v66 + (whole_turn if v66 < low3 else 0.0)
@@ -1161,7 +1251,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -1392,8 +1482,8 @@ def _in_tiles(T, q, status):
             v32 = v30 + X4_pm * X4_pm
             v33 = v30 + X4_mp * X4_mp
             v34 = v30 + X4_mm * X4_mm
-            v35 = h1 * math.copysign(half_turn, -v29)
-            v36 = h1 * math.copysign(half_turn, v29)
+            v35 = math.copysign(half_turn, -v29)
+            v36 = math.copysign(half_turn, v29)
             v37 = w1 * (v2 * (wx * T22 + Y1 * T12))
             v38 = w1 * (v2 * (Y1 * T22 - wx * T12))
             v39 = w1 * (v2 * (wx * T21 + Y1 * T11))
@@ -1490,7 +1580,7 @@ def _in_tiles(T, q, status):
             angle17 = work[688 + k]
             angle18 = work[704 + k]
             angle19 = work[720 + k]
-            q1__m = angle1 - math.copysign(half_turn, Y1) * h1
+            q1__m = angle1 - math.copysign(half_turn, Y1)
             q3__pp = angle2 - turn1
             v6 = turn1 + angle2
             q3__mp = angle3 - turn1
@@ -1503,10 +1593,10 @@ def _in_tiles(T, q, status):
             v43 = angle9 - offset2
             v44 = angle10 - offset2
             v45 = angle11 - offset2
-            q2_ppp = v42 - (m10 if half_turn < v42 else 0.0)
-            q2_pmp = v43 - (m10 if half_turn < v43 else 0.0)
-            q2_mpp = v44 - (m10 if half_turn < v44 else 0.0)
-            q2_mmp = v45 - (m10 if half_turn < v45 else 0.0)
+            q2_ppp = v42 - (whole_turn if half_turn < v42 else 0.0)
+            q2_pmp = v43 - (whole_turn if half_turn < v43 else 0.0)
+            q2_mpp = v44 - (whole_turn if half_turn < v44 else 0.0)
+            q2_mmp = v45 - (whole_turn if half_turn < v45 else 0.0)
             v46 = angle12 - offset5
             v47 = offset5 + angle12
             v48 = angle13 - offset5
@@ -1515,34 +1605,34 @@ def _in_tiles(T, q, status):
             v51 = offset5 + angle14
             v52 = angle15 - offset5
             v53 = offset5 + angle15
-            q5_ppp = v46 + (m10 if v46 <= -half_turn else 0.0)
-            q5_ppm = (m10 if -v47 <= -half_turn else 0.0) - v47
-            q5_pmp = v48 + (m10 if v48 <= -half_turn else 0.0)
-            q5_pmm = (m10 if -v49 <= -half_turn else 0.0) - v49
-            q5_mpp = v50 + (m10 if v50 <= -half_turn else 0.0)
-            q5_mpm = (m10 if -v51 <= -half_turn else 0.0) - v51
-            q5_mmp = v52 + (m10 if v52 <= -half_turn else 0.0)
-            q5_mmm = (m10 if -v53 <= -half_turn else 0.0) - v53
+            q5_ppp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
+            q5_ppm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
+            q5_pmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
+            q5_pmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
+            q5_mpp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
+            q5_mpm = (whole_turn if -v51 <= -half_turn else 0.0) - v51
+            q5_mmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
+            q5_mmm = (whole_turn if -v53 <= -half_turn else 0.0) - v53
             v58 = angle16 - offset6
-            v59 = angle16 - h1 * math.copysign(half_turn, v54) - offset6
+            v59 = angle16 - math.copysign(half_turn, v54) - offset6
             v60 = angle17 - offset6
-            v61 = angle17 - h1 * math.copysign(half_turn, v55) - offset6
+            v61 = angle17 - math.copysign(half_turn, v55) - offset6
             v62 = angle18 - offset6
-            v63 = angle18 - h1 * math.copysign(half_turn, v56) - offset6
+            v63 = angle18 - math.copysign(half_turn, v56) - offset6
             v64 = angle19 - offset6
-            v65 = angle19 - h1 * math.copysign(half_turn, v57) - offset6
-            q6_ppp = v58 + (m10 if v58 <= -half_turn else 0.0)
-            q6_ppm = v59 + (m10 if v59 <= -half_turn else 0.0)
-            q6_pmp = v60 + (m10 if v60 <= -half_turn else 0.0)
-            q6_pmm = v61 + (m10 if v61 <= -half_turn else 0.0)
-            q6_mpp = v62 + (m10 if v62 <= -half_turn else 0.0)
-            q6_mpm = v63 + (m10 if v63 <= -half_turn else 0.0)
-            q6_mmp = v64 + (m10 if v64 <= -half_turn else 0.0)
-            q6_mmm = v65 + (m10 if v65 <= -half_turn else 0.0)
-            v66 = q3__pp - (m10 if half_turn < q3__pp else 0.0)
-            v67 = v6 + (m10 if half_turn < -v6 else 0.0)
-            v68 = q3__mp - (m10 if half_turn < q3__mp else 0.0)
-            v69 = v7 + (m10 if half_turn < -v7 else 0.0)
+            v65 = angle19 - math.copysign(half_turn, v57) - offset6
+            q6_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
+            q6_ppm = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+            q6_pmp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+            q6_pmm = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+            q6_mpp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
+            q6_mpm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
+            q6_mmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
+            q6_mmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
+            v66 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
+            v67 = v6 + (whole_turn if half_turn < -v6 else 0.0)
+            v68 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
+            v69 = v7 + (whole_turn if half_turn < -v7 else 0.0)
             v70 = angle1 < low1 or high1 < angle1
             v71 = q1__m < low1 or high1 < q1__m
             v72 = v66 + (whole_turn if v66 < low3 else 0.0)

@@ -8,6 +8,7 @@ time, and for many in lanes of poses.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING
@@ -169,8 +170,16 @@ class _Flattening:
                 return given(number)
             case Apply(operator, operands):
                 parts = [self._value(operand, axes, choice) for operand in operands]
+                if operator == "mul" and (sign := self._sign(parts)):
+                    return builder.integer(sign)
                 node = builder.simplified(operator, parts)
                 return self._angle(node) if operator == "atan2" else node
+
+    def _sign(self, factors: list[Node]) -> int:
+        """A product of numbers that is 1 or -1, as half of what two signs are apart is; else 0."""
+        values = [self._builder.entries[factor].value for factor in factors]
+        product = math.prod(value or 0 for value in values)
+        return int(product) if abs(product) == 1 else 0
 
     def _angle(self, node: Node) -> Node:
         """Angles are numbered."""

@@ -10,9 +10,15 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import TYPE_CHECKING
 
+from dhgen.program.ir import Variable
+
 if TYPE_CHECKING:
     from dhgen.program.builder import Builder
     from dhgen.program.graph import Node
+    from dhgen.program.ir import Expression
+
+
+LOW, HIGH = "low", "high"  # the constants are called this and the joint's number
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,11 +52,11 @@ class Limiting:
         if limits is None or (limits.turns and limits.low <= -math.pi and limits.high >= math.pi):
             return value
         builder = self._builder
-        low = builder.constant(f"low{joint}", limits.low, f"least of joint {joint}")
-        high = builder.constant(f"high{joint}", limits.high, f"most of joint {joint}")
+        low = builder.constant(f"{LOW}{joint}", limits.low, "")
+        high = builder.constant(f"{HIGH}{joint}", limits.high, "")
         moved = value
         if limits.turns:
-            turn = builder.constant("whole_turn", 2 * math.pi, "2 pi [rad]")
+            turn = whole_turn(builder)
             zero = builder.integer(0)
             for _ in range(_turns(limits.low + math.pi) if limits.high > math.pi else 0):
                 short = builder.select(builder.apply("less", moved, low), turn, zero)
@@ -68,6 +74,20 @@ class Limiting:
         if not self._outside:
             return None
         return reduce(lambda a, b: self._builder.apply("or", a, b), self._outside)
+
+
+def whole_turn(builder: Builder) -> Node:
+    """2 pi, by a name."""
+    return builder.constant("whole_turn", 2 * math.pi, "2 pi [rad]")
+
+
+def limited_joint(low: Expression, high: Expression) -> str:
+    """The number of the joint of which these are the limits, empty if they are of none."""
+    match low, high:
+        case Variable(least), Variable(most) if least[:3] == LOW and most[:4] == HIGH:
+            joint = least.removeprefix(LOW)
+            return joint if most == f"{HIGH}{joint}" else ""
+    return ""
 
 
 def _turns(distance: float) -> int:

@@ -18,11 +18,12 @@ start_of stride turn_vector turning unit wrap_angles G LANES LOST NEARLY after a
 before choose_again circle_roots CLOSE across ahead beside both_sides close descended doubtful end
 enough_beside exactness gap_between is_new known leads solves count distance found given here high
 i ik_carefully nearly residual serving_digits serving_value solve_regular enough ended inner j k
-last least left length lose lost low middle misfit miss missed_by moved n others named nearest off
-outer reached read_pose repeats result right serves sum tighten tightened values search served
-square start step straighten summit third towards valid value way why x xx xy y yy z zz zeros
-exact exactly beyond_limits
-choosable fan_step gap hopeless inside keep_limits over overshoot shortfall within begun fault seek
+last least left length lose lost low middle misfit_one misfit_wide miss missed_by moved n others
+named nearest off outer reached read_pose repeats result right serves sum tighten tightened values
+search served square start step straighten summit third towards valid value way why x xx xy y yy z
+zz zeros exact exactly beyond_limits choosable fan_step gap hopeless inside keep_limits over
+overshoot shortfall within begun fault seek take stand_on_limits P e p s w weights tried held slope
+along spin part to
 """
 
 _LANES = """
@@ -31,7 +32,7 @@ irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide 
 store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_four copysign_four
 cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four abs_wide
 all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide minimum_wide sqrt_wide
-where_wide wrap_wide maximum_double only_four only_wide minimum_double
+where_wide wrap_wide maximum_double only_four only_wide minimum_double signed_four signed_wide
 """
 
 _PYTHON = """

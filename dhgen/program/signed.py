@@ -12,6 +12,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from dhgen.program.limits import whole_turn
 from dhgen.program.rewriting import Rewriting
 from dhgen.program.turned import turned_pair
 
@@ -244,7 +245,7 @@ class SignedArithmetic:
         if known is None:
             return builder.apply("wrap", node)
         low, high = known
-        zero, turn = builder.integer(0), builder.mul(builder.integer(2), self._pi())
+        zero, turn = builder.integer(0), whole_turn(builder)
         for k in range(max(_turns(high), _turns(-low))):
             above = builder.apply("less", self._pi(), node)
             below = builder.apply("at_most", node, builder.neg(self._pi()))

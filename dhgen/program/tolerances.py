@@ -20,7 +20,8 @@ class Tolerances:
         near: A unit vector's projection that should fix an angle and is no longer than this does so
             with rounding errors of 1e-13 rad or more, which an arm that is stretched may not bear.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
-            folded, lands there by rounding.
+            folded, lands there by rounding. A joint that comes out a little beyond a limit stands
+            on it if the pose is missed by so much more at most.
         led: The same where rows are tightened: an angle before the boundary may be good to few
             digits, and steps tell what is a solution. It lets the arm be as far out of reach.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
@@ -39,11 +40,14 @@ class Tolerances:
             row is exact the pose was not rounded, and the others have to be exact, too.
         promised: A row misses its pose by no more wherever it has a solution, singular poses
             included: what the written files are held to, and a reason to tighten rows.
-        doubtful: A row may miss its pose by this before it is tightened: an angle taken from a
-            vector just longer than `free` is good to 1e-3 rad.
+        doubtful: A row may miss its pose by this before it is tightened, and limits before its
+            joints are put on them: an angle taken from a vector just longer than `free` is good to
+            1e-3 rad.
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
             its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
+        told: From where two branches meet to where both are told, their joint values are farther
+            apart: they grow with the root of `merge` [rad or length].
         far: An angle of the seed that is not below this has no copy of another near to it that
             keeps its digits: it is not moved there.
         polished: A candidate that was polished on the whole pose is a solution if it misses that
@@ -70,6 +74,7 @@ class Tolerances:
     doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9
+    told: float = 1e-6
     far: float = 1e5
     polished: float = 1e-10
     double: float = 1e-13
@@ -117,6 +122,7 @@ SINGLE = Precision(
         nothing=5e-7,
         exact=5e-5,
         limit=2e-6,
+        told=3e-3,
         far=1e2,
     ),
 )

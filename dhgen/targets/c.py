@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
 
+MOST_LANES = 8  # of a vector, with AVX-512
+
 
 def c_files(module: SolverModule) -> dict[str, str]:
     """The header and the source by their names."""
@@ -86,6 +88,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "per_length": repr(1.0 / module.chain.size),
         "jacobian_size": 6 * dof,
         "row_size": module.solver.rows * dof,
+        "fills_lanes": module.solver.rows * dof >= MOST_LANES,
     }
 
 
@@ -94,9 +97,20 @@ def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
     common = constant_texts(module, flats[:1])
     only = [each for each in constant_texts(module, flats) if each not in common]
     return {
-        "constants": [line for each in common for line in _constant(*each)],
-        "lane_constants": [line for each in only for line in _constant(*each)],
+        "constants": _constant_lines(common),
+        "lane_constants": _constant_lines(only),
     }
+
+
+def _constant_lines(constants: list[tuple[str, str, str]]) -> list[str]:
+    """Definitions; those whose names say all stand in one statement."""
+    lines = [line for each in constants if each[2] for line in _constant(*each)]
+    bare = [f"{name} = {value}" for name, value, comment in constants if not comment]
+    if not bare:
+        return lines
+    first, *others = bare
+    *full, last = packed([f"static const double {first}", *others], "", ", ")
+    return [*lines, *(f"{line}," for line in full), f"{last};"]
 
 
 def _functions(module: SolverModule) -> dict[str, str]:

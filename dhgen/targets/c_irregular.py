@@ -45,18 +45,7 @@ def _plain(module: SolverModule, number: str, result: str) -> list[str]:
     finite = _finite(module)
     lines, terms = [], []
     if kind in ROTATIONS:
-        for row in range(3):
-            entries = [f"{'xyz'[row]}{column} = T[{4 * row + column}]" for column in range(3)]
-            lines.append(f"const {number} {', '.join(entries)};")
-        lines += [
-            f"const {number} xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0;",
-            f"const {number} yy = y0 * y0 + y1 * y1 + y2 * y2 - 1.0;",
-            f"const {number} xy = x0 * y0 + x1 * y1 + x2 * y2;",
-            f"const {number} zx = x1 * y2 - x2 * y1 - z0;",
-            f"const {number} zy = x2 * y0 - x0 * y2 - z1;",
-            f"const {number} zz = x0 * y1 - x1 * y0 - z2;",
-        ]
-        terms.append("xx * xx + yy * yy + 2.0 * xy * xy + zx * zx + zy * zy + zz * zz")
+        terms.append(f"misfit_{number}(T)")
     elif kind is TaskKind.POINTING:
         lines.append(f"const {number} zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;")
         terms.append("zz * zz")

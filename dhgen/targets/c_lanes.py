@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
+from dhgen.program.limits import limited_joint
 from dhgen.targets.c_declared import Declaration
 from dhgen.targets.c_language import C
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
@@ -90,11 +91,10 @@ class LaneText:
             case Apply("sqrt", (Integer(value),)) if value < 0:
                 return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
             case Apply("or", (Apply("less", (value, low)), Apply("less", (high, again)))) if (
-                value == again
+                value == again and (joint := limited_joint(low, high))
             ):
-                parts = [self.text(each) for each in (value, low, high)]
-                listed = ", ".join(part.text for part in parts)
-                return Text(f"beyond({listed})", ATOM, parts[0].lanes)
+                inside = self.text(value)
+                return Text(f"beyond({inside.text}, {joint})", ATOM, inside.lanes)
             case Apply(operator, operands):
                 return self._apply(operator, [self.text(operand) for operand in operands])
 
@@ -125,6 +125,8 @@ class LaneText:
                     denied = f"{mask.within(ATOM)} == 0"
                     return Text(f"only_{self._vector}({denied}, {no.text})", ATOM, lanes)
                 arguments = [mask, self._all(yes), self._all(no)]
+            case "copysign" if lanes and not parts[0].lanes:
+                return Text(f"signed_{self._vector}({parts[0].text}, {parts[1].text})", ATOM, lanes)
             case _:
                 arguments = [self._all(part) if lanes else part for part in parts]
         listed = ", ".join(argument.text for argument in arguments)

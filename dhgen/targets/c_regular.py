@@ -16,7 +16,7 @@ from dhgen.targets.c_irregular import irregularities
 from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
 from dhgen.targets.c_packing import angle_declarations, packed_angles
-from dhgen.targets.c_rows import status_lines, store_sizes, stores
+from dhgen.targets.c_rows import status_lines, store_sizes, stores, words
 from dhgen.targets.layout import call, listed, packed, wrapped
 from dhgen.targets.scalar import pose_entries
 
@@ -43,13 +43,16 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
     """
     used = set(operators(flat.program))
     sizes = store_sizes(module.chain.dof)
+    wide = _wide(module, flat)
     return {
         "functions": sorted(used & {"sin", "cos", "wrap"}),
         "stores": {name: size in sizes for name, size in (("one", 1), ("two", 2), ("four", 4))},
         "arctangent": _arctangent(),
         "irregularity": irregularities(module, _inputs(module, "%")),
-        "wide": _wide(module, flat),
+        "wide": wide,
+        "spreads_truths": "where_wide(" in str(wide["lines"]),
         "one": _one(module, lanes),
+        "words": words(module.solver.rows),
         "tile": {"prototype": _prototype(module, "HELPER unsigned solve_tile", "tile")},
     }
 
@@ -170,8 +173,9 @@ def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
         values = enumerate(map(text.vector, results), start=dof * row)
         lines += packed([f"q[{place}] = {value};" for place, value in values], INDENT)
         first = f"q[{dof * row}]"
-        outside = text.mask(flat.outside[place]) if flat.outside else "0"
-        lines += wrapped(f"{INDENT}kind[{row}] = kind_of({first} != {first}, {outside});", INDENT)
+        beyond = [at_once[each].expression if each in at_once else each for each in flat.outside]
+        outside = text.mask(beyond[place]) if beyond else "0"
+        lines += wrapped(f"{INDENT}kind[{row}] = kind_of({first}, {outside});", INDENT)
     given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
     limit = repr(module.precision.tolerances.orthonormal)
     lines.append(f"{INDENT}const wide_mask exact = irregularity_wide({given}) <= {limit};")
@@ -188,7 +192,8 @@ def _needed_once(flat: Flat) -> dict[Expression, Let]:
     composed = [output for output in outputs if not isinstance(output, Variable)]
     elsewhere = names_in([*composed, *(let.expression for let in lets)])
     needed = Counter(outputs)
-    joints = {each for group in flat.groups for each in group if needed[each] == 1}
+    written = [*(each for group in flat.groups for each in group), *flat.outside]
+    joints = {each for each in written if needed[each] == 1}
     return {
         Variable(let.name): let
         for let in lets

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import INDENT, wrapped
@@ -11,6 +12,34 @@ if TYPE_CHECKING:
     from dhgen.targets.c_lanes import LaneText
 
 WORD = 8  # rows whose statuses fill a machine word
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """Rows whose statuses are put together.
+
+    Attributes:
+        size: How many they are.
+        kind: Where their kinds begin.
+        status: Where the statuses of the first pose begin.
+    """
+
+    size: int
+    kind: str
+    status: str
+
+
+def words(rows: int) -> tuple[Word, ...]:
+    """The words of all rows."""
+    return tuple(
+        Word(min(WORD, rows - first), _behind("kind", first), _behind("status", first))
+        for first in range(0, rows, WORD)
+    )
+
+
+def _behind(array: str, place: int) -> str:
+    """An array from a place on."""
+    return f"({array} + {place})" if place else array
 
 
 def store_sizes(count: int) -> list[int]:

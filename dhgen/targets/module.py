@@ -15,6 +15,7 @@ from dhgen.program.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
+from dhgen.targets.standing import standing, stands_on_limits
 from dhgen.targets.walk import (
     checks_again,
     choosable,
@@ -38,11 +39,7 @@ LEAST_MOVE = 1e-15  # of a joint that is nearly free [rad]
 MOST_MOVE = 0.1
 HALVINGS = 52  # until an interval of a turn is as small as rounding
 GOLDEN_CUTS = 72  # the same by golden section, which leaves 0.62 of it
-TIE = 1e-9  # of two distances from the seed: only rounding tells them apart [rad or length]
 ELSEWHERE = 0.1  # how far a joint is moved to see which others move with it [rad or length]
-STILL = 1e-9  # a joint value that changes by less has not moved [rad or length]
-MET = 1e-6  # from where branches meet, to where both are told [rad or length]
-BESIDE = 1e-9  # how near branches that meet end a search [rad or length]
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,51 +139,57 @@ def module_values(module: SolverModule) -> dict[str, object]:
     """What the templates of every language name."""
     chain = module.chain
     kind = chain.task.kind
-    return {
-        "name": module.name,
-        "upper": module.name.upper(),
-        "title": plain(module.title),
-        "source": module.source,
-        "dof": chain.dof,
-        "rows": module.solver.rows,
-        "task": _task_text(module),
-        "unit": module.length_unit,
-        "joint_types": module.joint_types,
-        "has_slides": "P" in module.joint_types,
-        "has_turns": "R" in module.joint_types,
-        "free_count": chain.given,
-        "given_text": _given_text(chain),
-        "given_sentence": _given_text(chain)[0].upper() + _given_text(chain)[1:],
-        "given_comment": _given_comment(chain),
-        "given_fault": "the arm angle" if chain.arm_angle else "a free joint's value",
-        "method": module.method,
-        "solves_whole": whole_arm(module.solver) is not None,
-        "compiles_apart": _compiles_apart(module),
-        "uses_circle": finds_roots(module.solver),
-        "unmoved": ", 0.0" if finds_roots(module.solver) else "",
-        "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
-        "uses_wrap": any(uses(program, "wrap") for program in module.programs),
-        "uses_seed": reads(module.solver, "seed"),
-        "forward_uses_q": reads(module.forward, "q"),
-        "jacobian_uses_q": reads(module.jacobian, "q"),
-        "checks_again": checks_again(module.solver),
-        "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
-        "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
-        "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
-        "checks_approach": kind is TaskKind.POINTING,
-        "checks_last_row": kind is TaskKind.POSE,
-        "tolerances": module.precision.tolerances,
-        "turn": repr(2.0 * math.pi),
-    } | _searches(module)
+    return (
+        {
+            "name": module.name,
+            "upper": module.name.upper(),
+            "title": plain(module.title),
+            "source": module.source,
+            "dof": chain.dof,
+            "rows": module.solver.rows,
+            "task": _task_text(module),
+            "unit": module.length_unit,
+            "joint_types": module.joint_types,
+            "has_slides": "P" in module.joint_types,
+            "has_turns": "R" in module.joint_types,
+            "free_count": chain.given,
+            "given_text": _given_text(chain),
+            "given_sentence": _given_text(chain)[0].upper() + _given_text(chain)[1:],
+            "given_comment": _given_comment(chain),
+            "given_fault": "the arm angle" if chain.arm_angle else "a free joint's value",
+            "method": module.method,
+            "solves_whole": whole_arm(module.solver) is not None,
+            "compiles_apart": _compiles_apart(module),
+            "uses_circle": finds_roots(module.solver),
+            "unmoved": ", 0.0" if finds_roots(module.solver) else "",
+            "circle": {"newton_steps": NEWTON_STEPS, "directions": DIRECTIONS},
+            "uses_wrap": any(uses(program, "wrap") for program in module.programs),
+            "uses_seed": reads(module.solver, "seed"),
+            "forward_uses_q": reads(module.forward, "q"),
+            "jacobian_uses_q": reads(module.jacobian, "q"),
+            "checks_again": checks_again(module.solver),
+            "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
+            "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
+            "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
+            "checks_approach": kind is TaskKind.POINTING,
+            "checks_last_row": kind is TaskKind.POSE,
+            "tolerances": module.precision.tolerances,
+            "turn": repr(2.0 * math.pi),
+        }
+        | _searches(module)
+        | standing(module)
+    )
 
 
 def _searches(module: SolverModule) -> dict[str, object]:
     """What looks for other values of free joints, and its constants."""
     again, within = chooses_again(module.solver), keeps_limits(module)
+    tolerances = module.precision.tolerances
     return {
         "searches": searches(module),
         "chooses_again": again,
         "keeps_limits": within,
+        "measures_limits": within or stands_on_limits(module),
         "both_searches": again and within,
         "searches_slides": searches(module) and "P" in module.joint_types,
         "choosable": ", ".join(str(joint - 1) for joint in choosable(module.solver)),
@@ -197,11 +200,13 @@ def _searches(module: SolverModule) -> dict[str, object]:
         "most_move": MOST_MOVE,
         "halvings": HALVINGS,
         "cuts": GOLDEN_CUTS if checks_again(module.solver) else HALVINGS,
-        "beside": BESIDE,
-        "met": MET,
-        "still": STILL,
+        # what rounding does to joint values [rad or length]: how near branches that meet end a
+        # search, what has not moved, and two distances from the seed that it alone tells apart
+        "beside": tolerances.limit,
+        "still": tolerances.limit,
+        "tie": tolerances.limit,
+        "met": tolerances.told,
         "elsewhere": ELSEWHERE,
-        "tie": TIE,
     }
 
 
@@ -219,7 +224,8 @@ def searches(module: SolverModule) -> bool:
 def _compiles_apart(module: SolverModule) -> bool:
     """Whether there are functions that few poses need."""
     solver = module.solver
-    return searches(module) or whole_arm(solver) is not None or solver.tightened is not None
+    rare = searches(module) or stands_on_limits(module) or solver.tightened is not None
+    return rare or whole_arm(solver) is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,6 +274,8 @@ def constant_texts(
 
 def _comment(constant: NamedConstant, length: str) -> str:
     units = {0: "", 1: f" [{length}]"}
+    if not constant.meaning:
+        return ""
     return plain(constant.meaning + units.get(constant.power, f" [{length}^{constant.power}]"))
 
 

@@ -36,6 +36,7 @@ from dhgen.targets.scalar import (
     solver_lines,
     straight_lines,
 )
+from dhgen.targets.standing import stands_on_limits
 from dhgen.targets.templates import render
 from dhgen.targets.walk import parted, uses, whole_arm
 
@@ -153,7 +154,7 @@ def _entries(program: Program) -> str:
 
 
 def _constant(name: str, value: str, comment: str) -> list[str]:
-    line = f"{name} = {value}  # {comment}"
+    line = f"{name} = {value}  # {comment}" if comment else f"{name} = {value}"
     return [line] if len(line) <= WIDTH else [f"# {paragraph(comment, '# ')}", f"{name} = {value}"]
 
 
@@ -187,7 +188,7 @@ def _missed_entries(module: SolverModule) -> list[dict[str, object]]:
 
 def _allocates(module: SolverModule) -> str:
     """Where memory is allocated."""
-    if module.solver.tightened is not None:
+    if module.solver.tightened is not None or stands_on_limits(module):
         return "only where a pose is singular or rounded"
     if searches(module):
         return "only where a free joint can't keep the seed's value"

@@ -1,0 +1,48 @@
+"""What the templates need to put joints on limits that rounding has moved them beyond.
+
+Beside a singular pose a joint is known from the pose to rounding over what is left of the least
+singular value. If it is beyond a limit by no more than that, it may as well stand there.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.numerical.texts import position_rows
+from dhgen.program.tolerances import SINGLE
+from dhgen.robot.robot import TaskKind
+from dhgen.targets.walk import whole_arm
+
+if TYPE_CHECKING:
+    from dhgen.targets.module import SolverModule
+
+ROUNDS = 6  # of Gauss-Newton: what is right ends after two or three
+
+
+def standing(module: SolverModule) -> dict[str, object]:
+    """Whether joints may be put on limits, and what the miss of a pose is made of."""
+    chain, rows = module.chain, module.position_entries
+    length = repr(1.0 / chain.size)
+    turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
+    given = [joint.number in chain.free for joint in chain.joints]
+    stands = stands_on_limits(module)
+    return {
+        "stands_on_limits": stands,
+        "doubts_limits": stands and module.precision is SINGLE,  # regular poses' rows, too
+        "coordinates": position_rows(rows),
+        "miss_weights": ", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
+        "given_flags": ", ".join(str(int(each)) for each in given),
+        "given_truths": ", ".join(str(each) for each in given),
+        "spin": 3 * chain.dof,
+        "twice": 2 * chain.dof,
+        "rounds": ROUNDS,
+    }
+
+
+def stands_on_limits(module: SolverModule) -> bool:
+    """Whether rows come from the pose's entries, of an arm with limits.
+
+    An arm angle would be one more thing that has to be met.
+    """
+    limited = any(joint.limits for joint in module.chain.joints)
+    return limited and whole_arm(module.solver) is None and not module.chain.arm_angle

@@ -1,0 +1,118 @@
+"""Beside a singular pose a joint on its limit is known to few digits, and is not beyond for that.
+
+Rounding of the pose, over what is left of the singular value, puts such a joint up to 1e-3 rad
+beyond; that it may stand on the limit, and the others follow, the pose itself tells to all digits.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.verify.native import compile_solver
+from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, OUT_OF_LIMITS, Solver
+from tests.targets.made import apart, folder, made, poses_of, residual, robot
+
+if TYPE_CHECKING:
+    from dhgen.survey.oracle.arm import FloatArray
+
+# Of arms: the joint, from 0, that makes them singular, and its value there.
+SINGULAR = {"hard_wrist": (4, 0.0), "hard_stops": (4, 0.0), "puma560": (4, 0.0), "scara": (1, 0.0)}
+BESIDE = tuple(10.0**-power for power in range(3, 12))
+COUNT = 6  # poses at each distance
+SLACK = 1.001e-9
+BEYOND = 1e-6  # a limit, by a joint that is known to all digits
+
+
+def limits(name: str) -> FloatArray:
+    """Lowest and highest value of each joint, (2, n)."""
+    none = (-np.inf, np.inf)
+    return np.array([joint.limits or none for joint in robot(name).joints], dtype=float).T
+
+
+def beside(name: str, near: float, held: tuple[int, ...] = ()) -> FloatArray:
+    """Joint values inside the limits, so near to a singular pose; one stands on a limit (N, n)."""
+    source = np.random.default_rng(12)
+    low, high = (np.where(np.isfinite(each), each, 1.0) for each in limits(name))
+    joint, place = SINGULAR[name]
+    limited = np.flatnonzero([bool(each.limits) for each in robot(name).joints])
+    others = held or [each for each in limited if each != joint]
+    q = source.uniform(low, high, (COUNT, len(low)))
+    q[:, joint] = place + near * source.uniform(0.5, 2.0, COUNT)
+    for row in q:
+        on = source.choice(others)
+        row[on] = (low, high)[source.integers(2)][on]
+    return np.asarray(q)
+
+
+def inside(name: str, rows: FloatArray, slack: float) -> bool:
+    low, high = limits(name)
+    return bool(((low - slack <= rows) & (rows <= high + slack)).all())
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", SINGULAR)
+def test_an_arm_that_stands_inside_its_limits_is_there(name: str, language: str) -> None:
+    solver = Solver(name, language)
+    for near in BESIDE:
+        q = beside(name, near)
+        for values, T in zip(q, poses_of(name, q), strict=True):
+            rows, status = solver.all(T)
+            held = rows[np.isin(status, (OK, FREE_JOINT))]
+            assert len(held), (near, values.tolist(), status.tolist())
+            assert inside(name, held, SLACK)
+            assert residual(name, held, T) < 1e-12
+            assert solver.nearest(T, values)[0] in {OK, FREE_JOINT}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_cannot_be_rounding_is_beyond(language: str) -> None:
+    """The wrist is nearly straight, and its joints hardly known; the gantry's slides are."""
+    name, solver = "hard_stops", Solver("hard_stops", language)
+    low, _ = limits(name)
+    q = beside(name, 1e-5, (0,))
+    q[:, 0] = low[0] - BEYOND
+    q[:, (3, 5)] *= 0.9
+    for values, T in zip(q, poses_of(name, q), strict=True):
+        rows, status = solver.all(T, values)
+        (row,) = rows[np.isin(status, HELD) & (np.abs(rows - values)[:, 4] < 1e-3)][:1]
+        assert not np.isin(status, (OK, FREE_JOINT)).any()
+        assert OUT_OF_LIMITS in status
+        assert row[0] == pytest.approx(low[0] - BEYOND, abs=1e-12)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_turn_beyond_its_limit_stays_there_too(language: str) -> None:
+    name, solver = "puma560", Solver("puma560", language)
+    _, high = limits(name)
+    q = beside(name, 1e-4, (0,))
+    q[:, 0] = high[0] + BEYOND
+    for values, T in zip(q, poses_of(name, q), strict=True):
+        rows, status = solver.all(T, values)
+        same = np.array([apart(name, row[None], values).max() < 1e-6 for row in rows])
+        assert (status[same] == OUT_OF_LIMITS).all()
+        assert same.any()
+
+
+@pytest.mark.parametrize("name", ["hard_wrist", "scara"])
+def test_single_precision(name: str) -> None:
+    """There a joint on its limit may come out beyond anywhere, not only beside singular poses."""
+    single = made(name).single
+    assert single is not None
+    rows, dof = single.solver.rows, single.chain.dof
+    solver = compile_solver(folder() / f"{single.name}.c", folder(), single.name, dof, rows, 0)
+    assert solver is not None
+    for near in (0.3, 1e-3):
+        q = beside(name, near)
+        for values, T in zip(q, poses_of(name, q), strict=True):
+            found, status = np.empty((rows, dof), np.float32), np.empty(rows, np.uint8)
+            arrays = (T.astype(np.float32), np.zeros(dof, np.float32), found, status)
+            pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)
+            solver.library[f"{single.name}_ik"](*pointers)
+            held = found[np.isin(status, (OK, FREE_JOINT))].astype(float)
+            assert len(held), (near, values.tolist(), status.tolist())
+            assert inside(name, held, 3e-6)
+            assert residual(name, held, T) < 5e-6
