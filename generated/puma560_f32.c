@@ -113,16 +113,16 @@ static const float free_limit_squared2 = 1.1638741e-09f;
 static const float longest3 = 0.74662894f; /* square of the longest reach [m^2] */
 static const float shortest3 = 2.2744655e-07f; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
-static const float longest3_reach = 0.74663186f;
+static const float longest3_reach = 0.7466407f;
 /* the shortest, with what rounding adds [m^2] */
-static const float shortest3_reach = 2.2582243e-07f;
+static const float shortest3_reach = 2.2098503e-07f;
 /* the longest, where branches merge [m^2] */
 static const float longest3_apart = 0.74662864f;
 /* the shortest, where branches merge [m^2] */
 static const float shortest3_apart = 2.2760928e-07f;
 static const float free_limit = 2e-05f; /* a length that fixes no angle */
 static const float k1 = 0.022515003f; /* d3^2 [m^2] */
-static const float k2 = 5.119075e-07f; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
+static const float k2 = 2.0476648e-06f; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
 static const float k3 = 5.1190487e-08f; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
 static const float k4 = 0.37290248f; /* 2 * d4 * a2 [m^2] */
 static const float k5 = 0.01753108f; /* 2 * a3 * a2 [m^2] */
@@ -660,7 +660,7 @@ static void stand_on_limits(const float T[16], float q[6])
             square += e[i] * e[i];
         }
         if (!tried) /* what the row misses, and rounding */
-            enough = sqrtf(square) + 1e-06f;
+            enough = sqrtf(square) + 4e-06f;
         else if (sqrtf(square) <= enough) {
             take(x, q);
             return;

@@ -117,9 +117,9 @@ static const float free_limit_squared = 4e-10f;
 static const float longest2 = 0.49f; /* square of the longest reach [m^2] */
 static const float shortest2 = 0.01f; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
-static const float longest2_reach = 0.4900011f;
+static const float longest2_reach = 0.49000448f;
 /* the shortest, with what rounding adds [m^2] */
-static const float shortest2_reach = 0.00999984f;
+static const float shortest2_reach = 0.00999936f;
 /* the longest, where branches merge [m^2] */
 static const float longest2_apart = 0.4899999f;
 /* the shortest, where branches merge [m^2] */
@@ -535,7 +535,7 @@ static void stand_on_limits(const float T[16], float q[4])
             square += e[i] * e[i];
         }
         if (!tried) /* what the row misses, and rounding */
-            enough = sqrtf(square) + 1e-06f;
+            enough = sqrtf(square) + 4e-06f;
         else if (sqrtf(square) <= enough) {
             take(x, q);
             return;

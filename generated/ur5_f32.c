@@ -122,9 +122,9 @@ static const float near_limit = 0.001f; /* a length whose direction is good to f
 static const float longest3 = 0.6678976f; /* square of the longest reach [m^2] */
 static const float shortest3 = 0.0010725625f; /* square of the shortest reach [m^2] */
 /* the longest, with what rounding adds [m^2] */
-static const float longest3_reach = 0.6678995f;
+static const float longest3_reach = 0.66790533f;
 /* the shortest, with what rounding adds [m^2] */
-static const float shortest3_reach = 0.0010724844f;
+static const float shortest3_reach = 0.0010722501f;
 /* the longest, where branches merge [m^2] */
 static const float longest3_apart = 0.66789734f;
 /* the shortest, where branches merge [m^2] */
@@ -134,7 +134,7 @@ static const float longest3_clear = 0.6678781f;
 /* the shortest, where blurred branches do [m^2] */
 static const float shortest3_clear = 0.0010733437f;
 static const float k1 = 0.011913722f; /* d4^2 [m^2] */
-static const float k2 = 2.6032615e-07f; /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
+static const float k2 = 1.0413216e-06f; /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
 static const float k3 = 2.6032486e-08f; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
 static const float k4 = 0.33448505f; /* a2^2 + a3^2 [m^2] */
 static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
@@ -766,7 +766,7 @@ static void stand_on_limits(const float T[16], float q[6])
             square += e[i] * e[i];
         }
         if (!tried) /* what the row misses, and rounding */
-            enough = sqrtf(square) + 1e-06f;
+            enough = sqrtf(square) + 4e-06f;
         else if (sqrtf(square) <= enough) {
             take(x, q);
             return;

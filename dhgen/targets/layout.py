@@ -76,15 +76,18 @@ def paragraph(text: str, indent: str) -> str:
 def fitted(source: str) -> str:
     """C whose long names have made some lines too long for a page."""
     lines: list[str] = []
+    in_comment = False  # a line of a product may begin with a star, too
     for line in source.split("\n"):
         fits = len(line) <= WIDTH or line.startswith("#")
-        lines += [line] if fits else _broken(line)
+        lines += [line] if fits else _broken(line, in_comment=in_comment)
+        opened, closed = line.rfind("/*"), line.rfind("*/")
+        in_comment = in_comment if opened == closed else opened > closed
     return "\n".join(lines)
 
 
-def _broken(line: str) -> list[str]:
+def _broken(line: str, *, in_comment: bool) -> list[str]:
     text = line.lstrip()
     indent = line[: len(line) - len(text)]
-    if text.startswith("* "):
+    if in_comment:
         return wrapped(line, indent, "* ")
-    return wrapped(line, indent, " * " if text.startswith("/* ") else "    ")
+    return wrapped(line, indent, " * " if text.startswith("/* ") else INDENT)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
 import subprocess
 from typing import TYPE_CHECKING
@@ -13,10 +14,11 @@ import pytest
 from dhgen.check import compare
 from dhgen.compiler import compile_robot, verified
 from dhgen.errors import PrecisionError, VerificationError
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.tolerances import SINGLE
 from dhgen.robot_files import load_all
 from dhgen.targets.c_single import in_single_precision
-from dhgen.verify.native import c_compiler
+from dhgen.verify.native import c_compiler, compile_solver
 from dhgen.verify.single import verify_single
 from tests.targets.made import ROBOTS, made, robot_path
 
@@ -112,6 +114,41 @@ def test_verification_reports_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
     report = verified(made(SCARA))
     assert report.single is None or 1e-9 < report.single < 1e-5
+
+
+HOLLOW_WRIST = """
+name: hollow_wrist
+joints:
+  - {theta: q, d: 0.8, a: 0.3, alpha: -pi/2}
+  - {theta: q, a: 1.2}
+  - {theta: q, a: 0.1, alpha: -pi/2}
+  - {theta: q, d: 1.3, alpha: 60 deg}
+  - {theta: q, alpha: -60 deg}
+  - {theta: q, d: 0.13}
+float32: true
+"""
+
+
+@pytest.mark.skipif(c_compiler() is None, reason="there is no C compiler")
+def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
+    """Where the wrist tilts the tool as far as it can, rounding puts poses out of its reach."""
+    path = tmp_path / "hollow_wrist.yaml"
+    path.write_text(HOLLOW_WRIST, encoding="utf-8")
+    compilation = compile_robot(path)
+    for file, text in compilation.files.items():
+        (tmp_path / file).write_text(text, encoding="utf-8")
+    name = f"hollow_wrist{SINGLE.suffix}"
+    solver = compile_solver(tmp_path / f"{name}.c", tmp_path, name, 6, 8, 0)
+    assert solver is not None
+    q = np.random.default_rng(1).uniform(-1.4, 1.4, (20000, 6))
+    q[:, 4] = np.pi
+    T = np.asarray(numeric_arm(compilation.module.chain).pose(q), np.float32)
+    rows, status = np.empty((8, 6), np.float32), np.empty((len(q), 8), np.uint8)
+    for k in range(len(q)):
+        arrays = (T[k], rows, status[k])
+        pose, *filled = (ctypes.c_void_p(array.ctypes.data) for array in arrays)
+        solver.library[f"{name}_ik"](pose, None, *filled)
+    assert (status != 1).any(axis=1).all()
 
 
 @pytest.mark.parametrize("name", ["spherical_wrist_general_arm", "general_6r"])

@@ -1,0 +1,24 @@
+"""Lines of C that are too long for a page."""
+
+from __future__ import annotations
+
+from dhgen.targets.layout import WIDTH, fitted
+
+FACTORS = " ".join(f"* factor{i}" for i in range(20))
+
+
+def test_a_product_that_begins_with_a_star_stays_one() -> None:
+    """A star more would be a multiplication, or what points to a number."""
+    source = f"    x = first\n        {FACTORS};"
+    broken = fitted(source)
+    assert broken.split() == source.split()
+    assert max(map(len, broken.split("\n"))) <= WIDTH
+
+
+def test_lines_of_a_comment_begin_with_stars() -> None:
+    """Also those behind its first line, and no line behind its end."""
+    words = " ".join(["word"] * 30)
+    broken = fitted(f"/* {words}\n * {words} */\nx = {FACTORS};").split("\n")
+    end = next(i for i, line in enumerate(broken) if line.endswith("*/"))
+    assert all(line.startswith(("/* word", " * word")) for line in broken[: end + 1])
+    assert " ".join(broken[end + 1 :]).split() == f"x = {FACTORS};".split()
