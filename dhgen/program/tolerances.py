@@ -109,7 +109,7 @@ DOUBLE = Precision("double precision", "", TOLERANCES)
 # As above with the rounding of a float, 5e8 times as coarse. The margins are narrower, or nothing
 # would be left between them: a direction taken from a vector just longer than `free` is good to
 # 1e-2 rad. What a user may have rounded (rotation, consistent) does not depend on the arithmetic.
-# A wrist with oblique twists multiplies the rounding of its pose by 20 before the boundary of reach.
+# A wrist with oblique twists multiplies the rounding of a pose by 20 before its reach is told.
 SINGLE = Precision(
     "single precision",
     "_f32",

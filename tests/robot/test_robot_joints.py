@@ -78,7 +78,7 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, limits: [-inf, 1]", "inf", "unknown name 'inf'"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
-        ("theta: q, a: 0,4", "4", "unknown key '4'; write 0.4 for 0,4"),
+        ("theta: q, a: 0,4", "4", "unknown key '4'; a decimal comma has to be a point: .4, not ,4"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
     ],
