@@ -26,8 +26,9 @@ JOINTS = 6
 LINKS = 5  # the sixth link of the loop is the pose
 # Parallel axes leave a common slide open: this much weight on the slides themselves closes it.
 RIDGE = 1e-9
-# What the ridge leaves of lengths that cancel, over the numbers that they come from.
-NO_LENGTH = 1e-8
+# Lengths between the axes are none beside those outside: they are what the ridge leaves of others
+# that cancel, or a calibration's last digits, and a slide would be longer than any in their unit.
+NO_LENGTH = 1e-3
 # Held joints at which a link's length is averaged; with the four quarters of a turn the average of
 # a square is that over the whole turn.
 # Cosine and sine by which each joint is turned in advance.

@@ -97,6 +97,25 @@ def compare(robot: Robot) -> None:
     assert_all_solutions(robot, kernel, poses(build_chain(robot), POSES, seed=1))
 
 
+# A cylindrical arm with a wrist: what is between the axes are the last digits of a calibration.
+LAST_DIGITS = (
+    "{theta: q, d: 0.3, a: -6.8e-8, alpha: -3.4e-8}",
+    "{theta: 0, d: q, a: 6.7e-8, alpha: -pi/2 + 6.6e-8}",
+    "{theta: 0, d: q, a: -7.8e-8, alpha: 5.3e-8}",
+    "{theta: q, a: 9.2e-8, alpha: -pi/2 + 4e-8}",
+    "{theta: q, d: -4.1e-8, a: 6e-8, alpha: pi/2 + 2.1e-8}",
+    "{theta: q, d: 0.1, a: 7e-9, alpha: 6.6e-8}",
+)
+
+
+def test_slides_are_not_as_long_as_last_digits(tmp_path: Path) -> None:
+    chain = build_chain(written(tmp_path, list(LAST_DIGITS)))
+    kernel, arm = known(chain), numeric_arm(chain)
+    for q in np.random.default_rng(1).uniform(0.2, 1.5, (POSES, 6)):
+        found = joint_values(solve(arm.pose(q), kernel).q, chain)
+        assert np.abs(found - q).max(axis=1).min(initial=1.0) < 1e-6
+
+
 # Slides 2 and 4 are parallel where joint 3 is straight.
 FOLDING = (
     "{theta: q, d: 0.1, a: 0.05}",
