@@ -3698,6 +3698,27 @@ static int read_pose(const double given[16], double T[16])
     return 2;
 }
 
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double seed[6], double q[16][6], unsigned char status[16])
@@ -3744,6 +3765,68 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[6])
+{
+    static const double weights[6] = { 0.6116207951070336, 0.6116207951070336, 0.6116207951070336,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36], enough = 0.0;
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        fanuc_crx10ia_fk(x, P);
+        fanuc_crx10ia_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 36; i++)
+            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 36; i++)
+                s[i % 6] += J[i] * e[i / 6];
+            for (int i = 0; i < 6; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 6; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 36; i++)
+                w[i / 6] += J[i] * p[i % 6];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 6; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 6; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 int fanuc_crx10ia_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16])
 {
@@ -3762,6 +3845,9 @@ int fanuc_crx10ia_ik(
     for (int row = 0; row < 16; row++) {
         if (status[row] == FANUC_CRX10IA_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

@@ -423,7 +423,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr 30558c7e459ca5b8"
+_KEY = "general_prrprr ac4a1de202529e93"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2056,6 +2056,120 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
+@_inner
+def _overshoot(joint, value):
+    """How far a joint value is beyond its limits, whole turns aside; negative below."""
+    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
+    if low <= value <= high:
+        return 0.0
+    off = value - high if value > high else value - low
+    gap, over = _TURN - (high - low), value - high
+    rest = over - _TURN * math.floor(over / _TURN)
+    if _REVOLUTE[joint]:
+        off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
+    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+
+
+@_inner
+def _beyond_limits(values):
+    """The same of a row."""
+    total = 0.0
+    for i in range(6):
+        total += abs(_overshoot(i, values[i]))
+    return total
+
+
+_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.5714285714285714, 0.5714285714285714, 0.5714285714285714, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and into A how the joints change that."""
+    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+    for j in range(6):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    return e
+
+
+@_inner
+def _conjugate_gradients(A, e, enough, q):
+    """Adds to joint values what makes the linear miss e small, if that can be."""
+    p, before = np.zeros(6), math.inf
+    for _ in range(6):
+        square = 0.0
+        for i in range(6):
+            square += e[i] * e[i]
+        if square <= 0.01 * enough * enough:
+            return
+        s, w, slope, length = np.zeros(6), np.zeros(6), 0.0, 0.0
+        for j in range(6):
+            for i in range(6):
+                s[j] += A[i, j] * e[i]
+            slope += s[j] * s[j]
+        for j in range(6):
+            p[j] = s[j] + slope / before * p[j]
+        for i in range(6):
+            for j in range(6):
+                w[i] += A[i, j] * p[j]
+            length += w[i] * w[i]
+        if not length > 0.0:
+            return
+        for j in range(6):
+            q[j] += slope / length * p[j]
+        for i in range(6):
+            e[i] -= slope / length * w[i]
+        before = slope
+
+
+@_apart("boolean(UniTuple(float64, 12), float64[::1])")
+def _stand_on_limits(T, q):
+    """Puts joints that are a little beyond limits on these, and lets the others follow.
+
+    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
+    gradients; False if the row then fits the pose worse than it did.
+    """
+    held, A, enough = _GIVEN.copy(), np.empty((6, 6)), 0.0
+    for k in range(6):
+        e = _miss(T, q, held, A)
+        miss = 0.0
+        for i in range(6):
+            miss += e[i] * e[i]
+        miss = math.sqrt(miss)
+        if k == 0:
+            enough = miss + 1e-13
+        elif miss <= enough:
+            return True
+        _conjugate_gradients(A, e, enough, q)
+        for j in range(6):
+            off = 0.0 if held[j] else _overshoot(j, q[j])
+            held[j] = held[j] or off != 0.0
+            q[j] -= off
+    return False
+
+
+@_inner
+def _stand(pose, q):
+    """The same for a row of the caller's, which stays as it was if it can't."""
+    if not 0.0 < _beyond_limits(q) < 0.01:
+        return
+    values = np.empty(6)
+    for i in range(6):
+        values[i] = q[i]
+    if _stand_on_limits(pose, values):
+        for i in range(6):
+            q[i] = values[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -2068,6 +2182,7 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -2115,7 +2230,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated nowhere. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:

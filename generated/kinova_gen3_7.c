@@ -3471,6 +3471,27 @@ static int read_pose(const double given[16], double T[16])
     return 2;
 }
 
+/* How far a joint value is beyond its limits, whole turns aside; negative below. */
+static double overshoot(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (low <= value && value <= high)
+        return 0.0;
+    const double gap = turn - (high - low), over = value - high;
+    const double rest = over - turn * floor(over / turn);
+    const double off = rest >= gap ? 0.0 : rest <= gap - rest ? rest : rest - gap;
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
+/* The same of a row. */
+static double beyond_limits(const double values[7])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 7; i++)
+        sum += fabs(overshoot(i, values[i]));
+    return sum;
+}
+
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
     const double T[16], const double free_joints[1], const double seed[7], double q[16][7],
@@ -3519,6 +3540,68 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
+ * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+static void stand_on_limits(const double T[16], double q[7])
+{
+    static const double weights[6] = { 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
+        1.0, 1.0, 1.0 };
+    double x[7], P[16], J[42], enough = 0.0;
+    int held[7] = { 0, 0, 1, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 6; tried++) {
+        double e[6] = { 0.0 }, p[7] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+        kinova_gen3_7_fk(x, P);
+        kinova_gen3_7_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        }
+        for (int i = 0; i < 42; i++)
+            J[i] *= held[i % 7] ? 0.0 : weights[i / 7];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += e[i] * e[i];
+        }
+        if (!tried) /* what the row misses, and rounding */
+            enough = sqrt(square) + 1e-13;
+        else if (sqrt(square) <= enough) {
+            take(x, q);
+            return;
+        }
+        for (int k = 0; k < 7 && sqrt(square) > 0.1 * enough; k++) {
+            double w[6] = { 0.0 }, s[7] = { 0.0 }, slope = 0.0, length = 0.0;
+            for (int i = 0; i < 42; i++)
+                s[i % 7] += J[i] * e[i / 7];
+            for (int i = 0; i < 7; i++)
+                slope += s[i] * s[i];
+            for (int i = 0; i < 7; i++)
+                p[i] = s[i] + slope / before * p[i];
+            for (int i = 0; i < 42; i++)
+                w[i / 7] += J[i] * p[i % 7];
+            for (int i = 0; i < 6; i++)
+                length += w[i] * w[i];
+            const double part = length > 0.0 ? slope / length : 0.0;
+            square = 0.0;
+            for (int i = 0; i < 7; i++)
+                x[i] += part * p[i];
+            for (int i = 0; i < 6; i++) {
+                e[i] -= part * w[i];
+                square += e[i] * e[i];
+            }
+            before = slope;
+        }
+        for (int i = 0; i < 7; i++) {
+            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
+            held[i] |= fabs(off) > 0.0;
+            x[i] -= off;
+        }
+    }
+}
+
 int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16])
@@ -3538,6 +3621,9 @@ int kinova_gen3_7_ik(
     for (int row = 0; row < 16; row++) {
         if (status[row] == KINOVA_GEN3_7_UNREACHABLE)
             continue;
+        const double off = beyond_limits(q[row]);
+        if (0.0 < off && off < 0.01)
+            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 7; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from dhgen.numerical.texts import position_rows
 from dhgen.program.tolerances import SINGLE
 from dhgen.robot.robot import TaskKind
-from dhgen.targets.walk import whole_arm
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -45,4 +44,4 @@ def stands_on_limits(module: SolverModule) -> bool:
     An arm angle would be one more thing that has to be met.
     """
     limited = any(joint.limits for joint in module.chain.joints)
-    return limited and whole_arm(module.solver) is None and not module.chain.arm_angle
+    return limited and not module.chain.arm_angle

@@ -12,11 +12,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.compiler import compile_robot
 from dhgen.verify.native import compile_solver
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, OUT_OF_LIMITS, Solver
-from tests.targets.made import apart, folder, made, poses_of, residual, robot
+from tests.targets.made import apart, folder, made, poses_of, residual, robot, without_numba
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from dhgen.survey.oracle.arm import FloatArray
 
 # Of arms: the joint, from 0, that makes them singular, and its value there.
@@ -116,3 +119,39 @@ def test_single_precision(name: str) -> None:
             assert len(held), (near, values.tolist(), status.tolist())
             assert inside(name, held, 3e-6)
             assert residual(name, held, T) < 5e-6
+
+
+# A torch whose arm lies in a plane; turned to a right angle, many roots of its polynomial meet.
+WELDING = """
+name: welding
+task: pointing
+joints:
+  - {theta: q, d: 0.4, a: 0.15, alpha: pi/2, limits: [-170 deg, 170 deg]}
+  - {theta: q, a: 0.6, limits: [-30 deg, 150 deg]}
+  - {theta: q, a: 0.5, limits: [-150 deg, 90 deg]}
+  - {theta: q + pi/2, alpha: pi/2, limits: [-120 deg, 120 deg]}
+  - {theta: q, d: 0.2, limits: [-200 deg, 200 deg]}
+tool: {xyz: [0.05, 0, 0.3], rpy: [0, 40 deg, 0]}
+"""
+IN_PYTHON = (1, 6, 9)  # of the seeds: a beginning that would lead beyond the limit
+FOLDED = np.array([np.pi / 2, 0.0, -5 * np.pi / 6, np.pi / 2, -np.pi / 2])
+
+
+def test_where_many_roots_meet_a_joint_stands_on_its_limit(tmp_path: Path) -> None:
+    """Joint values beside the solution miss the pose by next to nothing, some beyond the limit."""
+    path = tmp_path / "welding.yaml"
+    path.write_text(WELDING, encoding="utf-8")
+    compilation = compile_robot(path)
+    for name, text in compilation.files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    solver = compile_solver(tmp_path / "welding.c", tmp_path, "welding", 5, 16, 0)
+    assert solver is not None
+    python = without_numba(compilation.files["welding.py"], "welding")
+    T, source = solver.fk(FOLDED), np.random.default_rng(0)
+    for k in range(40):
+        seed = FOLDED + 3e-3 * source.standard_normal(5)
+        nearest = solver.nearest(T, seed)
+        assert np.isfinite(nearest).all()
+        np.testing.assert_allclose(solver.fk(nearest)[:3, 3], T[:3, 3], atol=1e-10)
+        if k in IN_PYTHON:
+            assert nearest == pytest.approx(python.ik(T, seed), abs=1e-4)
