@@ -247,25 +247,6 @@ static int read_pose(const double given[16], double T[16])
     return 1;
 }
 
-/* How far a joint value is beyond its limits, whole turns aside; negative below. */
-static double overshoot(int joint, double value)
-{
-    const double low = lowest[joint], high = highest[joint];
-    if (low <= value && value <= high)
-        return 0.0;
-    double off = value > high ? value - high : value - low;
-    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
-}
-
-/* The same of a row. */
-static double beyond_limits(const double values[3])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 3; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
-
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
@@ -364,64 +345,6 @@ static void take(const double from[3], double to[3])
         to[i] = from[i];
 }
 
-/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
- * can follow: Gauss-Newton, its least squares by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[3])
-{
-    static const double weights[6] = { 0.8333333333333334, 0.8333333333333334, 0.8333333333333334,
-        0.0, 0.0, 0.0 };
-    double x[3], P[16], J[18], enough = 0.0;
-    int held[3] = { 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[3] = { 0.0 }, square = 0.0, before = HUGE_VAL;
-        cartesian_fk(x, P);
-        cartesian_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 18; i++)
-            J[i] *= held[i % 3] ? 0.0 : weights[i / 3];
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += e[i] * e[i];
-        }
-        if (!tried) /* what the row misses, and rounding */
-            enough = sqrt(square) + 1e-13;
-        else if (sqrt(square) <= enough) {
-            take(x, q);
-            return;
-        }
-        for (int k = 0; k < 3 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[3] = { 0.0 }, slope = 0.0, length = 0.0;
-            for (int i = 0; i < 18; i++)
-                s[i % 3] += J[i] * e[i / 3];
-            for (int i = 0; i < 3; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 3; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 18; i++)
-                w[i / 3] += J[i] * p[i % 3];
-            for (int i = 0; i < 6; i++)
-                length += w[i] * w[i];
-            const double part = length > 0.0 ? slope / length : 0.0;
-            square = 0.0;
-            for (int i = 0; i < 3; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
-            }
-            before = slope;
-        }
-        for (int i = 0; i < 3; i++) {
-            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
-            held[i] |= fabs(off) > 0.0;
-            x[i] -= off;
-        }
-    }
-}
-
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3], unsigned char
     status[1])
@@ -441,9 +364,6 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3],
     for (int row = 0; row < 1; row++) {
         if (status[row] == CARTESIAN_UNREACHABLE)
             continue;
-        const double off = beyond_limits(q[row]);
-        if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
         for (int i = 0; i < 3; i++) {
             const double value = q[row][i];
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

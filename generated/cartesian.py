@@ -10,16 +10,13 @@ position T[0:3, 3] counts; other entries are ignored.
 import functools
 import math
 import os
-import sys
 from concurrent.futures import ThreadPoolExecutor
-from types import ModuleType
 
 import numpy as np
 
 try:
     from numba import carray, config, njit, types
     from numba.core import cgutils
-    from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic, overload
 
     if config.DISABLE_JIT:  # for debuggers
@@ -151,75 +148,6 @@ def jacobian(q):
     return J
 
 
-_APART = []  # what is compiled apart: functions, and the types of their arguments
-
-
-def _address(number):
-    """Where the code of a function is that is compiled apart."""
-    function, arguments = _APART[number]
-    function.compile(arguments)
-    compiled = function.overloads[arguments]
-    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
-
-
-# Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cartesian 3cd91e2b718ed5dc"
-if _COMPILED:
-    sys.modules[_KEY] = ModuleType(_KEY)
-    sys.modules[_KEY].address = _address
-
-
-def _apart(signature):
-    """Compiles a function apart from its callers.
-
-    numba copies what a function calls into it, with all that this calls, and optimises everything
-    anew in each caller. Of these functions a caller has the address, which it asks for at its first
-    call: when it comes out of the cache it does not know it.
-    """
-    if not _COMPILED:
-        return lambda function: function
-    arguments, result = normalize_signature(signature)
-
-    def ask(context, builder, number, place):
-        api = context.get_python_api(builder)
-        lock = api.gil_ensure()
-        module = api.import_module(context.insert_const_string(builder.module, _KEY))
-        with builder.if_then(cgutils.is_not_null(builder, module)):
-            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
-            answer = api.call_method(module, "address", (which,))
-            with builder.if_then(cgutils.is_not_null(builder, answer)):
-                builder.store(api.long_as_voidptr(answer), place)
-                api.decref(answer)
-            api.decref(module)
-        api.gil_release(lock)
-
-    def decorate(function):
-        number = len(_APART)
-        _APART.append((_inner(function), arguments))
-
-        def code(context, builder, called, values):
-            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
-            values = [context.cast(builder, *each) for each in given]
-            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
-            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
-            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
-                ask(context, builder, number, place)
-            address = builder.load(place)
-            with builder.if_then(cgutils.is_null(builder, address), likely=False):
-                context.call_conv.return_exc(builder)
-            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
-            status, value = context.call_conv.call_function(
-                builder, builder.bitcast(address, kind), result, arguments, values
-            )
-            with cgutils.if_unlikely(builder, status.is_error):
-                context.call_conv.return_status_propagate(builder, status)
-            return value
-
-        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
-
-    return decorate
-
-
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
@@ -245,112 +173,6 @@ def _read(T):
     return valid, (x0, x1, x2, px, y0, y1, y2, py, z0, z1, z2, pz)
 
 
-@_inner
-def _overshoot(joint, value):
-    """How far a joint value is beyond its limits, whole turns aside; negative below."""
-    low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
-    if low <= value <= high:
-        return 0.0
-    off = value - high if value > high else value - low
-    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
-
-
-@_inner
-def _beyond_limits(values):
-    """The same of a row."""
-    total = 0.0
-    for i in range(3):
-        total += abs(_overshoot(i, values[i]))
-    return total
-
-
-_GIVEN = np.array([False, False, False])  # joints whose values the caller gives
-# What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.8333333333333334, 0.8333333333333334, 0.8333333333333334, 0.0, 0.0, 0.0])
-
-
-@_inner
-def _miss(T, q, held, A):
-    """By how much joint values miss the pose (6,), and into A how the joints change that."""
-    e, P, J = np.zeros(6), fk(q), jacobian(q)
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
-    for j in range(3):
-        for i in range(6):
-            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
-    return e
-
-
-@_inner
-def _conjugate_gradients(A, e, enough, q):
-    """Adds to joint values what makes the linear miss e small, if that can be."""
-    p, before = np.zeros(3), math.inf
-    for _ in range(3):
-        square = 0.0
-        for i in range(6):
-            square += e[i] * e[i]
-        if square <= 0.01 * enough * enough:
-            return
-        s, w, slope, length = np.zeros(3), np.zeros(6), 0.0, 0.0
-        for j in range(3):
-            for i in range(6):
-                s[j] += A[i, j] * e[i]
-            slope += s[j] * s[j]
-        for j in range(3):
-            p[j] = s[j] + slope / before * p[j]
-        for i in range(6):
-            for j in range(3):
-                w[i] += A[i, j] * p[j]
-            length += w[i] * w[i]
-        if not length > 0.0:
-            return
-        for j in range(3):
-            q[j] += slope / length * p[j]
-        for i in range(6):
-            e[i] -= slope / length * w[i]
-        before = slope
-
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _stand_on_limits(T, q):
-    """Puts joints that are a little beyond limits on these, and lets the others follow.
-
-    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
-    gradients; False if the row then fits the pose worse than it did.
-    """
-    held, A, enough = _GIVEN.copy(), np.empty((6, 3)), 0.0
-    for k in range(6):
-        e = _miss(T, q, held, A)
-        miss = 0.0
-        for i in range(6):
-            miss += e[i] * e[i]
-        miss = math.sqrt(miss)
-        if k == 0:
-            enough = miss + 1e-13
-        elif miss <= enough:
-            return True
-        _conjugate_gradients(A, e, enough, q)
-        for j in range(3):
-            off = 0.0 if held[j] else _overshoot(j, q[j])
-            held[j] = held[j] or off != 0.0
-            q[j] -= off
-    return False
-
-
-@_inner
-def _stand(pose, q):
-    """The same for a row of the caller's, which stays as it was if it can't."""
-    if not 0.0 < _beyond_limits(q) < 0.01:
-        return
-    values = np.empty(3)
-    for i in range(3):
-        values[i] = q[i]
-    if _stand_on_limits(pose, values):
-        for i in range(3):
-            q[i] = values[i]
-
-
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -363,7 +185,6 @@ def _whole(pose, seed, q, status):
     for row in range(1):
         if status[row] == UNREACHABLE:
             continue
-        _stand(pose, q[row])
         for i in range(3):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 status[row] = OUT_OF_LIMITS
@@ -431,7 +252,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a pose is singular or rounded. numba compiles
+    Memory is allocated nowhere. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -623,8 +444,6 @@ def warm_up():
     _unseeded(T, q, status)
     _nearest(q, status, _ZEROS, True, np.empty(3))
     ik_batch(T[np.newaxis])
-    for number in range(len(_APART)):
-        _address(number)
 
 
 def _results(out, count):

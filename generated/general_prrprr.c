@@ -3374,8 +3374,8 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
- * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
+ * well: Gauss-Newton by conjugate gradients. */
 static void stand_on_limits(const double T[16], double q[6])
 {
     static const double weights[6] = { 0.5714285714285714, 0.5714285714285714, 0.5714285714285714,
@@ -3400,14 +3400,17 @@ static void stand_on_limits(const double T[16], double q[6])
             e[i] *= weights[i];
             square += e[i] * e[i];
         }
-        if (!tried) /* what the row misses, and rounding */
-            enough = sqrt(square) + 1e-13;
+        if (!tried)
+            enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 6; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return;
             take(x, q);
             return;
         }
         for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, length = 0.0;
+            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, bend = 0.0;
             for (int i = 0; i < 36; i++)
                 s[i % 6] += J[i] * e[i / 6];
             for (int i = 0; i < 6; i++)
@@ -3417,8 +3420,10 @@ static void stand_on_limits(const double T[16], double q[6])
             for (int i = 0; i < 36; i++)
                 w[i / 6] += J[i] * p[i % 6];
             for (int i = 0; i < 6; i++)
-                length += w[i] * w[i];
-            const double part = length > 0.0 ? slope / length : 0.0;
+                bend += w[i] * w[i];
+            if (bend <= 0.0)
+                break;
+            const double part = slope / bend;
             square = 0.0;
             for (int i = 0; i < 6; i++)
                 x[i] += part * p[i];

@@ -374,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 ec9a092223a70e91"
+_KEY = "kinova_gen3_7 44256e96c2d1e6bc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2229,7 +2229,7 @@ def _stand_on_limits(T, q):
             miss += e[i] * e[i]
         miss = math.sqrt(miss)
         if k == 0:
-            enough = miss + 1e-13
+            enough = miss + 1e-14
         elif miss <= enough:
             return True
         _conjugate_gradients(A, e, enough, q)
@@ -2248,9 +2248,13 @@ def _stand(pose, q):
     values = np.empty(7)
     for i in range(7):
         values[i] = q[i]
-    if _stand_on_limits(pose, values):
-        for i in range(7):
-            q[i] = values[i]
+    if not _stand_on_limits(pose, values):
+        return
+    for i in range(7):
+        if abs(values[i] - q[i]) > 0.1:  # to another solution
+            return
+    for i in range(7):
+        q[i] = values[i]
 
 
 @_jit

@@ -263,7 +263,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 51ec08eef12ebc9b"
+_KEY = "scara 98e77a36d915f30e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -696,7 +696,7 @@ def _stand_on_limits(T, q):
             miss += e[i] * e[i]
         miss = math.sqrt(miss)
         if k == 0:
-            enough = miss + 1e-13
+            enough = miss + 1e-14
         elif miss <= enough:
             return True
         _conjugate_gradients(A, e, enough, q)
@@ -715,9 +715,13 @@ def _stand(pose, q):
     values = np.empty(4)
     for i in range(4):
         values[i] = q[i]
-    if _stand_on_limits(pose, values):
-        for i in range(4):
-            q[i] = values[i]
+    if not _stand_on_limits(pose, values):
+        return
+    for i in range(4):
+        if abs(values[i] - q[i]) > 0.1:  # to another solution
+            return
+    for i in range(4):
+        q[i] = values[i]
 
 
 @_jit

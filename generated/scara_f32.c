@@ -509,8 +509,8 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* Beside singular poses rounding takes joints a little beyond limits: puts them on these, if others
- * can follow: Gauss-Newton, its least squares by conjugate gradients. */
+/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
+ * well: Gauss-Newton by conjugate gradients. */
 static void stand_on_limits(const float T[16], float q[4])
 {
     static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
@@ -534,14 +534,17 @@ static void stand_on_limits(const float T[16], float q[4])
             e[i] *= weights[i];
             square += e[i] * e[i];
         }
-        if (!tried) /* what the row misses, and rounding */
-            enough = sqrtf(square) + 4e-06f;
+        if (!tried)
+            enough = sqrtf(square) + 1e-06f;
         else if (sqrtf(square) <= enough) {
+            for (int i = 0; i < 4; i++)
+                if (fabsf(x[i] - q[i]) > 0.1f)
+                    return;
             take(x, q);
             return;
         }
         for (int k = 0; k < 4 && sqrtf(square) > 0.1f * enough; k++) {
-            float w[6] = { 0.0f }, s[4] = { 0.0f }, slope = 0.0f, length = 0.0f;
+            float w[6] = { 0.0f }, s[4] = { 0.0f }, slope = 0.0f, bend = 0.0f;
             for (int i = 0; i < 24; i++)
                 s[i % 4] += J[i] * e[i / 4];
             for (int i = 0; i < 4; i++)
@@ -551,8 +554,10 @@ static void stand_on_limits(const float T[16], float q[4])
             for (int i = 0; i < 24; i++)
                 w[i / 4] += J[i] * p[i % 4];
             for (int i = 0; i < 6; i++)
-                length += w[i] * w[i];
-            const float part = length > 0.0f ? slope / length : 0.0f;
+                bend += w[i] * w[i];
+            if (bend <= 0.0f)
+                break;
+            const float part = slope / bend;
             square = 0.0f;
             for (int i = 0; i < 4; i++)
                 x[i] += part * p[i];

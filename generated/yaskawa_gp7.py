@@ -386,7 +386,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 5e6a8ef76d655804"
+_KEY = "yaskawa_gp7 98126a9d846007eb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -853,7 +853,7 @@ def _stand_on_limits(T, q):
             miss += e[i] * e[i]
         miss = math.sqrt(miss)
         if k == 0:
-            enough = miss + 1e-13
+            enough = miss + 1e-14
         elif miss <= enough:
             return True
         _conjugate_gradients(A, e, enough, q)
@@ -872,9 +872,13 @@ def _stand(pose, q):
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    if _stand_on_limits(pose, values):
-        for i in range(6):
-            q[i] = values[i]
+    if not _stand_on_limits(pose, values):
+        return
+    for i in range(6):
+        if abs(values[i] - q[i]) > 0.1:  # to another solution
+            return
+    for i in range(6):
+        q[i] = values[i]
 
 
 @_jit

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn
+from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
@@ -40,12 +40,13 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
         return None
     frames, signs = placed
     last = compose(inverse(frames[-1], normal), home, normal)
+    joints = tuple(
+        ChainJoint(number, joint.kind, sign, 0.0, joint.limits)
+        for number, (joint, sign) in enumerate(zip(reference.axes, signs, strict=True), 1)
+    )
     return Chain(
         name=robot.name,
-        joints=tuple(
-            ChainJoint(number, joint.kind, sign, 0.0, joint.limits)
-            for number, (joint, sign) in enumerate(zip(reference.axes, signs, strict=True), 1)
-        ),
+        joints=joints,
         links=_links(reference.axes, frames, ring, normal),
         base=base,
         tool=compose(last, tool, normal),
@@ -53,7 +54,7 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
         ring=ring,
         task=robot.task,
         free=robot.free,
-        size=sum(abs(constant.value) for constant in constants if constant.is_length) or 1.0,
+        size=arm_size([each.value for each in constants if each.is_length], joints),
         arm_angle=robot.arm_angle,
     )
 

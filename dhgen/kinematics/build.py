@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.axes import exact_axes
-from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn
+from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
 from dhgen.kinematics.common_normals import table_of_axes
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.frames import read_frame
@@ -50,12 +50,12 @@ def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
         Turn(number) if row.kind is JointKind.REVOLUTE else Slide(number)
         for number, row in enumerate(geometry.rows, start=1)
     ]
+    joints = tuple(
+        _joint(number, row, table.parameters) for number, row in enumerate(geometry.rows, start=1)
+    )
     return Chain(
         name=robot.name,
-        joints=tuple(
-            _joint(number, row, table.parameters)
-            for number, row in enumerate(geometry.rows, start=1)
-        ),
+        joints=joints,
         links=tuple(
             _link(move, row_cells, geometry.convention, normal)
             for move, row_cells in zip(moves, cells, strict=True)
@@ -66,7 +66,7 @@ def _chain_of_rows(robot: Robot, geometry: DhTable) -> Chain:
         ring=ring,
         task=robot.task,
         free=robot.free,
-        size=_size(geometry, robot.tool, table.parameters),
+        size=arm_size(_lengths(geometry, robot.tool, table.parameters), joints),
         arm_angle=robot.arm_angle,
     )
 
@@ -122,13 +122,6 @@ def _joint(number: int, row: DhRow, parameters: dict[str, float]) -> ChainJoint:
     return ChainJoint(number, row.kind, row.sign, evaluate(offset, parameters), row.limits)
 
 
-def _size(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> float:
-    """The sum of all lengths, or how far a slide moves, where that is more.
-
-    Of an arm that only slides all lengths may be the last digits of a calibration.
-    """
+def _lengths(geometry: DhTable, tool: Frame, parameters: dict[str, float]) -> list[float]:
     lengths = [evaluate(cell, parameters) for row in geometry.rows for cell in (row.a, row.d)]
-    lengths += [evaluate(cell, parameters) for cell in tool.xyz]
-    slides = [row for row in geometry.rows if row.kind is JointKind.PRISMATIC]
-    ends = [abs(end) for row in slides for end in row.limits or ()]
-    return max(sum(map(abs, lengths)), *ends, 0.0) or 1.0
+    return lengths + [evaluate(cell, parameters) for cell in tool.xyz]

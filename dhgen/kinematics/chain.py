@@ -15,6 +15,8 @@ from dhgen.kinematics.transform import Transform, compose, identity, turn_betwee
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Constant
@@ -80,8 +82,7 @@ class Chain:
         ring: Ring of the constant transforms.
         task: What of the pose the caller means.
         free: Joints, from 1, whose value the caller gives.
-        size: Length that tolerances are relative to: the sum of all lengths of the arm, or how far
-            a slide moves, where that is more.
+        size: Length that tolerances are relative to (see `arm_size`).
         arm_angle: Whether the caller gives the arm angle, in place of the value of a joint.
     """
 
@@ -116,6 +117,16 @@ class Chain:
     def solved(self) -> tuple[ChainJoint, ...]:
         """The joints that are asked for: all but those whose values the caller gives."""
         return tuple(joint for joint in self.joints if joint.number not in self.free)
+
+
+def arm_size(lengths: Iterable[float], joints: Sequence[ChainJoint]) -> float:
+    """The sum of all lengths, or the farthest limit of a slide where that is more; 1 without any.
+
+    All lengths of an arm with a slide may be the last digits of a calibration.
+    """
+    slides = [joint for joint in joints if joint.kind is JointKind.PRISMATIC]
+    ends = [abs(end) for slide in slides for end in slide.limits or ()]
+    return max(sum(map(abs, lengths)), *ends, 0.0) or 1.0
 
 
 def parallel_groups(chain: Chain) -> tuple[tuple[tuple[int, int], ...], ...]:

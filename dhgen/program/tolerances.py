@@ -20,8 +20,7 @@ class Tolerances:
         near: A unit vector's projection that should fix an angle and is no longer than this does so
             with rounding errors of 1e-13 rad or more, which an arm that is stretched may not bear.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
-            folded, lands there by rounding. A joint that comes out a little beyond a limit stands
-            on it if the pose is missed by so much more at most.
+            folded, lands there by rounding.
         led: The same where rows are tightened: an angle before the boundary may be good to few
             digits, and steps tell what is a solution. It lets the arm be as far out of reach.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
@@ -46,6 +45,9 @@ class Tolerances:
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
             its last digits are worth more than rounding of a pose.
         limit: A joint value may miss its limit by this: rounding of the angle itself.
+        standing: A joint that comes out a little beyond a limit stands on it if the pose is missed
+            by so much more at most. Not above `merge`: where two branches are told apart, the one
+            beyond the limit must not be taken for the other.
         told: From where two branches meet to where both are told, their joint values are farther
             apart: they grow with the root of `merge` [rad or length].
         far: An angle of the seed that is not below this has no copy of another near to it that
@@ -74,6 +76,7 @@ class Tolerances:
     doubtful: float = 1e-2
     longest: float = 1e4
     limit: float = 1e-9
+    standing: float = 1e-14
     told: float = 1e-6
     far: float = 1e5
     polished: float = 1e-10
@@ -123,6 +126,7 @@ SINGLE = Precision(
         nothing=5e-7,
         exact=5e-5,
         limit=2e-6,
+        standing=1e-6,
         told=3e-3,
         far=1e2,
     ),

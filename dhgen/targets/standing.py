@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 ROUNDS = 6  # of Gauss-Newton: what is right ends after two or three
+MOVED = 0.1  # [rad or length] joints that move by more lead to another solution
 
 
 def standing(module: SolverModule) -> dict[str, object]:
@@ -35,13 +36,15 @@ def standing(module: SolverModule) -> dict[str, object]:
         "spin": 3 * chain.dof,
         "twice": 2 * chain.dof,
         "rounds": ROUNDS,
+        "most_moved": MOVED,
     }
 
 
 def stands_on_limits(module: SolverModule) -> bool:
-    """Whether rows come from the pose's entries, of an arm with limits.
+    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
 
     An arm angle would be one more thing that has to be met.
     """
-    limited = any(joint.limits for joint in module.chain.joints)
-    return limited and not module.chain.arm_angle
+    chain = module.chain
+    limited = any(joint.limits for joint in chain.joints)
+    return limited and any(chain.turning) and not chain.arm_angle

@@ -138,8 +138,18 @@ joints:
 """
 
 
-def test_a_slide_is_not_too_long_for_what_a_calibration_adds(tmp_path: Path) -> None:
-    (tmp_path / "arm.yaml").write_text(SLIDE, encoding="utf-8")
+SLIDE_BY_AXES = """
+name: arm
+task: [x, y]
+axes:
+  - {type: revolute, direction: [0, 0, 1], point: [0, 0, 8.7e-8]}
+  - {type: prismatic, direction: [1, 0, 0], point: [0, 9.2e-8, 0], limits: [0, 1]}
+"""
+
+
+@pytest.mark.parametrize("text", [SLIDE, SLIDE_BY_AXES])
+def test_a_slide_is_not_too_long_for_what_a_calibration_adds(text: str, tmp_path: Path) -> None:
+    (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
     chain = build_chain(load(tmp_path / "arm.yaml"))
     q = np.random.default_rng(5).uniform((-2.0, 0.1), (2.0, 1.0), (POSES, 2))
     rows = interpret(lower(derive(chain)), numeric_arm(chain).pose(q), q)

@@ -19,7 +19,7 @@ from dhgen.program.tolerances import SINGLE
 from dhgen.robot_files import load_all
 from dhgen.targets.c_single import in_single_precision
 from dhgen.verify.native import c_compiler, compile_solver
-from dhgen.verify.single import verify_single
+from dhgen.verify.single import RESIDUAL, verify_single
 from tests.targets.made import ROBOTS, made, robot_path
 
 if TYPE_CHECKING:
@@ -142,13 +142,15 @@ def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
     assert solver is not None
     q = np.random.default_rng(1).uniform(-1.4, 1.4, (20000, 6))
     q[:, 4] = np.pi
-    T = np.asarray(numeric_arm(compilation.module.chain).pose(q), np.float32)
-    rows, status = np.empty((8, 6), np.float32), np.empty((len(q), 8), np.uint8)
-    for k in range(len(q)):
-        arrays = (T[k], rows, status[k])
-        pose, *filled = (ctypes.c_void_p(array.ctypes.data) for array in arrays)
-        solver.library[f"{name}_ik"](pose, None, *filled)
-    assert (status != 1).any(axis=1).all()
+    arm = numeric_arm(compilation.module.chain)
+    T = np.asarray(arm.pose(q), np.float32)
+    rows, status = np.empty((len(q), 8, 6), np.float32), np.empty((len(q), 8), np.uint8)
+    pointers = (ctypes.c_void_p(array.ctypes.data) for array in (T, rows, status))
+    solver.library[f"{name}_ik_batch"](ctypes.c_size_t(len(q)), *pointers)
+    held = np.isin(status, (0, 2))
+    assert held.any(axis=1).all()
+    poses, _ = np.nonzero(held)
+    assert np.abs(arm.pose(rows[held].astype(float)) - T[poses]).max() < RESIDUAL
 
 
 @pytest.mark.parametrize("name", ["spherical_wrist_general_arm", "general_6r"])
