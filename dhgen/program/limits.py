@@ -84,7 +84,7 @@ def whole_turn(builder: Builder) -> Node:
 def limited_joint(low: Expression, high: Expression) -> str:
     """The number of the joint of which these are the limits, empty if they are of none."""
     match low, high:
-        case Variable(least), Variable(most) if least[:3] == LOW and most[:4] == HIGH:
+        case Variable(least), Variable(most) if least.startswith(LOW):
             joint = least.removeprefix(LOW)
             return joint if most == f"{HIGH}{joint}" else ""
     return ""

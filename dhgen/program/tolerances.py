@@ -88,6 +88,11 @@ class Tolerances:
         """Whether the arithmetic is fine enough to tell a pose that was rounded."""
         return self.exact < self.consistent
 
+    @property
+    def blur_limits(self) -> bool:
+        """Whether rounding takes joints beyond their limits at regular poses, too."""
+        return self.limit < 10.0 * self.nothing
+
 
 TOLERANCES = Tolerances()
 

@@ -202,9 +202,7 @@ def _searches(module: SolverModule) -> dict[str, object]:
         "cuts": GOLDEN_CUTS if checks_again(module.solver) else HALVINGS,
         # what rounding does to joint values [rad or length]: how near branches that meet end a
         # search, what has not moved, and two distances from the seed that it alone tells apart
-        "beside": tolerances.limit,
-        "still": tolerances.limit,
-        "tie": tolerances.limit,
+        "rounding": tolerances.limit,
         "met": tolerances.told,
         "elsewhere": ELSEWHERE,
     }

@@ -9,7 +9,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.texts import position_rows
-from dhgen.program.tolerances import SINGLE
 from dhgen.robot.robot import TaskKind
 
 if TYPE_CHECKING:
@@ -28,7 +27,7 @@ def standing(module: SolverModule) -> dict[str, object]:
     stands = stands_on_limits(module)
     return {
         "stands_on_limits": stands,
-        "doubts_limits": stands and module.precision is SINGLE,  # regular poses' rows, too
+        "doubts_limits": stands and module.precision.tolerances.blur_limits,
         "coordinates": position_rows(rows),
         "miss_weights": ", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         "given_flags": ", ".join(str(int(each)) for each in given),

@@ -29,6 +29,7 @@ tool: {{xyz: [{8}, 0, 0]}}
 NAMES = (
     ("wide", "four", "HELPER", "LANES", "kind", "solve_wide", "odd", "kind_of", "pick_four"),
     ("work", "w", "v", "x0", "x1", "x2", "y2", "rest", "exact"),
+    ("rest", "other", "bend", "slope", "inside", "along", "steps", "tried", "held"),
     ("given1", "given2", "kind1", "packed1", "METHOD", "ValueError", "os", "wide_at", "all_four"),
 )
 
