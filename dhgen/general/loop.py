@@ -29,8 +29,6 @@ RIDGE = 1e-9
 # Lengths between the axes are none beside those outside: they are what the ridge leaves of others
 # that cancel, or a calibration's last digits, and a slide would be longer than any in their unit.
 NO_LENGTH = 1e-3
-# Held joints at which a link's length is averaged; with the four quarters of a turn the average of
-# a square is that over the whole turn.
 # Cosine and sine by which each joint is turned in advance.
 ADVANCES = (
     (3 / 5, 4 / 5),
@@ -40,6 +38,8 @@ ADVANCES = (
     (20 / 29, 21 / 29),
     (12 / 37, 35 / 37),
 )
+# Held joints at which a link's length is averaged; with the four quarters of a turn the average of
+# a square is that over the whole turn.
 QUARTERS = (
     Value(0.0, 1.0, 0.0),
     Value(0.0, 0.0, 1.0),
