@@ -3265,11 +3265,12 @@ static void all_joints(
         u[j] = d.seed[j] = seed[solved[j]] / unit[j];
     if (count < 0 && descend(&d, u) <= 1e-05)
         keep(&d, &kept, u);
+    const double nearly_none = count < 0 ? 0.1 : 0.01;
     for (int k = 0; k < (count < 0 ? -1 - count : count); k++) {
         for (int j = 0; j < 5; j++)
             u[j] = facing[j] * (angles[k][j] - zero[j]) / unit[j];
         /* what is not nearly without the turn that has to be zero is no start */
-        if (fabs(angles[k][5]) < 0.1 && descend(&d, u) <= 1e-05)
+        if (fabs(angles[k][5]) < nearly_none && descend(&d, u) <= 1e-05)
             keep(&d, &kept, u);
     }
     for (int k = 0, doubtful = count < 0 || !kept.count; doubtful && k < 12; k++) {

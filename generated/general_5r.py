@@ -404,7 +404,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 4b74e3792022b26a"
+_KEY = "general_5r b8bd99aca317d10d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2068,11 +2068,12 @@ def _all_joints(pose, seed):
         _take(u, near)
         if _descend(T, joints, u) <= 1e-05:
             count = _keep(T, joints, near, kept, kinds, count, u)
+    nearly_none = 0.1 if known < 0 else 0.01
     for k in range(-1 - known if known < 0 else known):
         for j in range(5):
             u[j] = _FACING[j] * (angles[k, j] - _ZERO[j]) / _UNIT[j]
         # what is not nearly without the turn that has to be zero is no start
-        if abs(angles[k, 5]) < 0.1 and _descend(T, joints, u) <= 1e-05:
+        if abs(angles[k, 5]) < nearly_none and _descend(T, joints, u) <= 1e-05:
             count = _keep(T, joints, near, kept, kinds, count, u)
     if known < 0 or count == 0:
         for k in range(12):

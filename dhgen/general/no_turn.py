@@ -30,8 +30,11 @@ BEYOND: Matrix = (
     (0.0, 0.0, 0.0, 1.0),
 )
 # An angle above this [rad] belongs to a pose that the arm does not take: rounding of a
-# pose, as far as it is accepted, is less unless the arm is nearly singular.
-NEARLY_NONE = 0.1
+# pose, as far as it is accepted, is a thousand times less, and the angle is more only where the
+# arm is nearly singular. Where the certificate fails, or solutions meet, it may be: then the
+# second one stands.
+NEARLY_NONE = 0.01
+NEARLY_NONE_IN_DOUBT = 0.1
 
 
 def with_no_turn(links: Sequence[Link], size: float) -> list[Link]:
@@ -45,11 +48,13 @@ def with_no_turn(links: Sequence[Link], size: float) -> list[Link]:
     return [*links[:-1], Link(beyond), links[-1].between(inverse(beyond), IDENTITY)]
 
 
-def without_turn(angles: FloatArray, place: int) -> FloatArray:
+def without_turn(angles: FloatArray, place: int, *, in_doubt: bool) -> FloatArray:
     """Of solutions of the loop (k, 6) those that are nearly the arm's: starts for its joints.
 
     Args:
         angles: The loop's.
         place: Of the turn among them.
+        in_doubt: Whether the certificate fails.
     """
-    return angles[np.abs(angles[:, place]) < NEARLY_NONE]
+    most = NEARLY_NONE_IN_DOUBT if in_doubt else NEARLY_NONE
+    return angles[np.abs(angles[:, place]) < most]

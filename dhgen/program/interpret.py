@@ -195,9 +195,10 @@ class _Run:
             else:
                 first = general.solve(pose, statement.general, free)
                 kernel = statement.general
-                angles = without_turn(first.q, kernel.asked) if kernel.checked else first.q
+                angles, safe = first.q, first.complete and not first.singular
+                if kernel.checked:
+                    angles = without_turn(angles, kernel.asked, in_doubt=not safe)
                 rows = joint_values(angles, statement.descent.arm.chain)
-                safe = first.complete and not first.singular
                 arm = numerical.Arm(statement.descent, pose, seed, free)
                 solved = arm.settle(rows, regular=safe)
             count = len(solved.q)

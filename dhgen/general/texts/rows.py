@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.general.no_turn import NEARLY_NONE
+from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.numerical.texts import given_places
 from dhgen.program.tolerances import TOLERANCES
@@ -27,6 +27,7 @@ class Rows:
         pointing: Whether the task leaves the turn about the tool's axis open.
         checked: Whether the joint behind these is none of the arm's, and has to come out as zero.
         nearly_none: Beyond this [rad] it does not.
+        in_doubt: The same where the certificate fails.
         pose: The pose that the algorithm gets.
         residual: What counts as a solution of the descent [arm sizes, rad].
         starts: Of the descent.
@@ -39,6 +40,7 @@ class Rows:
     pointing: bool
     checked: bool
     nearly_none: str
+    in_doubt: str
     pose: str
     residual: str
     starts: int
@@ -54,6 +56,7 @@ def rows(kernel: GeneralKernel, chain: Chain) -> Rows:
         pointing=kernel.pointing,
         checked=kernel.checked,
         nearly_none=repr(NEARLY_NONE),
+        in_doubt=repr(NEARLY_NONE_IN_DOUBT),
         pose="whole" if kernel.pointing else "T",
         residual=repr(TOLERANCES.consistent if kernel.checked else TOLERANCES.polished),
         starts=FEW_STARTS,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.general.no_turn import NEARLY_NONE
+from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.derivation.blocks import Paragraph, paragraph, say
 from dhgen.targets.derivation.general_loop import joint_symbol
@@ -38,13 +38,14 @@ def check(kernel: GeneralKernel) -> Block:
     turn = joint_symbol(kernel, kernel.asked)
     return Paragraph(
         say(
-            f"Solutions in which {{}} is above {NEARLY_NONE:g} rad are set aside. In the others it "
-            "is dropped, and damped least squares take the arm's joints to where they miss the "
-            f"pose least. They count if that is within {_power(TOLERANCES.consistent)} arm sizes "
-            "and rad, because a pose may have been rounded; where one misses it by less than "
-            f"{_power(TOLERANCES.polished)}, the pose was not, and all have to. If none is left, "
-            "the seed and a few evenly spread starts are followed in the same way before the pose "
-            "is UNREACHABLE.",
+            f"Solutions in which {{}} is above {NEARLY_NONE:g} rad are set aside, above "
+            f"{NEARLY_NONE_IN_DOUBT:g} rad where the certificate fails or solutions meet. In the "
+            "others it is dropped, and damped least squares take the arm's joints to where they "
+            f"miss the pose least. They count if that is within {_power(TOLERANCES.consistent)} "
+            "arm sizes and rad, because a pose may have been rounded; where one misses it by less "
+            f"than {_power(TOLERANCES.polished)}, the pose was not, and all have to. If none is "
+            "left, the seed and a few evenly spread starts are followed in the same way before the "
+            "pose is UNREACHABLE.",
             turn,
         ),
         say("5. The check."),
