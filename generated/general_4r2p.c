@@ -2517,6 +2517,15 @@ static void general_4r2p_prepare(general_4r2p_setting *set, int which, const gen
     }
 }
 
+/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
+ * behind
+ * it, the entry zz does not give this turn, and roots tell nothing. */
+static int general_4r2p_tells_all(const general_4r2p_setting *set)
+{
+    const double *const B = set->between[1], *const C = set->between[2];
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
+}
+
 /* out += sign a b */
 static inline void general_4r2p_add_product(const general_4r2p_pair a, const general_4r2p_pair b,
     general_4r2p_lane delta, double sign,
@@ -2853,7 +2862,8 @@ static int general_4r2p_attempt_closed(int which, const general_4r2p_loop *loop,
         &ways);
     found->doubles += roots.doubles;
     return general_4r2p_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
-        roots.complete;
+        roots.complete &&
+           general_4r2p_tells_all(&set);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

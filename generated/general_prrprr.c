@@ -2533,6 +2533,15 @@ static void general_prrprr_prepare(general_prrprr_setting *set, int which, const
     }
 }
 
+/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
+ * behind
+ * it, the entry zz does not give this turn, and roots tell nothing. */
+static int general_prrprr_tells_all(const general_prrprr_setting *set)
+{
+    const double *const B = set->between[1], *const C = set->between[2];
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
+}
+
 /* out += sign a b */
 static inline void general_prrprr_add_product(const general_prrprr_pair a, const general_prrprr_pair
     b, general_prrprr_lane delta, double sign,
@@ -2870,7 +2879,8 @@ static int general_prrprr_attempt_closed(int which, const general_prrprr_loop *l
         &ways);
     found->doubles += roots.doubles;
     return general_prrprr_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
-        roots.complete;
+        roots.complete &&
+           general_prrprr_tells_all(&set);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -2531,6 +2531,15 @@ static void general_rpprrr_prepare(general_rpprrr_setting *set, int which, const
     }
 }
 
+/* Whether every solution has a root. Where the third turn's axis is parallel to the one before or
+ * behind
+ * it, the entry zz does not give this turn, and roots tell nothing. */
+static int general_rpprrr_tells_all(const general_rpprrr_setting *set)
+{
+    const double *const B = set->between[1], *const C = set->between[2];
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18;
+}
+
 /* out += sign a b */
 static inline void general_rpprrr_add_product(const general_rpprrr_pair a, const general_rpprrr_pair
     b, general_rpprrr_lane delta, double sign,
@@ -2868,7 +2877,8 @@ static int general_rpprrr_attempt_closed(int which, const general_rpprrr_loop *l
         &ways);
     found->doubles += roots.doubles;
     return general_rpprrr_settle_ways(loop, &set, &ways, roots.simple, roots.doubles, found) &&
-        roots.complete;
+        roots.complete &&
+           general_rpprrr_tells_all(&set);
 }
 
 /* Find what the methods find, one after the other, until that is certainly everything. */

@@ -393,7 +393,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr e26c07211c826d3b"
+_KEY = "general_rpprrr 2b4180505be6d459"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1535,6 +1535,17 @@ def _general_rpprrr_setting(which, loop):
 
 
 @_inner
+def _general_rpprrr_tells_all(between):
+    """Whether every solution has a root.
+
+    Where the third turn's axis is parallel to the one before or behind it, the entry zz does not
+    give this turn, and roots tell nothing.
+    """
+    B, C = between[1], between[2]
+    return (B[8] * B[8] + B[9] * B[9]) * (C[2] * C[2] + C[6] * C[6]) > 1e-18
+
+
+@_inner
 def _general_rpprrr_product(a, b, delta):
     """The product of two numbers x + y sqrt(delta)."""
     return a[0] * b[0] + delta * a[1] * b[1], a[0] * b[1] + a[1] * b[0]
@@ -1745,7 +1756,7 @@ def _general_rpprrr_attempt_closed(which, loop, q, residual, singular, doubles_m
     good, roots, counts = _general_rpprrr_real_roots_closed(setting)
     if not good:
         return False, count
-    complete, expected = counts[2] == 1, 0
+    complete, expected = counts[2] == 1 and _general_rpprrr_tells_all(setting[2]), 0
     doubles_met[0] += counts[1]
     met = np.zeros(8, dtype=np.int64)
     c, s = np.empty(6), np.empty(6)

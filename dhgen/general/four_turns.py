@@ -48,6 +48,9 @@ FARTHEST = TOLERANCES.longest  # times the sine between the slides: as far as th
 # Rounding over the size of the determinants, which are small where the slides are nearly parallel
 # all around the circle: its root is how far a double root may be off.
 MOVED = 1e-14
+# Where the axis of γ is parallel to that of β or δ, the entry zz does not give γ, and roots tell
+# nothing of solutions: the square of the sines between these axes.
+NO_ANGLE = 1e-18
 PARALLEL = 1e-30  # the square of what rounding leaves of the normal of slides that are parallel
 
 
@@ -111,6 +114,13 @@ class FourTurns:
     ) -> FloatArray:
         """The polynomial, (N,), from cosines and sines of the hidden angle."""
         return self._at(links, P, cosines, sines).polynomial
+
+    def tells_all(self, links: Sequence[FloatArray], P: FloatArray) -> bool:
+        """Whether every solution has a root: the third turn's axis is not parallel to another."""
+        around = self.formulation.links(links, P)
+        _, B, C, _ = _rotations(around, self.formulation.slides(self.slides))
+        before, behind = B[2, 0] ** 2 + B[2, 1] ** 2, C[0, 2] ** 2 + C[1, 2] ** 2
+        return bool(before * behind > NO_ANGLE)
 
     def candidates(
         self, links: Sequence[FloatArray], P: FloatArray, angle: float

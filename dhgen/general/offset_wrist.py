@@ -70,6 +70,10 @@ class OffsetWrist:
         every = zip(cosines, sines, strict=True)
         return np.array([polynomial(self, *wrist_at(self, links[4], P, *x)[1:]) for x in every])
 
+    def tells_all(self, _links: Sequence[FloatArray], _P: FloatArray) -> bool:
+        """Whether every solution has a root."""
+        return True
+
     def candidates(
         self, links: Sequence[FloatArray], P: FloatArray, angle: float
     ) -> Iterator[FloatArray | None]:

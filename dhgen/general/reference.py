@@ -189,7 +189,7 @@ def _certified_closed(arm: OffsetWrist | FourTurns, search: _Search) -> bool:
     search.doubles += len(found.double)
     met: set[int | None] = set()
     expected = 0
-    complete = found.complete
+    complete = found.complete and arm.tells_all(links, P)
     for angle in (*found.simple, *found.double):
         double = angle in found.double
         starts = list(arm.candidates(links, P, angle))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhgen.general.arm import general_kernel
+from dhgen.general.no_turn import without_turn
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.interpret import interpret
@@ -109,6 +110,13 @@ def test_poses_that_were_rounded_and_poses_that_are_not_the_arms(tmp_path: Path)
     turned = forward.pose(joints)
     turned[:, :3, :2] = turned[:, :3, :2] @ [[0.8, -0.6], [0.6, 0.8]]
     assert not solved(chain, turned).solved.any()
+
+
+def test_a_turn_that_is_not_zero_is_set_aside_at_once() -> None:
+    """Only near to singular places rounding turns what the arm does not have by more."""
+    angles = np.array([[0.3] * 5 + [turn] for turn in (0.0, 0.005, 0.05, -0.5)])
+    for in_doubt, count in ((False, 2), (True, 3)):
+        assert len(without_turn(angles, 5, in_doubt=in_doubt)) == count
 
 
 def test_in_c(tmp_path: Path) -> None:

@@ -17,9 +17,12 @@ from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
+from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
+from dhgen.targets.c import c_files
+from dhgen.verify.native import compile_solver
 from tests.general.arms import in_c, in_python
-from tests.general.files import assert_all_solutions, poses, written
+from tests.general.files import assert_all_solutions, poses, without_derivation, written
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
 
 PLACES = list(combinations(range(6), 2))
 POSES = 3
+FREE_JOINT = 2
 COSINES_SINES = tuple(np.array(each) for each in sample_cosines())
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 
@@ -137,6 +141,41 @@ joints:
   - {theta: 0, d: q, alpha: -pi/2}
 tool: {xyz: [0.435, 0, 0.511], rpy: [0, 30 deg, 0]}
 """
+
+# With joint 3 at zero, where joint 5 is straight axes 2, 4 and 6 are parallel, and the slides, too:
+# the polynomial is a constant, of rounding, and solutions have no root.
+STRAIGHT = """
+name: arm
+task: pose
+convention: modified
+free: [3]
+joints:
+  - {theta: 0, d: q, a: 0.488, alpha: pi}
+  - {theta: q, d: 0.284}
+  - {theta: q, d: 0.037, a: 0.253, alpha: pi/2}
+  - {theta: q, alpha: -pi/2}
+  - {theta: q, alpha: -pi/2}
+  - {theta: q, d: 0.414, a: 0.419, alpha: pi/2}
+  - {theta: 0, d: q, alpha: pi/2}
+tool: {xyz: [0.549, 0, 0.428], rpy: [0, pi/2, 0]}
+"""
+
+
+def test_a_polynomial_of_nothing_certifies_nothing(tmp_path: Path) -> None:
+    (tmp_path / "arm.yaml").write_text(STRAIGHT, encoding="utf-8")
+    module = without_derivation(load(tmp_path / "arm.yaml"))
+    for name, text in c_files(module).items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 7, 8, 1)
+    assert solver is not None
+    q = np.array([2.872, -np.pi / 2, 0.0, -np.pi, 0.0, -np.pi, 2.872])
+    T, given = solver.fk(q), np.zeros(1)
+    rows, status = solver.ik(T, np.zeros(7), given)
+    known = interpret(module.solver, T[None], seed=np.zeros(7), free=given)
+    for held in (rows[status == FREE_JOINT], known.q[0][known.solved[0]]):
+        assert len(held) > 0
+        for row in held:
+            np.testing.assert_allclose(solver.fk(row), T, atol=1e-9)
 
 
 def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from dhgen.general import circle, lens, polish, recover, reference, roots
 from dhgen.general.determinant import TINY
-from dhgen.general.four_turns import ALONG, FARTHEST, MOVED, NEARLY_FLAT, PARALLEL
+from dhgen.general.four_turns import ALONG, FARTHEST, MOVED, NEARLY_FLAT, NO_ANGLE, PARALLEL
 from dhgen.program.tolerances import TOLERANCES
 
 
@@ -42,6 +42,7 @@ class Tolerances:
     good_enough: str = repr(1e-29)  # a square: the polish ends
     nearly_flat: str = repr(NEARLY_FLAT)
     along: str = repr(ALONG)
+    no_angle: str = repr(NO_ANGLE)
     moved: str = repr(MOVED)
     farthest: str = repr(FARTHEST)
     parallel: str = repr(PARALLEL)
