@@ -37,6 +37,7 @@ TRIED = 50  # poses of each sort
 OTHER = 0.7  # from a pose's joint values to those of another seed [rad or length]
 SLIGHT = 1e-2  # less is the cosine or the sine of a twist that is nearly a right angle, or none
 BESIDE = tuple(10.0**power for power in range(-13, -2))  # of right angles [rad or length]
+APART = (1e-6, 1e-8, 1e-10)  # the same where each joint is as near as it likes
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,12 +105,14 @@ def _everywhere(chain: Chain) -> FloatArray:
 
 
 def _beside(chain: Chain) -> FloatArray:
-    """Joint vectors beside right angles."""
+    """Joint vectors beside right angles: all joints as near as each other; and half of them."""
     source = np.random.default_rng(18)
     shape = len(BESIDE), TRIED, chain.dof
     right = source.integers(-1, 3, shape) * (np.pi / 2)
     near = np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, shape)
-    return np.asarray((right + near).reshape(-1, chain.dof))
+    own = source.choice(APART, shape) * source.choice((-1.0, 1.0), shape)
+    mixed = np.where(source.random(shape) < 0.5, right + own, source.uniform(-2.5, 2.5, shape))
+    return np.concatenate([right + near, mixed]).reshape(-1, chain.dof)
 
 
 def _follows_the_seed(chain: Chain, program: Program) -> bool:

@@ -55,6 +55,18 @@ joints:
   - {theta: q, d: 0.221, alpha: 1.57079}
   - {d: q}
 """
+# Two roots meet one after the other: theta1 is good to 1e-8 there, which takes theta6 out of reach.
+TWICE = """
+name: arm
+task: pose
+joints:
+  - {theta: q + 0.4, d: 0.465, a: 0.147, alpha: -pi/2}
+  - {theta: q, alpha: pi/2}
+  - {theta: q, a: 0.53, alpha: pi/2}
+  - {theta: pi/2, d: q, alpha: pi/2}
+  - {theta: q, a: 0.573}
+  - {theta: q}
+"""
 
 
 def chain_of(folder: Path, text: str) -> Chain:
@@ -68,6 +80,7 @@ def chain_of(folder: Path, text: str) -> Chain:
         (FOLDED, (-1.2375837618997092, -ABOUT, np.pi, -np.pi / 2 - 1e-10, 2.944)),
         (DRAWN_IN, (-0.9788532381458758, np.pi - 1e-10, -ABOUT, -0.908462, 0.119999)),
         (PARTED, (1.3402059921510396, 3.055345808163856, -1.4061616723291422e-06)),
+        (TWICE, (-2.9832770451812705, -0.80308361736, -1e-10, -1.293479089437, -ABOUT, 1.57079532)),
     ],
 )
 def test_there_are_rows_and_they_are_exact(tmp_path: Path, text: str, q: tuple[float, ...]) -> None:
