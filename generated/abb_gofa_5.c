@@ -2350,6 +2350,16 @@ static void abb_gofa_5_look_closer(abb_gofa_5_sampler sample, const void *of, ab
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int abb_gofa_5_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_gofa_5_roots *roots)
 {
@@ -2358,6 +2368,9 @@ static int abb_gofa_5_real_roots(abb_gofa_5_sampler sample, const void *of, abb_
     abb_gofa_5_trigonometric f;
     abb_gofa_5_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (abb_gofa_5_is_nothing(samples)) {
+        return 0;
+    }
     if (abb_gofa_5_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2364,6 +2364,16 @@ static void fanuc_crx10ia_look_closer(fanuc_crx10ia_sampler sample, const void *
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int fanuc_crx10ia_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of,
     fanuc_crx10ia_roots *roots)
@@ -2373,6 +2383,9 @@ static int fanuc_crx10ia_real_roots(fanuc_crx10ia_sampler sample, const void *of
     fanuc_crx10ia_trigonometric f;
     fanuc_crx10ia_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (fanuc_crx10ia_is_nothing(samples)) {
+        return 0;
+    }
     if (fanuc_crx10ia_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -331,7 +331,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia 68fc9213adf3e032"
+_KEY = "fanuc_crx10ia cbb70dd22dfea951"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1834,11 +1834,12 @@ def _fanuc_crx10ia_real_roots_closed(of):
     """
     samples = np.empty(24)
     _fanuc_crx10ia_sample_closed(of, 0.0, 0.0, samples)
+    largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
     x, y = _fanuc_crx10ia_spread(samples)
     if x != 0.0 or y != 0.0:
         _fanuc_crx10ia_sample_closed(of, x, y, samples)
     noise, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
-    good = noise <= 1e-06
+    good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True
@@ -1932,11 +1933,12 @@ def _fanuc_crx10ia_real_roots(of):
     """
     samples = np.empty(24)
     _fanuc_crx10ia_sample(of, 0.0, 0.0, samples)
+    largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
     x, y = _fanuc_crx10ia_spread(samples)
     if x != 0.0 or y != 0.0:
         _fanuc_crx10ia_sample(of, x, y, samples)
     noise, roots, counts = _fanuc_crx10ia_seen(samples, x, y, 0, 128, 5e-09)
-    good = noise <= 1e-06
+    good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True

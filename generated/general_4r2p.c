@@ -2152,6 +2152,16 @@ static void general_4r2p_look_closer(general_4r2p_sampler sample, const void *of
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_4r2p_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, general_4r2p_roots
     *roots)
@@ -2161,6 +2171,9 @@ static int general_4r2p_real_roots(general_4r2p_sampler sample, const void *of, 
     general_4r2p_trigonometric f;
     general_4r2p_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_4r2p_is_nothing(samples)) {
+        return 0;
+    }
     if (general_4r2p_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2368,6 +2368,16 @@ static void general_5r_look_closer(general_5r_sampler sample, const void *of, ge
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_5r_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_5r_real_roots(general_5r_sampler sample, const void *of, general_5r_roots *roots)
 {
@@ -2376,6 +2386,9 @@ static int general_5r_real_roots(general_5r_sampler sample, const void *of, gene
     general_5r_trigonometric f;
     general_5r_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_5r_is_nothing(samples)) {
+        return 0;
+    }
     if (general_5r_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -404,7 +404,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r b8bd99aca317d10d"
+_KEY = "general_5r 0b7d0e27845f2ffc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1828,11 +1828,12 @@ def _general_5r_real_roots(of):
     """
     samples = np.empty(24)
     _general_5r_sample(of, 0.0, 0.0, samples)
+    largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
     x, y = _general_5r_spread(samples)
     if x != 0.0 or y != 0.0:
         _general_5r_sample(of, x, y, samples)
     noise, roots, counts = _general_5r_seen(samples, x, y, 0, 128, 5e-09)
-    good = noise <= 1e-06
+    good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True

@@ -2419,6 +2419,16 @@ static void general_5r1p_pair_look_closer(general_5r1p_pair_sampler sample, cons
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_5r1p_pair_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const void *of,
     general_5r1p_pair_roots *roots)
@@ -2428,6 +2438,9 @@ static int general_5r1p_pair_real_roots(general_5r1p_pair_sampler sample, const 
     general_5r1p_pair_trigonometric f;
     general_5r1p_pair_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_5r1p_pair_is_nothing(samples)) {
+        return 0;
+    }
     if (general_5r1p_pair_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2385,6 +2385,16 @@ static void general_5r_pointing_look_closer(general_5r_pointing_sampler sample, 
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_5r_pointing_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_5r_pointing_real_roots(general_5r_pointing_sampler sample, const void *of,
     general_5r_pointing_roots *roots)
@@ -2394,6 +2404,9 @@ static int general_5r_pointing_real_roots(general_5r_pointing_sampler sample, co
     general_5r_pointing_trigonometric f;
     general_5r_pointing_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_5r_pointing_is_nothing(samples)) {
+        return 0;
+    }
     if (general_5r_pointing_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

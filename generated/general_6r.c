@@ -2313,6 +2313,16 @@ static void general_6r_look_closer(general_6r_sampler sample, const void *of, ge
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_6r_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_6r_real_roots(general_6r_sampler sample, const void *of, general_6r_roots *roots)
 {
@@ -2321,6 +2331,9 @@ static int general_6r_real_roots(general_6r_sampler sample, const void *of, gene
     general_6r_trigonometric f;
     general_6r_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_6r_is_nothing(samples)) {
+        return 0;
+    }
     if (general_6r_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2162,6 +2162,16 @@ static void general_prrprr_look_closer(general_prrprr_sampler sample, const void
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_prrprr_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_prrprr_real_roots(general_prrprr_sampler sample, const void *of,
     general_prrprr_roots *roots)
@@ -2171,6 +2181,9 @@ static int general_prrprr_real_roots(general_prrprr_sampler sample, const void *
     general_prrprr_trigonometric f;
     general_prrprr_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_prrprr_is_nothing(samples)) {
+        return 0;
+    }
     if (general_prrprr_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

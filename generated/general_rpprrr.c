@@ -2160,6 +2160,16 @@ static void general_rpprrr_look_closer(general_rpprrr_sampler sample, const void
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int general_rpprrr_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int general_rpprrr_real_roots(general_rpprrr_sampler sample, const void *of,
     general_rpprrr_roots *roots)
@@ -2169,6 +2179,9 @@ static int general_rpprrr_real_roots(general_rpprrr_sampler sample, const void *
     general_rpprrr_trigonometric f;
     general_rpprrr_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (general_rpprrr_is_nothing(samples)) {
+        return 0;
+    }
     if (general_rpprrr_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2374,6 +2374,16 @@ static void kinova_gen3_7_look_closer(kinova_gen3_7_sampler sample, const void *
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int kinova_gen3_7_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int kinova_gen3_7_real_roots(kinova_gen3_7_sampler sample, const void *of,
     kinova_gen3_7_roots *roots)
@@ -2383,6 +2393,9 @@ static int kinova_gen3_7_real_roots(kinova_gen3_7_sampler sample, const void *of
     kinova_gen3_7_trigonometric f;
     kinova_gen3_7_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (kinova_gen3_7_is_nothing(samples)) {
+        return 0;
+    }
     if (kinova_gen3_7_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

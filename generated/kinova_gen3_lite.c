@@ -2373,6 +2373,16 @@ static void kinova_gen3_lite_look_closer(kinova_gen3_lite_sampler sample, const 
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int kinova_gen3_lite_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const void *of,
     kinova_gen3_lite_roots *roots)
@@ -2382,6 +2392,9 @@ static int kinova_gen3_lite_real_roots(kinova_gen3_lite_sampler sample, const vo
     kinova_gen3_lite_trigonometric f;
     kinova_gen3_lite_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (kinova_gen3_lite_is_nothing(samples)) {
+        return 0;
+    }
     if (kinova_gen3_lite_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -338,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite d33ee63e92e7afba"
+_KEY = "kinova_gen3_lite e50b053377103dd9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1738,11 +1738,12 @@ def _kinova_gen3_lite_real_roots(of):
     """
     samples = np.empty(24)
     _kinova_gen3_lite_sample(of, 0.0, 0.0, samples)
+    largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
     x, y = _kinova_gen3_lite_spread(samples)
     if x != 0.0 or y != 0.0:
         _kinova_gen3_lite_sample(of, x, y, samples)
     noise, roots, counts = _kinova_gen3_lite_seen(samples, x, y, 0, 128, 5e-09)
-    good = noise <= 1e-06
+    good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True

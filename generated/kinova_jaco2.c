@@ -2319,6 +2319,16 @@ static void kinova_jaco2_look_closer(kinova_jaco2_sampler sample, const void *of
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int kinova_jaco2_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int kinova_jaco2_real_roots(kinova_jaco2_sampler sample, const void *of, kinova_jaco2_roots
     *roots)
@@ -2328,6 +2338,9 @@ static int kinova_jaco2_real_roots(kinova_jaco2_sampler sample, const void *of, 
     kinova_jaco2_trigonometric f;
     kinova_jaco2_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (kinova_jaco2_is_nothing(samples)) {
+        return 0;
+    }
     if (kinova_jaco2_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2319,6 +2319,16 @@ static void manseur_doty_look_closer(manseur_doty_sampler sample, const void *of
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int manseur_doty_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, manseur_doty_roots
     *roots)
@@ -2328,6 +2338,9 @@ static int manseur_doty_real_roots(manseur_doty_sampler sample, const void *of, 
     manseur_doty_trigonometric f;
     manseur_doty_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (manseur_doty_is_nothing(samples)) {
+        return 0;
+    }
     if (manseur_doty_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

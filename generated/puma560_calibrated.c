@@ -2361,6 +2361,16 @@ static void puma560_calibrated_look_closer(puma560_calibrated_sampler sample, co
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int puma560_calibrated_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, const void *of,
     puma560_calibrated_roots *roots)
@@ -2370,6 +2380,9 @@ static int puma560_calibrated_real_roots(puma560_calibrated_sampler sample, cons
     puma560_calibrated_trigonometric f;
     puma560_calibrated_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (puma560_calibrated_is_nothing(samples)) {
+        return 0;
+    }
     if (puma560_calibrated_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

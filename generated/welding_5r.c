@@ -2323,6 +2323,16 @@ static void welding_5r_look_closer(welding_5r_sampler sample, const void *of, we
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int welding_5r_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int welding_5r_real_roots(welding_5r_sampler sample, const void *of, welding_5r_roots *roots)
 {
@@ -2331,6 +2341,9 @@ static int welding_5r_real_roots(welding_5r_sampler sample, const void *of, weld
     welding_5r_trigonometric f;
     welding_5r_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (welding_5r_is_nothing(samples)) {
+        return 0;
+    }
     if (welding_5r_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -295,7 +295,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r 74cf68298d4e52fc"
+_KEY = "welding_5r e7a45013d7de7b97"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1698,11 +1698,12 @@ def _welding_5r_real_roots(of):
     """
     samples = np.empty(24)
     _welding_5r_sample(of, 0.0, 0.0, samples)
+    largest = np.abs(samples).max()  # rounding of zero may be as smooth as a polynomial
     x, y = _welding_5r_spread(samples)
     if x != 0.0 or y != 0.0:
         _welding_5r_sample(of, x, y, samples)
     noise, roots, counts = _welding_5r_seen(samples, x, y, 0, 128, 5e-09)
-    good = noise <= 1e-06
+    good = noise <= 1e-06 and largest > 1e-26
     if not good or max(counts[0], counts[1]) == 24:
         return good, roots, counts
     seen, looks, clear = np.empty(4), 0, True

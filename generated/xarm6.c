@@ -2287,6 +2287,16 @@ static void xarm6_look_closer(xarm6_sampler sample, const void *of, xarm6_roots 
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int xarm6_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *roots)
 {
@@ -2295,6 +2305,9 @@ static int xarm6_real_roots(xarm6_sampler sample, const void *of, xarm6_roots *r
     xarm6_trigonometric f;
     xarm6_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (xarm6_is_nothing(samples)) {
+        return 0;
+    }
     if (xarm6_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

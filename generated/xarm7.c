@@ -2302,6 +2302,16 @@ static void xarm7_look_closer(xarm7_sampler sample, const void *of, xarm7_roots 
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int xarm7_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *roots)
 {
@@ -2310,6 +2320,9 @@ static int xarm7_real_roots(xarm7_sampler sample, const void *of, xarm7_roots *r
     xarm7_trigonometric f;
     xarm7_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (xarm7_is_nothing(samples)) {
+        return 0;
+    }
     if (xarm7_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -2359,6 +2359,16 @@ static void yaskawa_hc10_look_closer(yaskawa_hc10_sampler sample, const void *of
     roots->complete = roots->complete || (clear && i == roots->doubles);
 }
 
+/* Whether samples are nothing but rounding of zero, which may be as smooth as a polynomial. */
+static int yaskawa_hc10_is_nothing(const double samples[24])
+{
+    double most = 0.0;
+    for (int k = 0; k < 24; k++) {
+        most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
+    }
+    return most <= 1e-26;
+}
+
 /* All real roots of a polynomial. Returns 0 where it vanishes identically. */
 static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, yaskawa_hc10_roots
     *roots)
@@ -2368,6 +2378,9 @@ static int yaskawa_hc10_real_roots(yaskawa_hc10_sampler sample, const void *of, 
     yaskawa_hc10_trigonometric f;
     yaskawa_hc10_lens lens = {0.0, 0.0};
     sample(of, &lens, samples);
+    if (yaskawa_hc10_is_nothing(samples)) {
+        return 0;
+    }
     if (yaskawa_hc10_spread(samples, &lens)) {
         sample(of, &lens, samples);
     }

@@ -34,6 +34,9 @@ STRONGEST = 0.9
 # The mean of the roots over the first harmonic of log |f|.
 MEAN_PER_HARMONIC = -1.0 / (SAMPLES * DEGREE)
 NOTHING = 1e-300  # keeps logarithms of zero finite
+# Samples that are no larger are rounding of zero, also where that is as smooth as a polynomial and
+# its harmonics don't tell; elsewhere the largest are above 1e-12.
+VANISHING = 1e-26
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +97,13 @@ def spreading(samples: Sequence[float]) -> Lens:
 def sampled(at: At) -> tuple[FloatArray, Lens]:
     """A polynomial's samples (24,), through the lens that spreads its roots, and that lens.
 
+    Of one that vanishes but for rounding they are zero.
+
     Args:
         at: The polynomial's values from the cosines and sines of its angle, (24,) each.
     """
     samples = at(*np.array(sample_cosines()))
+    if np.abs(samples).max() <= VANISHING:
+        return np.zeros(SAMPLES), Lens()
     lens = spreading(samples.tolist())
     return (samples if lens == Lens() else lens.samples(at)), lens

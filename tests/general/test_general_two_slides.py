@@ -178,6 +178,29 @@ def test_a_polynomial_of_nothing_certifies_nothing(tmp_path: Path) -> None:
             np.testing.assert_allclose(solver.fk(row), T, atol=1e-9)
 
 
+# A Stanford arm with a second slide. Where axis 1 is parallel to axis 6 the determinants vanish for
+# every angle, and what rounding leaves of their product is a polynomial itself.
+SMOOTH = (
+    "{theta: q, d: 0.412, a: 0.05, alpha: -pi/2}",
+    "{theta: q, d: 0.154, alpha: pi/2}",
+    "{theta: -pi/2, d: q, a: 0.0203}",
+    "{theta: q, alpha: -pi/2}",
+    "{theta: pi/2, d: q, alpha: pi/2}",
+    "{theta: q, a: 0.05}",
+)
+
+
+def test_roots_of_rounding_certify_nothing(tmp_path: Path) -> None:
+    """They lead to solutions, but these are not all: there is a continuum."""
+    chain = build_chain(written(tmp_path, list(SMOOTH)))
+    kernel = known(chain)
+    T = numeric_arm(chain).pose(np.array([0.0, np.pi / 2, 0.34315, np.pi / 2, -0.34315, 0.0]))
+    assert not in_c(kernel, "arm")(T)[2]
+    assert not in_python(kernel, "arm")(T)[2]
+    found = solve(T, kernel)
+    assert not found.complete or found.singular
+
+
 def test_beside_parallel_slides_there_are_solutions(tmp_path: Path) -> None:
     """Others would need slides that reach far, but not these.
 

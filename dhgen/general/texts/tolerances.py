@@ -29,6 +29,7 @@ class Tolerances:
     crowded: str = repr(lens.CROWDED**2)  # its square
     strongest: str = repr(lens.STRONGEST)
     mean_per_harmonic: str = repr(lens.MEAN_PER_HARMONIC)
+    vanishing: str = repr(lens.VANISHING)
     noise: str = repr(roots.NOISE)
     clear: str = repr(roots.CLEAR)
     residual: str = repr(TOLERANCES.polished)
