@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.general.features import FEATURES, act, slide, start, turn
+from dhgen.general.hidden_slide import on_circle
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,11 +44,12 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
 
     Args:
         links: L0 ... L5, (N, 4, 4) each, in arm sizes.
-        slides: Which of φ1 ... φ6 is a length; not the first, not the fourth.
+        slides: Which of φ1 ... φ6 is a length; not the fourth.
 
     Returns:
         (3, 6, 3, 3, N): the coefficients by 1, c1, s1, equation, x3², x3, 1 and x2², x2, 1 with
-        x = tan(φ/2), or x = d where the joint slides; all times (1 + x²) for every turn.
+        x = tan(φ/2), or x = d where the joint slides; all times (1 + x²) for every turn. Where the
+        first is a length, c1 and s1 are those of the angle that stands for it.
     """
     K = [np.moveaxis(link, 0, -1) for link in links]
     count = K[0].shape[-1]
@@ -60,7 +62,7 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
         left = act(K[at], left)
         left = _spread(left, _powers(left, slides=slides[at]))
     left = act(K[0], left)
-    left = act(K[5], _spread(left, turn(left)))
+    left = act(K[5], _spread(left, on_circle(left) if slides[0] else turn(left)))
     both = np.empty((FEATURES - 1, 8 + 27, count))
     both[:, :8] = right[1:, 1:]
     # the constant column of the right side goes over to the left, times every (1 + x²)

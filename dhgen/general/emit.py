@@ -44,7 +44,7 @@ def python_source(kernel: GeneralKernel, name: str) -> str:
         **_texts(kernel, name),
         links=links(kernel, [f"links[{i}]" for i in range(LINKS + 2)], "q_free"),
         spelling=python_spelling(kernel),
-        searches=searches(name),
+        searches=searches(kernel, name),
     )
 
 

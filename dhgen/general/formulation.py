@@ -10,10 +10,9 @@ nine monomials of φ2 and φ3 (Raghavan and Roth 1993, who hide the third joint 
 have to divide a factor out; with the outer one the determinant has degree 8 to begin with).
 
 A joint may slide: its features are linear in (1, d, d²) as those of a turn are in (1 + x²,
-1 − x², 2 x) with x = tan(φ/2), and d takes the place of x. It can't be hidden, because the
-polynomial would not be one on the circle, nor be φ4. It is φ2 or φ3 as a rule; where axes
-side by side are parallel, or meet, at several places, the determinants of that kind may all vanish,
-but not those where it is φ5 or φ6.
+1 − x², 2 x) with x = tan(φ/2), and d takes the place of x. It can't be φ4. It is φ2 or φ3 as a
+rule; where axes side by side are parallel, or meet, at several places, the determinants of that
+kind may all vanish, and so may those where it is φ5 or φ6, but hardly those where it is hidden.
 
 Three parallel axes, or three that meet, must not be φ4, φ5 and φ6: φ1, φ2 and φ3 then leave two
 solutions for them, and a root of the determinant leads to one.
@@ -21,15 +20,16 @@ solutions for them, and a root of the determinant leads to one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.determinant import inverses
+from dhgen.general.determinant import fold, inverses
+from dhgen.general.hidden_slide import ORDERS, nearness
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -46,10 +46,12 @@ class Formulation:
     Attributes:
         joints: The joints φ1 ... φ6 are, from 0; φ1 is hidden.
         sign: φ = sign θ; −1 reads the loop backwards.
+        order: Where φ1 is a length, half the order of the determinant's zero at infinity.
     """
 
     joints: tuple[int, ...]
     sign: int
+    order: int = 0
 
     def links(self, around: Sequence[FloatArray], P: FloatArray) -> list[FloatArray]:
         """L0 ... L5 (..., 4, 4), from K0 ... K4 and the pose of the loop."""
@@ -60,6 +62,11 @@ class Formulation:
     def slides(self, slides: tuple[int, ...]) -> tuple[bool, ...]:
         """Which of φ1 ... φ6 is a length."""
         return tuple(joint in slides for joint in self.joints)
+
+    def polynomial(self, E: FloatArray, cosine: FloatArray, sine: FloatArray) -> FloatArray:
+        """The determinant of the equations at hidden angles, without its zero at infinity."""
+        determinant, _ = fold(E, cosine, sine)
+        return determinant / nearness(cosine, sine) ** self.order if self.order else determinant
 
     def angles(self, phi: Sequence[float]) -> FloatArray:
         """θ1 ... θ6 from φ1 ... φ6."""
@@ -77,7 +84,22 @@ def formulations(
         slides: Which of the six joints slide, from 0, one at most.
         places: Which of φ1 ... φ6 it may be, from 0.
     """
-    orders = [[(start + i) % 6 for i in range(6)] for start in range(6)]
-    every = [Formulation(tuple(order), 1) for order in orders]
-    every += [Formulation(tuple(5 - i for i in order), -1) for order in orders]
-    return tuple(f for f in every if all(f.joints.index(j) in places for j in slides))
+    return tuple(f for f in _every() if all(f.joints.index(j) in places for j in slides))
+
+
+def hiding(slide: int) -> Iterator[tuple[Formulation, ...]]:
+    """The two that hide a slide, forwards and backwards, for every order of the zero at infinity.
+
+    The highest first: where one is too low the zero that is left is a root of no solution, and
+    where it is too high there is no polynomial.
+    """
+    for order in ORDERS:
+        yield tuple(replace(f, order=order) for f in _every() if f.joints[0] == slide)
+
+
+def _every() -> list[Formulation]:
+    orders = [tuple((start + i) % 6 for i in range(6)) for start in range(6)]
+    return [
+        *(Formulation(order, 1) for order in orders),
+        *(Formulation(tuple(5 - i for i in order), -1) for order in orders),
+    ]

@@ -152,6 +152,16 @@ class GeneralKernel:
         every = [f.slides(self.loop.slides) for f in self.eliminations]
         return any(slides[place] for slides in every for place in OTHERS)
 
+    @property
+    def hides_a_slide(self) -> bool:
+        """Whether the joint that is hidden slides: in all formulations, or in none."""
+        return bool(self.eliminations) and self.first.joints[0] in self.loop.slides
+
+    @property
+    def slides_beside(self) -> bool:
+        """Whether a slide is a partner of the hidden joint."""
+        return bool(self.loop.slides) and not (self.slides_on_the_right or self.hides_a_slide)
+
     def held(self, free: Sequence[float]) -> tuple[Value, ...]:
         """Angles and lengths of the joints whose values the caller gives."""
         values = [s * q + offset for (s, offset), q in zip(self.given, free, strict=True)]

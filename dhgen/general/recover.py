@@ -114,7 +114,7 @@ def remaining_angles(
     links: Sequence[FloatArray], phi: tuple[float, float, float], slides: Sequence[bool]
 ) -> tuple[float, ...]:
     """φ1 ... φ6 from φ1, φ2, φ3 and the six links of this pose."""
-    A = turn(phi[0]) @ links[0] @ motion(phi[1], slides=slides[1]) @ links[1]
+    A = motion(phi[0], slides=slides[0]) @ links[0] @ motion(phi[1], slides=slides[1]) @ links[1]
     A = A @ motion(phi[2], slides=slides[2]) @ links[2]
     B = rigid_inverse(links[5] @ A)
     inner, outer = (slides[place] for place in OTHERS)

@@ -8,12 +8,14 @@ slides, and for offset wrists, the polynomial in closed form instead.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.general.determinant import equations, fold
+from dhgen.general.hidden_slide import length
 from dhgen.general.loop import reach
 from dhgen.general.pointing import any_turn
 from dhgen.general.polish import Target, is_singular, polish
@@ -217,7 +219,7 @@ def _certified(formulation: Formulation, search: _Search) -> bool:
     around = formulation.links(target.links, target.P)
     slides = formulation.slides(target.slides)
     E = equations([link[None] for link in around], slides)
-    found = real_roots(lambda cosines, sines: fold(E, cosines, sines)[0])
+    found = real_roots(partial(formulation.polynomial, E))
     if found is None:
         return False
     met: set[int | None] = set()
@@ -262,8 +264,9 @@ def _candidates(
     """φ1 ... φ6 near solutions, for a root and the dimension of its null space."""
     angle, dimension = root
     _, factor = fold(E, np.array([np.cos(angle)]), np.array([np.sin(angle)]))
+    hidden = length(angle) if slides[0] else angle
     return [
-        remaining_angles(links, (angle, *partner_values(vector, slides)), slides)
+        remaining_angles(links, (hidden, *partner_values(vector, slides)), slides)
         for vector in null_vectors(factor[..., 0], dimension)
     ]
 

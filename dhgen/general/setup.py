@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.general.circle import SAMPLES, sample_cosines, trigonometric
-from dhgen.general.determinant import equations, fold
-from dhgen.general.formulation import OTHERS, formulations
+from dhgen.general.determinant import equations
+from dhgen.general.formulation import OTHERS, formulations, hiding
 from dhgen.general.four_turns import branches, turns_to_hide
+from dhgen.general.hidden_slide import stand_in
 from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS, GeneralKernel, Score
 from dhgen.general.links import Held, Value
 from dhgen.general.loop import JOINTS, QUARTERS, close_loop
@@ -25,7 +26,7 @@ from dhgen.general.recover import middle_determined
 from dhgen.general.rigid import multiply
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from numpy.typing import NDArray
 
@@ -67,8 +68,16 @@ def setup(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> GeneralKer
     loop = close_loop(constants, slides)
     if len(slides) == SLIDES_OF_FOUR_TURNS:
         return _chosen(loop, turns_to_hide(slides))
-    kernel = _chosen(loop, formulations(slides))
-    return kernel if kernel or not slides else _chosen(loop, formulations(slides, OTHERS))
+    kernels = (_chosen(loop, every) for every in _trials(slides))
+    return next((kernel for kernel in kernels if kernel), None)
+
+
+def _trials(slides: tuple[int, ...]) -> Iterator[tuple[Formulation, ...]]:
+    """The formulations from which two are to be chosen, those first that serve most arms."""
+    yield formulations(slides)
+    for slide in slides:
+        yield formulations(slides, OTHERS)
+        yield from hiding(slide)
 
 
 def _chosen(loop: Loop, every: Sequence[Formulation]) -> GeneralKernel | None:
@@ -126,16 +135,21 @@ def _scores(
     """The score of each formulation, with one of the held joints at a value if that is given."""
     q, links, poses = _witnesses(loop, count, special)
     of_four_turns = len(loop.slides) == SLIDES_OF_FOUR_TURNS
-    sampled = _polynomials if of_four_turns else _determinants
     result = []
     for formulation in every:
         around, slides = formulation.links(links, poses), formulation.slides(loop.slides)
-        samples = sampled(around, slides)
-        hidden = [values[formulation.joints[0]] for values in q]
-        angles = [(x.cosine, formulation.sign * x.sine) for x in hidden]
-        determined = None if of_four_turns else _determined(around, slides)
-        result.append(_score(samples, angles, determined))
+        angles = [_hidden(values[formulation.joints[0]], formulation.sign, slides) for values in q]
+        if of_four_turns:
+            result.append(_score(_polynomials(around, slides), angles, None))
+        else:
+            samples = _determinants(formulation, around, slides)
+            result.append(_score(samples, angles, _determined(around, slides)))
     return result
+
+
+def _hidden(theta: Value, sign: int, slides: Sequence[bool]) -> tuple[float, float]:
+    """Cosine and sine of the angle that is hidden, or that stands for a length."""
+    return stand_in(sign * theta.value) if slides[0] else (theta.cosine, sign * theta.sine)
 
 
 def _determined(links: Sequence[FloatArray], slides: Sequence[bool]) -> float:
@@ -187,13 +201,15 @@ def _pose(loop: Loop, links: Sequence[Matrix], q: Sequence[Value]) -> Matrix:
     return P
 
 
-def _determinants(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
+def _determinants(
+    formulation: Formulation, links: Sequence[FloatArray], slides: Sequence[bool]
+) -> FloatArray:
     """The determinant of the witnesses at the sample angles, (N, 24); links are (N, 4, 4) each."""
     count = len(links[0])
     lanes = np.repeat(equations(links, slides), SAMPLES, axis=-1)
     cosines, sines = (np.tile(x, count) for x in sample_cosines())
-    determinant, _ = fold(lanes, cosines, sines)
-    return determinant.reshape(count, SAMPLES)
+    polynomial = formulation.polynomial(lanes, np.array(cosines), np.array(sines))
+    return polynomial.reshape(count, SAMPLES)
 
 
 def _polynomials(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:

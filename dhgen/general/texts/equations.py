@@ -5,8 +5,29 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from dhgen.general import hidden_slide
+
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
+
+
+@dataclass(frozen=True, slots=True)
+class HiddenSlide:
+    """The length d = unit tan((psi + advance) / 2).
+
+    Attributes:
+        order: Half the order of the determinant's zero where it is infinite.
+        unit: The length at a quarter of a turn [arm sizes].
+        square: Its square.
+        cosine: Of the advance.
+        sine: Of the same.
+    """
+
+    order: int
+    unit: str = repr(hidden_slide.UNIT)
+    square: str = repr(hidden_slide.UNIT**2)
+    cosine: str = repr(hidden_slide.ADVANCE[0])
+    sine: str = repr(hidden_slide.ADVANCE[1])
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,7 +35,8 @@ class Equations:
     """The equations of a formulation.
 
     Attributes:
-        left_slide: Whether a joint on the left side slides.
+        hidden_slide: Where the joint that is hidden slides, how its length becomes an angle.
+        left_slide: Whether one of its partners slides.
         right_slide: Whether one on the right side does.
         monomials: Of the right side that are eliminated.
         mixed: Equations that they are eliminated from.
@@ -24,6 +46,7 @@ class Equations:
         square: Place of the square.
     """
 
+    hidden_slide: HiddenSlide | None
     left_slide: bool
     right_slide: bool
     monomials: int
@@ -37,14 +60,16 @@ class Equations:
 def equations(kernel: GeneralKernel) -> Equations:
     """The equations of an arm."""
     right = kernel.slides_on_the_right
+    rising = right or kernel.hides_a_slide
     return Equations(
-        left_slide=bool(kernel.loop.slides) and not right,
+        hidden_slide=HiddenSlide(kernel.first.order) if kernel.hides_a_slide else None,
+        left_slide=kernel.slides_beside,
         right_slide=right,
         # a turn next to the left side leaves two of the eight monomials to some features alone
         monomials=8 if right else 6,
         mixed=14 if right else 8,
         invariants=3 if right else 5,
-        powers="1, d and d^2" if right else "d^2, d and 1",
-        one=0 if right else 2,
-        square=2 if right else 0,
+        powers="1, d and d^2" if rising else "d^2, d and 1",
+        one=0 if rising else 2,
+        square=2 if rising else 0,
     )

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.general.kernel import GeneralKernel
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,14 +39,15 @@ class Searches:
     closed: Search
 
 
-def searches(name: str) -> Searches:
+def searches(kernel: GeneralKernel, name: str) -> Searches:
     """Both, for functions that begin with a name."""
+    zero = f" / _{name}_nearness(c, s) ** {kernel.first.order}" if kernel.hides_a_slide else ""
     return Searches(
         Search(
             kind="",
             what="The determinant",
             room="    factor = np.empty((6, 6))\n",
-            at=f"_{name}_fold(of, c, s, factor)",
+            at=f"_{name}_fold(of, c, s, factor){zero}",
         ),
         Search(
             kind="_closed",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.general.hidden_slide import UNIT
 from dhgen.paul.refusal import near_structure
 from dhgen.targets.derivation.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.formula import Symbol
@@ -97,6 +98,7 @@ def _given(kernel: GeneralKernel) -> str:
 def _elimination(kernel: GeneralKernel) -> list[Block]:
     first = kernel.first
     hidden, one, two = (joint_symbol(kernel, first.joints[place]) for place in (0, 1, 2))
+    circle = "the first and the second power of" if kernel.hides_a_slide else "cos and sin of"
     return [
         Paragraph(
             say(
@@ -118,7 +120,7 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
             )
         ),
         paragraph(
-            "are the same on both sides. On the left they are linear in 1, cos and sin of {} with "
+            f"are the same on both sides. On the left they are linear in 1, {circle} {{}} with "
             "nine monomials of {} and {}; on the right one joint does not occur at all and eight "
             "monomials of two joints remain. Eliminating these eight leaves six equations in the "
             "three joints of the left side.",
@@ -162,13 +164,15 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
             )
         ),
         paragraph(
-            "a trigonometric polynomial of degree 8 in φ, the angle of {}. Its coefficients come "
-            "from its values at 24 angles. Where its roots lie close together on one side, as near "
-            "the boundary of reach, these angles do too: a Möbius map of the circle spreads the "
-            "roots. All real ones are isolated by bounds on the circle.",
+            f"a trigonometric polynomial of degree 8 in φ, the angle {_whose(kernel)} {{}}. Its "
+            "coefficients come from its values at 24 angles. Where its roots lie close together on "
+            "one side, as near the boundary of reach, these angles do too: a Möbius map of the "
+            "circle spreads the roots. All real ones are isolated by bounds on the circle.",
             hidden,
         ),
     ]
+    if kernel.hides_a_slide:
+        blocks.append(_hidden_slide(kernel))
     if kernel.wrist is not None:
         blocks.append(
             paragraph(
@@ -180,8 +184,23 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
     return blocks
 
 
+def _whose(kernel: GeneralKernel) -> str:
+    return "that stands for" if kernel.hides_a_slide else "of"
+
+
+def _hidden_slide(kernel: GeneralKernel) -> Block:
+    return paragraph(
+        "With a turn hidden the determinant would vanish for every angle, or elsewhere than at the "
+        f"solutions; so the slide is hidden. {{}} is {UNIT:g} arm sizes times the tangent of half "
+        "an angle that is φ but for a constant. The rows are then linear in cos φ and sin φ, and "
+        "what is a polynomial of degree 16 in the length, or less, is one on the circle. The "
+        "determinant has a zero besides where the length is infinite, which is divided out.",
+        joint_symbol(kernel, kernel.first.joints[0]),
+    )
+
+
 def _variables(kernel: GeneralKernel) -> str:
-    if kernel.loop.slides and not kernel.slides_on_the_right:
+    if kernel.slides_beside:
         return "half-angle tangent and the length"
     return "half-angle tangents"
 

@@ -1,0 +1,59 @@
+"""A hidden slide: its length as an angle, and the determinant where the length is infinite.
+
+A polynomial of degree 16 in a length d is one of degree 8 on the circle: with d = UNIT tan(ψ'/2)
+and times cos^16(ψ'/2), or less where the degree is lower. The twelve rows of the determinant are of
+degree two in d each, and give cos^24: what is too much is divided out, away from d = ∞, where none
+of the angles that are sampled lies as long as ψ = ψ' − ADVANCE is the angle.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.general.features import slide
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    FloatArray = NDArray[np.float64]
+
+UNIT = 2.5  # arm sizes; the length at a quarter of a turn, about how far slides go
+# Cosine and sine: half of the way from one sample angle to the next, nearly.
+ADVANCE = (112 / 113, 15 / 113)
+# Half the order of the determinant's zero at d = ∞: four leave degree 8 on the circle, and eight
+# the degree 4 of arms with eight solutions.
+ORDERS = (8, 7, 6, 5, 4)
+TINY = 1e-300
+
+
+def on_circle(x: FloatArray) -> FloatArray:
+    """The coefficients of 1, cos ψ and sin ψ in G(Tz(d)) x, times 1 + cos ψ': (3, 15, ..., N)."""
+    one, first, square = slide(x)
+    first, square = UNIT * first, UNIT * UNIT * square
+    c, s = ADVANCE
+    cosine = one - square
+    return np.stack([one + square, c * cosine + s * first, c * first - s * cosine])
+
+
+def stand_in(length: float) -> tuple[float, float]:
+    """Cosine and sine of the angle ψ that stands for d [arm sizes]."""
+    x = length / UNIT
+    c, s = ADVANCE
+    cosine, sine = (1.0 - x * x) / (1.0 + x * x), 2.0 * x / (1.0 + x * x)
+    return cosine * c + sine * s, sine * c - cosine * s
+
+
+def length(psi: float) -> float:
+    """The length d [arm sizes] from ψ; zero instead of infinity."""
+    (c, s), cosine, sine = ADVANCE, cos(psi), sin(psi)
+    above = 1.0 + c * cosine - s * sine
+    return UNIT * (s * cosine + c * sine) * above / (above * above + TINY)
+
+
+def nearness(cosine: FloatArray, sine: FloatArray) -> FloatArray:
+    """(1 + cos ψ') / 2 from cosine and sine of ψ: what vanishes where d is infinite."""
+    c, s = ADVANCE
+    return 0.5 * (1.0 + c * cosine - s * sine)

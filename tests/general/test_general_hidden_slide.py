@@ -1,0 +1,103 @@
+"""Arms with one slide whose determinants vanish identically wherever a turn is hidden."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import hypot
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.general.arm import general_kernel
+from dhgen.general.hidden_slide import length, stand_in
+from dhgen.general.reference import solve
+from dhgen.kinematics.build import build_chain
+from tests.general.arms import in_c, in_python
+from tests.general.files import assert_all_solutions, poses, written
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.kinematics.chain import Chain
+
+POSES = 3
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+
+# Their polynomials in the length are of degree 16, 12 and 8.
+ARMS = (
+    (
+        "{theta: q, d: 0.3, a: 0.1, alpha: -90 deg}",
+        "{theta: 0.2, d: q, a: 0.15, alpha: 90 deg}",
+        "{theta: q, d: 0.1, a: 0.08, alpha: -90 deg}",
+        "{theta: q, d: 0.43, a: 0, alpha: 90 deg}",
+        "{theta: q, d: 0.05, a: 0, alpha: -90 deg}",
+        "{theta: q, d: 0.08, a: 0, alpha: 0}",
+    ),
+    (
+        "{theta: q, d: 0.16, a: 0.119, alpha: 0}",
+        "{theta: q, d: 0.182, a: 0, alpha: -90 deg}",
+        "{theta: q, d: 0.202, a: 0, alpha: -90 deg}",
+        "{theta: q, d: 0.258, a: 0, alpha: -90 deg}",
+        "{theta: 0.2, d: q, a: 0.216, alpha: -90 deg}",
+        "{theta: q, d: 0.463, a: 0.154, alpha: -90 deg}",
+    ),
+    (
+        "{theta: q - pi/2, d: -0.36, a: 0, alpha: 90 deg}",
+        "{theta: q - pi/2, d: 0, a: 0.355, alpha: 180 deg}",
+        "{theta: q + pi/2, d: 0, a: 0, alpha: 90 deg}",
+        "{theta: q + pi, d: 0.375, a: 0, alpha: 90 deg}",
+        "{theta: 90 deg, d: q, a: 0, alpha: 90 deg}",
+        "{theta: q + pi/2, d: 0.078, a: 0, alpha: 0}",
+    ),
+)
+
+
+def known(chain: Chain) -> GeneralKernel:
+    kernel = general_kernel(chain)
+    assert kernel is not None
+    assert kernel.method == "general 5R1P"
+    assert kernel.hides_a_slide
+    return kernel
+
+
+@pytest.mark.parametrize("rows", ARMS)
+def test_all_solutions(tmp_path: Path, rows: tuple[str, ...]) -> None:
+    robot = written(tmp_path, rows)
+    chain = build_chain(robot)
+    assert_all_solutions(robot, known(chain), poses(chain, 1, seed=1))
+
+
+@pytest.mark.parametrize("rows", ARMS[:1])
+def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...]) -> None:
+    chain = build_chain(written(tmp_path, rows))
+    kernel = known(chain)
+    in_lanes, one_by_one = in_c(kernel, "arm", *STRICT), in_c(kernel, "arm", "-DARM_LANES=1")
+    in_words = in_python(kernel, "arm")
+    doubtful = 0
+    for number, T in enumerate(poses(chain, 200, seed=5)):
+        q, residual, certain = in_lanes(T)
+        assert (residual < 1e-10).all()
+        doubtful += not certain
+        np.testing.assert_allclose(one_by_one(T)[0], q, atol=1e-8)
+        if number < POSES:
+            np.testing.assert_allclose(in_words(T)[0], q, atol=1e-8)
+            np.testing.assert_allclose(solve(T, kernel).q, q, atol=1e-8)
+    assert doubtful <= 12  # of 200; far out the determinant loses digits
+
+
+@pytest.mark.parametrize("d", [-3.0, 0.0, 0.4, 25.0])
+def test_a_length_and_its_angle(d: float) -> None:
+    cosine, sine = stand_in(d)
+    assert hypot(cosine, sine) == pytest.approx(1.0)
+    assert length(float(np.arctan2(sine, cosine))) == pytest.approx(d, rel=1e-12)
+
+
+def test_too_low_an_order_leaves_a_root_at_infinity(tmp_path: Path) -> None:
+    chain = build_chain(written(tmp_path, ARMS[1]))
+    kernel = known(chain)
+    low = replace(kernel, formulations=(replace(kernel.first, order=kernel.first.order - 1),))
+    (T,) = poses(chain, 1, seed=1)
+    assert not solve(T, kernel).singular
+    assert solve(T, low).singular
