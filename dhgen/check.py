@@ -50,7 +50,7 @@ def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Compari
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    compiled = _compile_all(files.loaded, numerical=numerical)
+    compiled = _compile_all(files.loaded, out, numerical=numerical)
     for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
             refusals.append(made)
@@ -73,20 +73,20 @@ def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Compari
 
 
 def _compile_all(
-    files: tuple[RobotFile, ...], *, numerical: bool = False
+    files: tuple[RobotFile, ...], out: Path, *, numerical: bool = False
 ) -> list[dict[str, str] | DhgenError]:
     workers = min(len(files), os.cpu_count() or 1)
-    files_of = partial(_files_of, numerical=numerical)
+    files_of = partial(_files_of, out=out, numerical=numerical)
     if workers <= 1:
         return [files_of(file) for file in files]
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(files_of, files))
 
 
-def _files_of(file: RobotFile, *, numerical: bool) -> dict[str, str] | DhgenError:
+def _files_of(file: RobotFile, *, out: Path, numerical: bool) -> dict[str, str] | DhgenError:
     try:
         with about(file.path):
-            return compile_loaded(file, numerical=numerical).files
+            return compile_loaded(file, numerical=numerical, out=out).files
     except DhgenError as refusal:
         return refusal
 

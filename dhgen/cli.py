@@ -180,12 +180,12 @@ def _tell(text: str) -> None:
         print(f"  {text} ...", file=sys.stderr, flush=True)
 
 
-def _compile(file: RobotFile, options: argparse.Namespace) -> Compilation:
+def _compile(file: RobotFile, *, numerical: bool, out: Path | None = None) -> Compilation:
     from dhgen.compiler import compile_loaded  # noqa: PLC0415 - errors and --help need no sympy
 
     _tell_notes(file)
     with about(file.path):
-        return compile_loaded(file, _tell, numerical=options.numerical)
+        return compile_loaded(file, _tell, numerical=numerical, out=out)
 
 
 def _tell_notes(file: RobotFile) -> None:
@@ -220,7 +220,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
 
-    compilation = _compile(file, options)
+    compilation = _compile(file, numerical=options.numerical, out=options.out)
     module = compilation.module
     if options.numerical and module.method != NUMERICAL:
         print("note: --numerical is not needed", file=sys.stderr)
@@ -272,7 +272,7 @@ def _explain(options: argparse.Namespace) -> int:
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
     from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
 
-    compilation = _compile(RobotFile.read(options.file), options)
+    compilation = _compile(RobotFile.read(options.file), numerical=options.numerical)
     derivation, program = compilation.derivation, compilation.module.solver
     if options.alternatives:
         print(alternatives_text(derivation))

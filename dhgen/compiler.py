@@ -81,7 +81,11 @@ def compile_robot(
 
 
 def compile_loaded(
-    file: RobotFile, tell: Callable[[str], None] = lambda _: None, *, numerical: bool = False
+    file: RobotFile,
+    tell: Callable[[str], None] = lambda _: None,
+    *,
+    numerical: bool = False,
+    out: Path | None = None,
 ) -> Compilation:
     """Everything after the robot file has been read, but verification.
 
@@ -90,12 +94,14 @@ def compile_loaded(
         tell: Is told what is being done, for progress.
         numerical: Whether the numerical solver may take what nothing else solves, as when the
             file says so.
+        out: The folder that the files are for, where it is known: they say where the robot file
+            lies beside it.
 
     Raises:
         UnsolvedError: No derivation solves the arm.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    robot, source = file.robot, source_name(file.path)
+    robot, source = file.robot, source_name(file.path, out)
     tell("deriving")
     chain = build_chain(robot)
     derivation = derive(chain, numerical=numerical or robot.numerical)
@@ -162,7 +168,13 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
             raise VerificationError(f"{error}\n{way_out}") from error
 
 
-def source_name(path: Path) -> str:
-    """How emitted files call their source: its folder and name, the same from everywhere."""
+def source_name(path: Path, out: Path | None = None) -> str:
+    """How emitted files call their source, the same from everywhere.
+
+    As seen from the folder in which they have theirs, whatever that is called; of a robot file that
+    lies elsewhere its own folder and name.
+    """
     resolved = path.resolve()
+    if out is not None and resolved.is_relative_to(out.resolve().parent):
+        return resolved.relative_to(out.resolve().parent).as_posix()
     return f"{resolved.parent.name}/{resolved.name}".lstrip("/")

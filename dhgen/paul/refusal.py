@@ -49,6 +49,7 @@ def refusal(search: Search, chain: Chain) -> str:
 def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
     """Why an arm with more joints than its task fixes is not solved, and what can be done."""
     names = ", ".join(map(str, spare.joints))
+    values = "its value" if spare.count == 1 else "their values"
     given = "one of them" if spare.count == 1 else f"{spare.count} of them"
     moved = f"joints {names} can be moved against each other without moving what the task names"
     if len(spare.joints) == 1:
@@ -57,7 +58,7 @@ def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
     lines = [
         f"the arm has infinitely many solutions for every pose: {first}",
         *others,
-        f"name {given} under `free` to solve for the others with its value given",
+        f"name {given} under `free` to solve for the others with {values} given",
         *choices_text(choices, spare),
         *_elbow_choice(chain),
         "--numerical would give the solution near to a seed, by damped least squares",

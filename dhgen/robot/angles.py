@@ -91,7 +91,7 @@ def turns_notice(value: float) -> str | None:
 def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     """What the user is told about an angle that looks like a slip.
 
-    It is nearly, but not exactly, a multiple of pi/2, or degrees where the file counts in radians.
+    It is nearly, but not exactly, a multiple of pi/2, or in the other unit than the file's.
 
     Args:
         value: The angle in radians.
@@ -100,6 +100,8 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     if not math.isfinite(value):
         return None
     if unit == "pi" and (notice := turns_notice(value)):
+        return notice
+    if unit != "pi" and (notice := _radians_notice(math.degrees(value))):
         return notice
     quarters = round(value / (math.pi / 2))
     distance = abs(value - quarters * math.pi / 2)
@@ -110,3 +112,14 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     )
     shown = distance if unit == "pi" else math.degrees(distance)
     return f"is {shown:.1e} away from {meant}: write {meant} if that is meant"
+
+
+def _radians_notice(degrees: float) -> str | None:
+    """What the user is told about degrees that look like radians."""
+    quarters = round(degrees / (math.pi / 2))
+    if not 0 < abs(quarters) <= 4 * MOST_TURNS:
+        return None
+    if abs(degrees - quarters * math.pi / 2) > SLIP:
+        return None
+    meant = to_text(exact_angle(6 * quarters))
+    return f"is {degrees:g} degrees: write {90 * quarters} if {meant} is meant"

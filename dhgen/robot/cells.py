@@ -87,7 +87,9 @@ class Cells:
         except CellError as error:
             message = error.message
             if isinstance(error, UnknownNameError) and error.name in self._later:
-                message = f"the parameter '{error.name}' is defined further down: move it up"
+                own = path[-1] == error.name
+                place = "by itself" if own else "further down: move it up"
+                message = f"the parameter '{error.name}' is defined {place}"
             self.report.error(path, message, part=error.span)
             return INVALID
 

@@ -33,7 +33,10 @@ def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> Dh
         if theta.sign and d.sign:
             cells.report.error((*path, "d"), "q stands in theta already: a joint has one variable")
         elif complete and not theta.sign and not d.sign:
-            message = "no variable: write q in theta (revolute) or in d (prismatic)"
+            message = (
+                "no variable: write q in theta (revolute) or in d (prismatic); what does not move "
+                "belongs to base, tool or a row beside it"
+            )
             cells.report.error(path, message)
     kind = JointKind.PRISMATIC if d.sign else JointKind.REVOLUTE
     offset = cells.radians(theta.offset)

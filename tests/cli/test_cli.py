@@ -14,6 +14,7 @@ import numba
 import pytest
 
 from dhgen.cli import main
+from dhgen.compiler import source_name
 from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.robot_files import load_all
 
@@ -111,6 +112,16 @@ def test_check_is_content(run: Run, written: Path) -> None:
 
 def copy(written: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(written, tmp_path / "copy"))
+
+
+def test_what_the_project_s_folder_is_called_is_nobody_s_business(tmp_path: Path) -> None:
+    """A robot file beside the generated ones, or in a folder beside them; and one far away."""
+    for folder in ("one", "two"):
+        (tmp_path / folder / "arms").mkdir(parents=True)
+        out = tmp_path / folder / "generated"
+        assert source_name(tmp_path / folder / "arm.yaml", out) == "arm.yaml"
+        assert source_name(tmp_path / folder / "arms" / "arm.yaml", out) == "arms/arm.yaml"
+    assert source_name(tmp_path / "one" / "arms" / "arm.yaml", out) == "arms/arm.yaml"
 
 
 def test_check_sees_a_change(run: Run, written: Path, tmp_path: Path) -> None:
@@ -277,7 +288,7 @@ def test_notes_are_told_once_and_before_a_refusal(
 def test_two_files_of_one_name_are_refused_before_the_work(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def work(file: RobotFile, *_: object) -> NoReturn:
+    def work(file: RobotFile, **_: object) -> NoReturn:
         worked.append(file.path)
         raise UnsolvedError(capsys.readouterr().err)
 

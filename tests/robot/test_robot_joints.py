@@ -64,7 +64,7 @@ def test_a_prismatic_joint() -> None:
 @pytest.mark.parametrize(
     ("cells", "at", "message"),
     [
-        ("theta: 0", "{", "no variable: write q in theta (revolute) or in d (prismatic)"),
+        ("theta: 0", "{", "no variable: write q in theta (revolute) or in d (prismatic);"),
         ("theta: q, d: q", "q", "q stands in theta already: a joint has one variable"),
         ("theta: 2*q", "2*q", "q stands alone, with a sign or with an offset"),
         ("theta: q + q", "q + q", "q stands alone, with a sign or with an offset"),
@@ -185,6 +185,14 @@ def test_a_slip_in_degrees_is_told_in_degrees() -> None:
     assert [notice.message for notice in loaded.notices] == [
         "'90.01' is 1.0e-02 away from 90: write 90 if that is meant"
     ]
+
+
+def test_radians_in_a_file_of_degrees_are_told() -> None:
+    loaded = robot(table("theta: q, alpha: -1.5708", units="{angle: deg}"))
+    assert [notice.message for notice in loaded.notices] == [
+        "'-1.5708' is -1.5708 degrees: write -90 if -pi/2 is meant"
+    ]
+    assert not robot(table("theta: q, alpha: 1.5", units="{angle: deg}")).notices
 
 
 def test_degrees_in_a_file_of_radians_are_told() -> None:

@@ -147,7 +147,7 @@ def test_parameters_may_use_those_before_them() -> None:
     ("parameters", "message"),
     [
         ("{l: m, m: 1}", "the parameter 'm' is defined further down: move it up"),
-        ("{l: l}", "the parameter 'l' is defined further down: move it up"),
+        ("{l: l + 1}", "the parameter 'l' is defined by itself"),
         ("{l: q}", "the variable q stands in theta or in d of a joint only"),
         ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
         ("{c1: 1}", "'c1' can't be a parameter: the derivation itself makes such names"),
