@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.compiler import compile_loaded
+from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
 
@@ -24,7 +24,7 @@ MOST_DIFFERENCES = 60  # lines of a diff that are shown
 
 SUFFIXES = {".py", ".c", ".h", ".md"}
 HEAD = 1000  # characters of a file in which it says where it comes from
-_SOURCE = re.compile(r"generated from (\S+)/\S+\.ya?ml", re.IGNORECASE)
+_SOURCE = re.compile(r"generated from (?:(\S+)/)?[^\s/]+\.ya?ml", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +116,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     not looked at.
     """
     folders = {path.resolve().parent for path in files}
+    told = {_folder_of(source_name(path, out)) for path in files}
     around = (each for folder in folders for each in folder.glob("*.yaml"))
     neighbours = _stems([*files, *around])
     known = _stems(makers)
@@ -127,15 +128,20 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
         if path.suffix in SUFFIXES
         and path.name not in expected
         and (path.stem in known or path.stem not in neighbours)
-        and _source_folder(path) in {None, *(folder.name for folder in folders)}
+        and _source_folder(path) in {None, *told}
     )
 
 
 def _source_folder(path: Path) -> str | None:
-    """The folder of the robot file that a generated file names; None without any."""
+    """The folder of the robot file that a generated file names, if it does; None without any."""
     head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
     found = _SOURCE.search(" ".join(word for word in head.split() if word != "*"))
-    return found.group(1) if found else None
+    return found.group(1) or "" if found else None
+
+
+def _folder_of(source: str) -> str:
+    """The folder that stands before a name, if there is any."""
+    return source.rpartition("/")[0]
 
 
 def _stems(files: Iterable[Path]) -> set[str]:

@@ -94,8 +94,7 @@ def compile_loaded(
         tell: Is told what is being done, for progress.
         numerical: Whether the numerical solver may take what nothing else solves, as when the
             file says so.
-        out: The folder that the files are for, where it is known: they say where the robot file
-            lies beside it.
+        out: The folder that the files are for, where it is known.
 
     Raises:
         UnsolvedError: No derivation solves the arm.
@@ -171,10 +170,10 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
 def source_name(path: Path, out: Path | None = None) -> str:
     """How emitted files call their source, the same from everywhere.
 
-    As seen from the folder in which they have theirs, whatever that is called; of a robot file that
-    lies elsewhere its own folder and name.
+    By its folder and name; by its name alone where it lies in the folder that the files are for, or
+    above: that may be the project's, which has another name in every checkout.
     """
-    resolved = path.resolve()
-    if out is not None and resolved.is_relative_to(out.resolve().parent):
-        return resolved.relative_to(out.resolve().parent).as_posix()
-    return f"{resolved.parent.name}/{resolved.name}".lstrip("/")
+    folder, name = path.resolve().parent, path.name
+    if out is not None and out.resolve().is_relative_to(folder):
+        return name
+    return f"{folder.name}/{name}".lstrip("/")

@@ -49,7 +49,7 @@ FARTHEST = TOLERANCES.longest  # times the sine between the slides: as far as th
 # all around the circle: its root is how far a double root may be off.
 MOVED = 1e-14
 # Where the axis of γ is parallel to that of β or δ, the entry zz does not give γ, and roots tell
-# nothing of solutions: the square of the sines between these axes.
+# nothing of solutions: the square of the product of the sines between these axes.
 NO_ANGLE = 1e-18
 PARALLEL = 1e-30  # the square of what rounding leaves of the normal of slides that are parallel
 

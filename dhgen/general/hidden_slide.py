@@ -3,7 +3,8 @@
 A polynomial of degree 16 in a length d is one of degree 8 on the circle: with d = UNIT tan(ψ'/2)
 and times cos^16(ψ'/2), or less where the degree is lower. The twelve rows of the determinant are of
 degree two in d each, and give cos^24: what is too much is divided out, away from d = ∞, where none
-of the angles that are sampled lies as long as ψ = ψ' − ADVANCE is the angle.
+of the angles that are sampled lies without a lens as long as ψ = ψ' − ADVANCE is the angle. Lenses
+towards it lose digits, so that poses with the slide some arm sizes out may have no certificate.
 """
 
 from __future__ import annotations
@@ -54,6 +55,6 @@ def length(psi: float) -> float:
 
 
 def nearness(cosine: FloatArray, sine: FloatArray) -> FloatArray:
-    """(1 + cos ψ') / 2 from cosine and sine of ψ: what vanishes where d is infinite."""
+    """1 + cos ψ' from cosine and sine of ψ: what vanishes where d is infinite."""
     c, s = ADVANCE
-    return 0.5 * (1.0 + c * cosine - s * sine)
+    return 1.0 + c * cosine - s * sine

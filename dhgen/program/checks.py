@@ -105,7 +105,10 @@ def _everywhere(chain: Chain) -> FloatArray:
 
 
 def _beside(chain: Chain) -> FloatArray:
-    """Joint vectors beside right angles: all joints as near as each other; and half of them."""
+    """Joint vectors beside right angles: all joints as near as each other; and about half of them.
+
+    These each as near as they like, and the others anywhere.
+    """
     source = np.random.default_rng(18)
     shape = len(BESIDE), TRIED, chain.dof
     right = source.integers(-1, 3, shape) * (np.pi / 2)

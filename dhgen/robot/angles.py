@@ -12,6 +12,8 @@ from dhgen.robot.surds import Surd
 
 SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
 SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it
+MOST_QUARTERS = 2  # pi/2 and pi are what radians in a file of degrees mean as a rule
+ROUGH = 2e-3  # how far 3.14 is from pi, nearly
 MOST_TURNS = 2  # an angle of more looks like degrees
 LARGEST_ANGLE = (
     1e4  # beyond, doubles are too coarse to tell a multiple of pi/12 from its neighbours
@@ -91,7 +93,8 @@ def turns_notice(value: float) -> str | None:
 def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     """What the user is told about an angle that looks like a slip.
 
-    It is nearly, but not exactly, a multiple of pi/2, or in the other unit than the file's.
+    It is nearly, but not exactly, a multiple of pi/2, or in the other unit than the file's, where
+    the cell does not name one.
 
     Args:
         value: The angle in radians.
@@ -101,7 +104,7 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
         return None
     if unit == "pi" and (notice := turns_notice(value)):
         return notice
-    if unit != "pi" and (notice := _radians_notice(math.degrees(value))):
+    if not unit and (notice := _radians_notice(math.degrees(value))):
         return notice
     quarters = round(value / (math.pi / 2))
     distance = abs(value - quarters * math.pi / 2)
@@ -117,9 +120,7 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
 def _radians_notice(degrees: float) -> str | None:
     """What the user is told about degrees that look like radians."""
     quarters = round(degrees / (math.pi / 2))
-    if not 0 < abs(quarters) <= 4 * MOST_TURNS:
-        return None
-    if abs(degrees - quarters * math.pi / 2) > SLIP:
+    if not 0 < abs(quarters) <= MOST_QUARTERS or abs(degrees - quarters * math.pi / 2) > ROUGH:
         return None
     meant = to_text(exact_angle(6 * quarters))
     return f"is {degrees:g} degrees: write {90 * quarters} if {meant} is meant"

@@ -114,14 +114,14 @@ def copy(written: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(written, tmp_path / "copy"))
 
 
-def test_what_the_project_s_folder_is_called_is_nobody_s_business(tmp_path: Path) -> None:
-    """A robot file beside the generated ones, or in a folder beside them; and one far away."""
-    for folder in ("one", "two"):
-        (tmp_path / folder / "arms").mkdir(parents=True)
-        out = tmp_path / folder / "generated"
-        assert source_name(tmp_path / folder / "arm.yaml", out) == "arm.yaml"
-        assert source_name(tmp_path / folder / "arms" / "arm.yaml", out) == "arms/arm.yaml"
-    assert source_name(tmp_path / "one" / "arms" / "arm.yaml", out) == "arms/arm.yaml"
+@pytest.mark.parametrize("out", ["generated", ".", "build/generated"])
+def test_what_the_project_s_folder_is_called_is_nobody_s_business(tmp_path: Path, out: str) -> None:
+    """A robot file at the top of the project, and one in a folder for such files."""
+    for project in ("one", "two"):
+        folder = tmp_path / project
+        assert source_name(folder / "arm.yaml", folder / out) == "arm.yaml"
+        assert source_name(folder / "arms" / "arm.yaml", folder / out) == "arms/arm.yaml"
+    assert source_name(tmp_path / "arms" / "arm.yaml", Path("/generated")) == "arms/arm.yaml"
 
 
 def test_check_sees_a_change(run: Run, written: Path, tmp_path: Path) -> None:
@@ -171,8 +171,8 @@ def test_check_leaves_alone_what_is_made_of_another_folder(
 ) -> None:
     monkeypatch.chdir(copy(written, tmp_path))
     header = Path("generated/planar_rr.h").read_text()
-    for name, folder in ("theirs", "arms"), ("ours", "robots"):
-        Path(f"generated/{name}.h").write_text(header.replace("robots/", f"{folder}/"))
+    for name, folder in ("theirs", "arms/"), ("top", ""), ("ours", "robots/"):
+        Path(f"generated/{name}.h").write_text(header.replace("robots/", folder))
     assert main(["--check", "robots/planar_rr.yaml"]) == 1
     extra = [line for line in capfd.readouterr().err.splitlines() if "extra" in line]
     assert [line.split(":")[0] for line in extra] == ["generated/ours.h"]

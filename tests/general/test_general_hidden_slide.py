@@ -69,8 +69,9 @@ def test_all_solutions(tmp_path: Path, rows: tuple[str, ...]) -> None:
     assert_all_solutions(robot, known(chain), poses(chain, 1, seed=1))
 
 
-@pytest.mark.parametrize("rows", ARMS[:1])
-def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...]) -> None:
+@pytest.mark.parametrize(("rows", "most"), [(ARMS[0], 12), (ARMS[2], 200)])
+def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...], most: int) -> None:
+    """Far out the determinant loses digits, and roots of the other arm are double at every pose."""
     chain = build_chain(written(tmp_path, rows))
     kernel = known(chain)
     in_lanes, one_by_one = in_c(kernel, "arm", *STRICT), in_c(kernel, "arm", "-DARM_LANES=1")
@@ -84,7 +85,7 @@ def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...]) -> None:
         if number < POSES:
             np.testing.assert_allclose(in_words(T)[0], q, atol=1e-8)
             np.testing.assert_allclose(solve(T, kernel).q, q, atol=1e-8)
-    assert doubtful <= 12  # of 200; far out the determinant loses digits
+    assert doubtful <= most  # of 200
 
 
 @pytest.mark.parametrize("d", [-3.0, 0.0, 0.4, 25.0])

@@ -143,7 +143,7 @@ tool: {xyz: [0.435, 0, 0.511], rpy: [0, 30 deg, 0]}
 """
 
 # With joint 3 at zero, where joint 5 is straight axes 2, 4 and 6 are parallel, and the slides, too:
-# the polynomial is a constant, of rounding, and solutions have no root.
+# one polynomial vanishes, the other is a constant, and solutions have no root.
 STRAIGHT = """
 name: arm
 task: pose
@@ -161,7 +161,7 @@ tool: {xyz: [0.549, 0, 0.428], rpy: [0, pi/2, 0]}
 """
 
 
-def test_a_polynomial_of_nothing_certifies_nothing(tmp_path: Path) -> None:
+def test_where_axes_are_parallel_roots_tell_nothing(tmp_path: Path) -> None:
     (tmp_path / "arm.yaml").write_text(STRAIGHT, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
     for name, text in c_files(module).items():

@@ -192,7 +192,9 @@ def test_radians_in_a_file_of_degrees_are_told() -> None:
     assert [notice.message for notice in loaded.notices] == [
         "'-1.5708' is -1.5708 degrees: write -90 if -pi/2 is meant"
     ]
-    assert not robot(table("theta: q, alpha: 1.5", units="{angle: deg}")).notices
+    for cell in ("1.5", "1.5708 deg"):
+        assert not robot(table(f"theta: q, alpha: {cell}", units="{angle: deg}")).notices
+    assert robot(table("theta: q, alpha: 3.14", units="{angle: deg}")).notices
 
 
 def test_degrees_in_a_file_of_radians_are_told() -> None:
