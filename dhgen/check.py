@@ -16,8 +16,9 @@ from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
+    from dhgen.compiler import Compilation
     from dhgen.robot_files import RobotFile, RobotFiles
 
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
@@ -50,7 +51,8 @@ def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Compari
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    compiled = _compile_all(files.loaded, out, numerical=numerical)
+    compiler = partial(compile_loaded, numerical=numerical, out=out)
+    compiled = _compile_all(files.loaded, compiler)
     for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
             refusals.append(made)
@@ -73,20 +75,22 @@ def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Compari
 
 
 def _compile_all(
-    files: tuple[RobotFile, ...], out: Path, *, numerical: bool = False
+    files: tuple[RobotFile, ...], compiler: Callable[[RobotFile], Compilation]
 ) -> list[dict[str, str] | DhgenError]:
     workers = min(len(files), os.cpu_count() or 1)
-    files_of = partial(_files_of, out=out, numerical=numerical)
+    files_of = partial(_files_of, compiler)
     if workers <= 1:
         return [files_of(file) for file in files]
     with ProcessPoolExecutor(workers) as pool:
         return list(pool.map(files_of, files))
 
 
-def _files_of(file: RobotFile, *, out: Path, numerical: bool) -> dict[str, str] | DhgenError:
+def _files_of(
+    compiler: Callable[[RobotFile], Compilation], file: RobotFile
+) -> dict[str, str] | DhgenError:
     try:
         with about(file.path):
-            return compile_loaded(file, numerical=numerical, out=out).files
+            return compiler(file).files
     except DhgenError as refusal:
         return refusal
 

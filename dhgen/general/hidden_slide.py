@@ -50,7 +50,7 @@ def stand_in(length: float) -> tuple[float, float]:
 def length(psi: float) -> float:
     """The length d [arm sizes] from ψ; zero instead of infinity."""
     (c, s), cosine, sine = ADVANCE, cos(psi), sin(psi)
-    above = 1.0 + c * cosine - s * sine
+    above = float(nearness(np.array(cosine), np.array(sine)))
     return UNIT * (s * cosine + c * sine) * above / (above * above + TINY)
 
 

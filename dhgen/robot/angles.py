@@ -106,8 +106,7 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
         return notice
     if not unit and (notice := _radians_notice(math.degrees(value))):
         return notice
-    quarters = round(value / (math.pi / 2))
-    distance = abs(value - quarters * math.pi / 2)
+    quarters, distance = _quarters(value)
     if not SNAP < distance <= SLIP:
         return None
     meant = (
@@ -119,8 +118,14 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
 
 def _radians_notice(degrees: float) -> str | None:
     """What the user is told about degrees that look like radians."""
-    quarters = round(degrees / (math.pi / 2))
-    if not 0 < abs(quarters) <= MOST_QUARTERS or abs(degrees - quarters * math.pi / 2) > ROUGH:
+    quarters, distance = _quarters(degrees)
+    if not 0 < abs(quarters) <= MOST_QUARTERS or distance > ROUGH:
         return None
     meant = to_text(exact_angle(6 * quarters))
     return f"is {degrees:g} degrees: write {90 * quarters} if {meant} is meant"
+
+
+def _quarters(value: float) -> tuple[int, float]:
+    """The nearest multiple of pi/2, by its number, and how far it is."""
+    quarters = round(value / (math.pi / 2))
+    return quarters, abs(value - quarters * math.pi / 2)

@@ -17,7 +17,9 @@ from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.newton import all_solutions
+from dhgen.targets.c import c_files
 from dhgen.targets.module import SolverModule
+from dhgen.verify.native import compile_solver
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
     from dhgen.robot.robot import Robot
+    from dhgen.verify.native import CompiledSolver
 
 
 # Five joints without structure, and one that slides in the place of any.
@@ -73,6 +76,16 @@ def without_derivation(arm: Robot) -> SolverModule:
         arm_angle=None,
         precision=DOUBLE,
     )
+
+
+def compiled(module: SolverModule, folder: Path) -> CompiledSolver:
+    """Its C, written there and compiled."""
+    for name, text in c_files(module).items():
+        (folder / name).write_text(text, encoding="utf-8")
+    shape = module.chain.dof, module.solver.rows, module.chain.given
+    solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)
+    assert solver is not None
+    return solver
 
 
 def poses(chain: Chain, count: int, seed: int) -> list[np.ndarray]:

@@ -15,9 +15,7 @@ from dhgen.program.interpret import interpret
 from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.survey.oracle.newton import all_solutions
-from dhgen.targets.c import c_files
-from dhgen.verify.native import compile_solver
-from tests.general.files import SLIDE, TURNS, skew, without_derivation
+from tests.general.files import SLIDE, TURNS, compiled, skew, without_derivation
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -124,10 +122,7 @@ def test_in_c(tmp_path: Path) -> None:
     (tmp_path / "arm.yaml").write_text(TWISTED, encoding="utf-8")
     arm = load(tmp_path / "arm.yaml")
     module = without_derivation(arm)
-    for name, text in c_files(module).items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 5, 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     seed = np.zeros(5)
     for q in (np.array(NEARLY), *np.random.default_rng(4).uniform(-3.0, 3.0, (20, 5))):
         T = solver.fk(q)
@@ -150,10 +145,7 @@ def test_in_c(tmp_path: Path) -> None:
 def test_four_joints_whose_tool_points_in_c(tmp_path: Path) -> None:
     """Whatever the two columns hold that nobody names; and a direction that the arm can't take."""
     module = without_derivation(skew(tmp_path, TURNS[:4], task="pointing"))
-    for name, text in c_files(module).items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 4, 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     for q in np.random.default_rng(4).uniform(-3.0, 3.0, (20, 4)):
         T = solver.fk(q)
         T[:3, :2] = np.nan
@@ -167,10 +159,7 @@ def test_exact_solutions_are_not_left_for_what_a_rounded_pose_may_miss(tmp_path:
     """Where joints are nearly free a step towards the seed keeps a row as exact as it is."""
     (tmp_path / "arm.yaml").write_text(AIMED, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
-    for name, text in c_files(module).items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 4, 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     T, seed = solver.fk(np.array(NEXT_TO_SINGULAR)), np.zeros(4)
     rows, status = solver.ik(T, seed)
     known = interpret(module.solver, T[None], seed=seed)

@@ -17,9 +17,8 @@ from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import in_a_family, singular_sets
-from dhgen.targets.c import c_files
 from dhgen.verify.native import CompiledSolver, compile_solver
-from tests.general.files import without_derivation
+from tests.general.files import compiled, without_derivation
 from tests.robots.cases import ROBOTS, robot
 
 if TYPE_CHECKING:
@@ -104,10 +103,7 @@ def test_of_a_continuum_a_solution_inside_the_limits_is_taken(tmp_path: Path, fi
     limited = XARM6.replace("d: 0.097}", "d: 0.097, limits: [-0.5, 0.5]}")
     (tmp_path / "arm.yaml").write_text(limited, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
-    for name, written in c_files(module).items():
-        (tmp_path / name).write_text(written, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 6, 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     q = on_the_first_axis(solver)
     T, seed = solver.fk(q), np.array([first, *q[1:]])
     rows, status = solver.ik(T, seed)
@@ -272,10 +268,7 @@ def test_where_roots_meet_or_polynomials_vanish_there_are_rows(
     """Rounding moves roots that meet by thousandths; in C, and in what C is held to."""
     (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
-    for name, written in c_files(module).items():
-        (tmp_path / name).write_text(written, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", len(q), 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     T = solver.fk(np.array(q))
     rows, _ = solver.ik(T, np.array(q))
     meant = interpret(module.solver, T[None], np.array(q))
@@ -300,10 +293,7 @@ def test_where_many_roots_meet_there_is_one_row(
     """Joint values up to 0.02 rad beside the solution miss the pose by less than 1e-10."""
     (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
-    for name, written in c_files(module).items():
-        (tmp_path / name).write_text(written, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", len(q), 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     T = solver.fk(np.array(q))
     for seed in (np.zeros(6), np.array(q)):
         rows, status = solver.ik(T, seed)
@@ -318,10 +308,7 @@ def test_an_exact_solution_is_not_left_for_one_of_a_rounded_pose(tmp_path: Path)
     """The seed leads beside it, and what lies between both would solve a rounded pose, too."""
     (tmp_path / "arm.yaml").write_text(RAIL, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
-    for name, written in c_files(module).items():
-        (tmp_path / name).write_text(written, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 5, 16, 0)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     T = solver.fk(np.array([0.0, np.pi, np.pi, -np.pi, -np.pi]))
     rows, status = solver.ik(T, np.zeros(5))
     meant = interpret(module.solver, T[None], np.zeros(5))
@@ -335,10 +322,7 @@ def test_nearly_free_joints_do_not_leave_a_pose_without_rows(tmp_path: Path) -> 
     """The polynomial does not tell that there are none, and steps from anywhere lead to some."""
     (tmp_path / "arm.yaml").write_text(CALIBRATED, encoding="utf-8")
     arm = load(tmp_path / "arm.yaml")
-    for name, written in c_files(without_derivation(arm)).items():
-        (tmp_path / name).write_text(written, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 6, 16, 0)
-    assert solver is not None
+    solver = compiled(without_derivation(arm), tmp_path)
     quarters = np.arange(-1, 3) * np.pi / 2
     for first, fourth, fifth, sixth in product(quarters, quarters[::2], quarters[1::2], quarters):
         T = solver.fk(np.array([first, 0.0, 0.0, fourth, fifth, sixth]))

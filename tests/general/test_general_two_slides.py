@@ -19,10 +19,8 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
-from dhgen.targets.c import c_files
-from dhgen.verify.native import compile_solver
 from tests.general.arms import in_c, in_python
-from tests.general.files import assert_all_solutions, poses, without_derivation, written
+from tests.general.files import assert_all_solutions, compiled, poses, without_derivation, written
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -164,10 +162,7 @@ tool: {xyz: [0.549, 0, 0.428], rpy: [0, pi/2, 0]}
 def test_where_axes_are_parallel_roots_tell_nothing(tmp_path: Path) -> None:
     (tmp_path / "arm.yaml").write_text(STRAIGHT, encoding="utf-8")
     module = without_derivation(load(tmp_path / "arm.yaml"))
-    for name, text in c_files(module).items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    solver = compile_solver(tmp_path / "arm.c", tmp_path, "arm", 7, 8, 1)
-    assert solver is not None
+    solver = compiled(module, tmp_path)
     q = np.array([2.872, -np.pi / 2, 0.0, -np.pi, 0.0, -np.pi, 2.872])
     T, given = solver.fk(q), np.zeros(1)
     rows, status = solver.ik(T, np.zeros(7), given)

@@ -24,8 +24,11 @@ POINTING = (
     "axis open. That turn, {}, is taken for a sixth joint behind the tool: with any axes x and y "
     "across z the pose is whole, and nobody asks for the sixth value."
 )
-
-
+OFFSET_WRIST = (
+    "This arm has an offset wrist: axes 1 and 2 and axes 4 and 5 meet at right angles, axes 2 and "
+    "3 are parallel. Its polynomial in θ6 is known in closed form and is tried first; no "
+    "determinant is needed where it succeeds."
+)
 UNRELATED = "No three neighbouring axes are parallel or meet in one point"
 
 
@@ -174,13 +177,7 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
     if kernel.hides_a_slide:
         blocks.append(_hidden_slide(kernel))
     if kernel.wrist is not None:
-        blocks.append(
-            paragraph(
-                "This arm has an offset wrist: axes 1 and 2 and axes 4 and 5 meet at right angles, "
-                "axes 2 and 3 are parallel. Its polynomial in θ6 is known in closed form and is "
-                "tried first; no determinant is needed where it succeeds."
-            )
-        )
+        blocks.append(paragraph(OFFSET_WRIST))
     return blocks
 
 
