@@ -3539,14 +3539,15 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.265; /* joint offset 1 [m] */
-static const double a2 = 0.444; /* link length 2 [m] */
-static const double a3 = 0.11; /* link length 3 [m] */
-static const double d4 = 0.47; /* joint offset 4 [m] */
-static const double a5 = 0.08; /* link length 5 [m] */
-static const double d6 = 0.101; /* z of the tool frame [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
+static const double
+    d1 = 0.265, /* joint offset 1 [m] */
+    a2 = 0.444, /* link length 2 [m] */
+    a3 = 0.11, /* link length 3 [m] */
+    d4 = 0.47, /* joint offset 4 [m] */
+    a5 = 0.08, /* link length 5 [m] */
+    d6 = 0.101, /* z of the tool frame [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
 
 const char *const abb_gofa_5_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

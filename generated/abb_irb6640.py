@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 ac237b36cd96c95f"
+_KEY = "abb_irb6640 84cb9f06285011f5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1085,10 +1085,10 @@ def _regular(pose, q, status):
     v46 = angle13 - offset2
     v47 = angle14 - offset2
     v48 = angle15 - offset2
-    q2_ppp = v45 - (whole_turn if half_turn < v45 else 0.0)
-    q2_pmp = v46 - (whole_turn if half_turn < v46 else 0.0)
-    q2_mpp = v47 - (whole_turn if half_turn < v47 else 0.0)
-    q2_mmp = v48 - (whole_turn if half_turn < v48 else 0.0)
+    q2_ppp = v45 + (-whole_turn if half_turn < v45 else 0.0)
+    q2_pmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+    q2_mpp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+    q2_mmp = v48 + (-whole_turn if half_turn < v48 else 0.0)
     v49 = angle16 - offset5
     v50 = offset5 + angle16
     v51 = angle17 - offset5
@@ -1588,10 +1588,10 @@ def _in_tiles(T, q, status):
             v46 = angle13 - offset2
             v47 = angle14 - offset2
             v48 = angle15 - offset2
-            q2_ppp = v45 - (whole_turn if half_turn < v45 else 0.0)
-            q2_pmp = v46 - (whole_turn if half_turn < v46 else 0.0)
-            q2_mpp = v47 - (whole_turn if half_turn < v47 else 0.0)
-            q2_mmp = v48 - (whole_turn if half_turn < v48 else 0.0)
+            q2_ppp = v45 + (-whole_turn if half_turn < v45 else 0.0)
+            q2_pmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+            q2_mpp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+            q2_mmp = v48 + (-whole_turn if half_turn < v48 else 0.0)
             v49 = angle16 - offset5
             v50 = offset5 + angle16
             v51 = angle17 - offset5

@@ -51,29 +51,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -99,6 +103,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -113,6 +118,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -127,6 +133,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -151,12 +158,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -186,11 +193,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -205,33 +212,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -243,24 +253,25 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)ADEPT_UNREACHABLE \
         : (outside) ? (int)ADEPT_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 1075.0; /* joint offset 1 [mm] */
-static const double l1 = 600.0; /* link length 1 [mm] */
-static const double l2 = 550.0; /* link length 2 [mm] */
-static const double ez = 175.0; /* z of the tool frame [mm] */
-static const double zz_ = 500.0; /* z of the base frame [mm] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-/* square of a length that fixes no angle [mm^2] */
-static const double free_limit_squared2 = 5.7599999999999994e-18;
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 0.024; /* a pose may be rounded by this [mm] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-12; /* doubt_limit_squared^2 */
-static const double m2 = 330000.0; /* a coefficient of v5 */
-static const double m3 = 600.0; /* a coefficient of v5 */
-static const double m4 = 33.1776; /* doubt_limit_squared2^2 [mm^4] */
-static const double m5 = 0.000576; /* pose_slack1^2 [mm^2] */
-static const double m6 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double
+    d1 = 1075.0, /* joint offset 1 [mm] */
+    l1 = 600.0, /* link length 1 [mm] */
+    l2 = 550.0, /* link length 2 [mm] */
+    ez = 175.0, /* z of the tool frame [mm] */
+    zz_ = 500.0, /* z of the base frame [mm] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    /* square of a length that fixes no angle [mm^2] */
+    free_limit_squared2 = 5.7599999999999994e-18,
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 0.024, /* a pose may be rounded by this [mm] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    m1 = 1e-12, /* doubt_limit_squared^2 */
+    m2 = 330000.0, /* a coefficient of v5 */
+    m3 = 600.0, /* a coefficient of v5 */
+    m4 = 33.1776, /* doubt_limit_squared2^2 [mm^4] */
+    m5 = 0.000576, /* pose_slack1^2 [mm^2] */
+    m6 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 const char *const adept_branches[1] = {
     "only",
@@ -366,7 +377,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
         (T33 * T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
 
     q[0] = angle1;
-    q[1] = v14 - only_wide(half_turn < v14, whole_turn) + only_wide(v14 <= -half_turn, whole_turn);
+    q[1] = v14 + pick_wide(v14 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v14,
+        -whole_turn));
     q[2] = q3;
     kind[0] = kind_of(q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -403,12 +415,12 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const int doubt1 = (v6 <= m4) | (v1 <= m1) | (m6 < T23 * T23 + (v13 * v13 + (v11 * v11 + (T33 *
         T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
 
-    const four packed1 = atan2_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 }),
-        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 0, 0),
-        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four((four){ v4, T32, v4, v4 }, (four){ v5, T22, v5, v5 });
+    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle2 = shuffle(packed1, packed1, 1, 1, 1, 1);
     const four v14 = angle2 - angle1,
-        q2 = v14 - only_four(half_turn < v14, whole_turn) + only_four(v14 <= -half_turn,
-            whole_turn);
+        q2 = v14 + pick_four(v14 <= -half_turn, all_four(whole_turn), only_four(half_turn < v14,
+            -whole_turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -438,9 +450,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             q[3 * k + i] = found[i][k];
     for (int i = 1; i < 1; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 1; i++)
-            status[1 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 1 * k, &word, 1);
+    }
     return bits_wide(left);
 }
 #else

@@ -410,7 +410,7 @@ def _regular(pose, q, status):
 
     # joint values
     v14 = angle2 - angle1
-    q2 = v14 - (whole_turn if half_turn < v14 else 0.0) + (whole_turn if v14 <= -half_turn else 0.0)
+    q2 = v14 + (whole_turn if v14 <= -half_turn else (-whole_turn if half_turn < v14 else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -670,8 +670,8 @@ def _in_tiles(T, q, status):
             angle2 = work[320 + k]
             v14 = angle2 - angle1
             q2 = (
-                v14 - (whole_turn if half_turn < v14 else 0.0) + (whole_turn if v14 <= -half_turn
-                else 0.0)
+                v14 + (whole_turn if v14 <= -half_turn else (-whole_turn if half_turn < v14 else
+                0.0))
             )
             _368 = angle1
             work[368 + k] = _368

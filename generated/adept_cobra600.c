@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -101,6 +105,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -115,6 +120,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -129,6 +135,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -154,14 +161,14 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -183,11 +190,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -202,33 +209,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -240,35 +250,30 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)ADEPT_COBRA600_UNREACHABLE \
         : (outside) ? (int)ADEPT_COBRA600_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.387; /* joint offset 1 [m] */
-static const double a1 = 0.325; /* link length 1 [m] */
-static const double a2 = 0.275; /* link length 2 [m] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double longest2 = 0.3600000000000001; /* square of the longest reach [m^2] */
-static const double shortest2 = 0.0024999999999999988; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest2_reach = 0.36000000000011856;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest2_reach = 0.002499999999990129;
-/* the longest, where branches merge [m^2] */
-static const double longest2_apart = 0.3599999999999883;
-/* the shortest, where branches merge [m^2] */
-static const double shortest2_apart = 0.002500000000000986;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 9.74169e-25;
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 9.87e-06; /* a pose may be rounded by this [m] */
-static const double k1 = 0.18125000000000002; /* a1^2 + a2^2 [m^2] */
-static const double k2 = 5.594405594405594; /* 1 / (2 * a2 * a1) [m^-2] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 9.74169e-07;
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-12; /* doubt_limit_squared^2 */
-static const double m2 = 1.5384615384615385; /* a coefficient of S1 */
-static const double m3 = 0.04615384615384612; /* a coefficient of S1 */
-static const double m4 = 9.74169e-11; /* pose_slack1^2 [m^2] */
-static const double m5 = 1.0000000000000002e-10; /* pose_slack^2 */
+static const double
+    d1 = 0.387, /* joint offset 1 [m] */
+    a1 = 0.325, /* link length 1 [m] */
+    a2 = 0.275, /* link length 2 [m] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    longest2 = 0.3600000000000001, /* square of the longest reach [m^2] */
+    shortest2 = 0.0024999999999999988, /* square of the shortest reach [m^2] */
+    longest2_reach = 0.36000000000011856, /* the longest, with what rounding adds [m^2] */
+    shortest2_reach = 0.002499999999990129, /* the shortest, with what rounding adds [m^2] */
+    longest2_apart = 0.3599999999999883, /* the longest, where branches merge [m^2] */
+    shortest2_apart = 0.002500000000000986, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 9.74169e-25, /* square of a length that fixes no angle [m^2] */
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 9.87e-06, /* a pose may be rounded by this [m] */
+    k1 = 0.18125000000000002, /* a1^2 + a2^2 [m^2] */
+    k2 = 5.594405594405594, /* 1 / (2 * a2 * a1) [m^-2] */
+    doubt_limit_squared2 = 9.74169e-07, /* square of a length that fixes no angle [m^2] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    m1 = 1e-12, /* doubt_limit_squared^2 */
+    m2 = 1.5384615384615385, /* a coefficient of S1 */
+    m3 = 0.04615384615384612, /* a coefficient of S1 */
+    m4 = 9.74169e-11, /* pose_slack1^2 [m^2] */
+    m5 = 1.0000000000000002e-10; /* pose_slack^2 */
 
 const char *const adept_cobra600_branches[2] = {
     "down", "up",
@@ -385,10 +390,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         v8);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v12 - only_wide(half_turn < v12, whole_turn) + only_wide(v12 <= -half_turn, whole_turn);
+    q[3] = v12 + pick_wide(v12 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v12,
+        -whole_turn));
     kind[0] = kind_of(q[0], 0);
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v13 - only_wide(half_turn < v13, whole_turn) + only_wide(v13 <= -half_turn, whole_turn);
+    q[7] = v13 + pick_wide(v13 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v13,
+        -whole_turn));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -426,16 +433,15 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         & (N2 < longest2_apart)) == 0)) | (v1 <= m1) | (N2 <= doubt_limit_squared2) | (m5 < T13 *
         T13 + (v9 * v9 + (v8 * v8 + (T23 * T23 + (v7 * v7 + T31 * T31))))) | (m4 < v6 * v6);
 
-    const four packed1 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(v4 - w2 * (m2 *
-        (e1 * T14)), all_four(T21), 0, 1, 6, 3), all_four(w2), 0, 1, 2, 7),
-        __builtin_shufflevector(__builtin_shufflevector(v5 + w2 * (m2 * (e1 * T24)), all_four(T11),
-        0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7)),
-        angle3 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
-        angle1 = __builtin_shufflevector(packed1, packed1, 2, 2, 2, 2),
-        angle2 = __builtin_shufflevector(packed1, packed1, 3, 3, 3, 3);
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(v4 - w2 * (m2 * (e1 * T14)), all_four(T21),
+        0, 1, 6, 3), all_four(w2), 0, 1, 2, 7), shuffle(shuffle(v5 + w2 * (m2 * (e1 * T24)),
+        all_four(T11), 0, 1, 6, 3), all_four(N2 - k1), 0, 1, 2, 7));
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
+        angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
+        angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
     const four q2 = e1 * angle2, v10 = angle3 + q2 - angle1,
-        q4 = v10 - only_four(half_turn < v10, whole_turn) + only_four(v10 <= -half_turn,
-            whole_turn);
+        q4 = v10 + pick_four(v10 <= -half_turn, all_four(whole_turn), only_four(half_turn < v10,
+            -whole_turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -469,9 +475,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 2; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 2; i++)
-            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 2 * k, &word, 2);
+    }
     return bits_wide(left);
 }
 #else

@@ -461,12 +461,8 @@ def _regular(pose, q, status):
     # joint values
     v12 = angle2 + angle3 - angle1
     v13 = angle4 - angle2 - angle1
-    q4_p = (
-        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
-    )
-    q4_m = (
-        v13 - (whole_turn if half_turn < v13 else 0.0) + (whole_turn if v13 <= -half_turn else 0.0)
-    )
+    q4_p = v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else 0.0))
+    q4_m = v13 + (whole_turn if v13 <= -half_turn else (-whole_turn if half_turn < v13 else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -736,12 +732,12 @@ def _in_tiles(T, q, status):
             v12 = angle2 + angle3 - angle1
             v13 = angle4 - angle2 - angle1
             q4_p = (
-                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
-                else 0.0)
+                v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else
+                0.0))
             )
             q4_m = (
-                v13 - (whole_turn if half_turn < v13 else 0.0) + (whole_turn if v13 <= -half_turn
-                else 0.0)
+                v13 + (whole_turn if v13 <= -half_turn else (-whole_turn if half_turn < v13 else
+                0.0))
             )
             _432 = angle3
             work[432 + k] = _432

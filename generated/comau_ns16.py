@@ -394,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 a6c184ef21e77dfc"
+_KEY = "comau_ns16 b4ae3fee23a83790"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1105,10 +1105,10 @@ def _regular(pose, q, status):
     v42 = angle4 - offset2
     v45 = angle5 - offset2
     v46 = angle6 - offset2
-    q2_ppp = v41 - (whole_turn if half_turn < v41 else 0.0)
-    q2_pmp = v42 - (whole_turn if half_turn < v42 else 0.0)
-    q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
-    q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
+    q2_ppp = v41 + (-whole_turn if half_turn < v41 else 0.0)
+    q2_pmp = v42 + (-whole_turn if half_turn < v42 else 0.0)
+    q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
+    q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
     v47 = angle7 - turn1 - offset3
     v48 = offset3 + (turn1 + angle7)
     v49 = angle8 - turn1 - offset3
@@ -1635,10 +1635,10 @@ def _in_tiles(T, q, status):
             v42 = angle4 - offset2
             v45 = angle5 - offset2
             v46 = angle6 - offset2
-            q2_ppp = v41 - (whole_turn if half_turn < v41 else 0.0)
-            q2_pmp = v42 - (whole_turn if half_turn < v42 else 0.0)
-            q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
-            q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
+            q2_ppp = v41 + (-whole_turn if half_turn < v41 else 0.0)
+            q2_pmp = v42 + (-whole_turn if half_turn < v42 else 0.0)
+            q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
+            q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
             v47 = angle7 - turn1 - offset3
             v48 = offset3 + (turn1 + angle7)
             v49 = angle8 - turn1 - offset3

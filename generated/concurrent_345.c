@@ -402,89 +402,82 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     }
 }
 
-static const double d1 = 0.3; /* joint offset 1 [m] */
-static const double a1 = 0.2; /* link length 1 [m] */
-static const double sqrt2 = 1.4142135623730951; /* square root of 2 */
-static const double sqrt3 = 1.7320508075688772; /* square root of 3 */
-static const double d2 = 0.1; /* joint offset 2 [m] */
-static const double a2 = 0.35; /* link length 2 [m] */
-static const double d3 = 0.25; /* joint offset 3 [m] */
-static const double d5 = 0.2; /* joint offset 5 [m] */
-static const double a5 = 0.15; /* link length 5 [m] */
-static const double d6 = 0.1; /* joint offset 6 [m] */
-static const double a6 = 0.2; /* link length 6 [m] */
-static const double free_limit6 = 4.0089475140624984e-11; /* a length that fixes no angle [m^6] */
-static const double square_rounding = 1e-15; /* squares are rounded by this */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 3.422499999999999e-24;
-/* square of a length whose direction is good to few digits [m^2] */
-static const double near_limit_squared2 = 3.4224999999999994e-06;
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-/* square of a length whose direction is good to few digits */
-static const double near_limit_squared = 1e-06;
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double k1 = 2.732050807568877; /* sqrt3 + 1 */
-static const double k2 = 0.125; /* 1 / 8 */
-static const double k3 = 0.12074072828613354; /* d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 [m] */
-static const double k4 = 0.25; /* 1 / 4 */
-/* (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 [m^2] */
-static const double k5 = -0.06755556302831987;
-static const double k6 = 0.3380740392011739; /* a2 * sqrt2 * (sqrt3 + 1) / 4 [m] */
-/* (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 [m^2] */
-static const double k7 = 0.25284442352070435;
-static const double k8 = 1.6; /* 8 * a6 [m] */
-static const double k9 = 0.4; /* d5 + 2 * d6 [m] */
-/* d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m] */
-static const double k10 = 3.0553429721660432;
-static const double k11 = 0.3; /* 2 * a5 [m] */
-static const double k12 = 0.5; /* 1 / 2 */
-static const double k13 = 0.34641016151377546; /* d5 * sqrt3 [m] */
-static const double k14 = 0.0625; /* d3^2 [m^2] */
-/* d1 * (d1 * 4 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3))) + 4 * (a1^2 + (sqrt3 * d3 *
- * d2 + (d2^2 + (a2^2 + (d3^2 - (d5 * (d5 + d6) + (a5^2 + (d2^2 + a1^2)))))))) [m^2] */
-static const double k15 = 1.1398079724067007;
-static const double k16 = 0.06; /* 2 * a6 * a5 [m^2] */
-static const double k17 = 0.06928203230275509; /* a6 * d5 * sqrt3 [m^2] */
-/* ((d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4 - d3 *
- * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2)^2 [m^6] */
-static const double k18 = 0.0028480795858198678;
-/* 1 / (d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 - (d1 *
- * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4) [m^-3] */
-static const double k19 = 18.738030414662138;
-static const double k20 = 0.7; /* 2 * a2 [m] */
-static const double k21 = 0.7320508075688772; /* sqrt3 - 1 */
-static const double k22 = 0.1830127018922193; /* d3 * (sqrt3 - 1) [m] */
-static const double k23 = 0.512435565298214; /* 2 * a2 * (sqrt3 - 1) [m] */
-static const double k24 = 1.7294228634059947; /* sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m] */
-static const double k25 = -1.2679491924311228; /* sqrt3 - 3 */
-static const double k26 = 4.732050807568877; /* sqrt3 + 3 */
-static const double k27 = 0.8660254037844386; /* sqrt3 / 2 */
-static const double k28 = 1.4196152422706632; /* d1 * (sqrt3 + 3) [m] */
-static const double k29 = 1.3856406460551018; /* 4 * d5 * sqrt3 [m] */
-static const double k30 = 1.035276180410083; /* sqrt2 * (sqrt3 - 1) */
-static const double k31 = 0.7105828541230249; /* d1 * sqrt2 * (sqrt3 - 1) + (d5 + 2 * d6) [m] */
-static const double k32 = 0.8; /* 4 * a1 [m] */
-static const double k33 = 0.8196152422706632; /* d1 * (sqrt3 + 1) [m] */
-static const double k34 = 1.4; /* 4 * a2 [m] */
-static const double k35 = 7.698003589195011; /* 1 / (a5 * sqrt3 / 2) [m^-1] */
-static const double f1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
-static const double f2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-/* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
-static const double f3 = 0.025881904510252077;
-static const double f4 = 0.5; /* 1 / 2 */
-static const double f5 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double f6 = 0.12940952255126037; /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-/* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-static const double f7 = 0.22414386804201336;
-static const double g1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
-static const double g2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-/* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
-static const double g3 = 0.025881904510252077;
-static const double g4 = 0.5; /* 1 / 2 */
-static const double g5 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double g6 = 0.12940952255126037; /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-/* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-static const double g7 = 0.22414386804201336;
+static const double
+    d1 = 0.3, /* joint offset 1 [m] */
+    a1 = 0.2, /* link length 1 [m] */
+    sqrt2 = 1.4142135623730951, /* square root of 2 */
+    sqrt3 = 1.7320508075688772, /* square root of 3 */
+    d2 = 0.1, /* joint offset 2 [m] */
+    a2 = 0.35, /* link length 2 [m] */
+    d3 = 0.25, /* joint offset 3 [m] */
+    d5 = 0.2, /* joint offset 5 [m] */
+    a5 = 0.15, /* link length 5 [m] */
+    d6 = 0.1, /* joint offset 6 [m] */
+    a6 = 0.2, /* link length 6 [m] */
+    free_limit6 = 4.0089475140624984e-11, /* a length that fixes no angle [m^6] */
+    square_rounding = 1e-15, /* squares are rounded by this */
+    free_limit_squared2 = 3.422499999999999e-24, /* square of a length that fixes no angle [m^2] */
+    /* square of a length whose direction is good to few digits [m^2] */
+    near_limit_squared2 = 3.4224999999999994e-06,
+    free_limit = 1e-12, /* a length that fixes no angle */
+    near_limit_squared = 1e-06, /* square of a length whose direction is good to few digits */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    k1 = 2.732050807568877, /* sqrt3 + 1 */
+    k2 = 0.125, /* 1 / 8 */
+    k3 = 0.12074072828613354, /* d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 [m] */
+    k4 = 0.25, /* 1 / 4 */
+    k5 = -0.06755556302831987, /* (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 [m^2] */
+    k6 = 0.3380740392011739, /* a2 * sqrt2 * (sqrt3 + 1) / 4 [m] */
+    k7 = 0.25284442352070435, /* (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 [m^2] */
+    k8 = 1.6, /* 8 * a6 [m] */
+    k9 = 0.4, /* d5 + 2 * d6 [m] */
+    k10 = 3.0553429721660432, /* d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m] */
+    k11 = 0.3, /* 2 * a5 [m] */
+    k12 = 0.5, /* 1 / 2 */
+    k13 = 0.34641016151377546, /* d5 * sqrt3 [m] */
+    k14 = 0.0625, /* d3^2 [m^2] */
+    /* d1 * (d1 * 4 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3))) + 4 * (a1^2 + (sqrt3 * d3
+     * * d2 + (d2^2 + (a2^2 + (d3^2 - (d5 * (d5 + d6) + (a5^2 + (d2^2 + a1^2)))))))) [m^2] */
+    k15 = 1.1398079724067007,
+    k16 = 0.06, /* 2 * a6 * a5 [m^2] */
+    k17 = 0.06928203230275509, /* a6 * d5 * sqrt3 [m^2] */
+    /* ((d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4 - d3 *
+     * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2)^2 [m^6] */
+    k18 = 0.0028480795858198678,
+    /* 1 / (d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 -
+     * (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4) [m^-3]
+     * */
+    k19 = 18.738030414662138,
+    k20 = 0.7, /* 2 * a2 [m] */
+    k21 = 0.7320508075688772, /* sqrt3 - 1 */
+    k22 = 0.1830127018922193, /* d3 * (sqrt3 - 1) [m] */
+    k23 = 0.512435565298214, /* 2 * a2 * (sqrt3 - 1) [m] */
+    k24 = 1.7294228634059947, /* sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m] */
+    k25 = -1.2679491924311228, /* sqrt3 - 3 */
+    k26 = 4.732050807568877, /* sqrt3 + 3 */
+    k27 = 0.8660254037844386, /* sqrt3 / 2 */
+    k28 = 1.4196152422706632, /* d1 * (sqrt3 + 3) [m] */
+    k29 = 1.3856406460551018, /* 4 * d5 * sqrt3 [m] */
+    k30 = 1.035276180410083, /* sqrt2 * (sqrt3 - 1) */
+    k31 = 0.7105828541230249, /* d1 * sqrt2 * (sqrt3 - 1) + (d5 + 2 * d6) [m] */
+    k32 = 0.8, /* 4 * a1 [m] */
+    k33 = 0.8196152422706632, /* d1 * (sqrt3 + 1) [m] */
+    k34 = 1.4, /* 4 * a2 [m] */
+    k35 = 7.698003589195011, /* 1 / (a5 * sqrt3 / 2) [m^-1] */
+    f1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+    f2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+    f3 = 0.025881904510252077, /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+    f4 = 0.5, /* 1 / 2 */
+    f5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    f6 = 0.12940952255126037, /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    f7 = 0.22414386804201336, /* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    g1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+    g2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+    g3 = 0.025881904510252077, /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+    g4 = 0.5, /* 1 / 2 */
+    g5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    g6 = 0.12940952255126037, /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    g7 = 0.22414386804201336; /* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
 
 const char *const concurrent_345_branches[8] = {
     "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",

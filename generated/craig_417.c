@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -128,6 +134,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -153,14 +160,14 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -182,11 +189,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -201,33 +208,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -239,36 +249,35 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)CRAIG_417_UNREACHABLE \
         : (outside) ? (int)CRAIG_417_OUT_OF_LIMITS : 0)
 #endif
-static const double sqrt2 = 1.4142135623730951; /* square root of 2 */
-static const double d4 = 1.0; /* joint offset 4 [m] */
-static const double a3 = 1.0; /* link length 4 [m] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double free_limit_squared2 = 9e-24; /* square of a length that fixes no angle [m^2] */
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 3.0000000000000004e-05; /* a pose may be rounded by this [m] */
-static const double k1 = 0.5; /* 1 / 2 */
-static const double k2 = 0.7071067811865476; /* sqrt2 * 1 / 2 */
-static const double k3 = 0.5000000000000001; /* (sqrt2 * 1 / 2)^2 */
-/* reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack) */
-static const double k4 = 1.4142135623731953e-13;
-/* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
-static const double k5 = 1.4142135623731051e-14;
-static const double k6 = 2.0; /* d3 + d4 [m] */
-static const double k7 = 2.8284271247461903; /* sqrt2 * (d3 + d4) [m] */
-static const double f1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
-static const double g1 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
-static const double doubt_limit_squared = 1e-06; /* square of a length that fixes no angle */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1e-12; /* doubt_limit_squared^2 */
-static const double m2 = 0.7071067811865476; /* a coefficient of v6 */
-static const double m3 = 0.5; /* a coefficient of v12 */
-static const double m4 = 1.4142135623730951; /* a coefficient of v12 */
-static const double m5 = 8.1e-11; /* doubt_limit_squared2^2 [m^4] */
-static const double m6 = 9.000000000000002e-10; /* pose_slack1^2 [m^2] */
-static const double m7 = 2.7000000000000006e-09; /* 3 * pose_slack1^2 [m^2] */
-static const double m8 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+static const double
+    sqrt2 = 1.4142135623730951, /* square root of 2 */
+    d4 = 1.0, /* joint offset 4 [m] */
+    a3 = 1.0, /* link length 4 [m] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    free_limit_squared2 = 9e-24, /* square of a length that fixes no angle [m^2] */
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 3.0000000000000004e-05, /* a pose may be rounded by this [m] */
+    k1 = 0.5, /* 1 / 2 */
+    k2 = 0.7071067811865476, /* sqrt2 * 1 / 2 */
+    k3 = 0.5000000000000001, /* (sqrt2 * 1 / 2)^2 */
+    k4 = 1.4142135623731953e-13, /* reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack) */
+    k5 = 1.4142135623731051e-14, /* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
+    k6 = 2.0, /* d3 + d4 [m] */
+    k7 = 2.8284271247461903, /* sqrt2 * (d3 + d4) [m] */
+    f1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
+    g1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
+    doubt_limit_squared = 1e-06, /* square of a length that fixes no angle */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    m1 = 1e-12, /* doubt_limit_squared^2 */
+    m2 = 0.7071067811865476, /* a coefficient of v6 */
+    m3 = 0.5, /* a coefficient of v12 */
+    m4 = 1.4142135623730951, /* a coefficient of v12 */
+    m5 = 8.1e-11, /* doubt_limit_squared2^2 [m^4] */
+    m6 = 9.000000000000002e-10, /* pose_slack1^2 [m^2] */
+    m7 = 2.7000000000000006e-09, /* 3 * pose_slack1^2 [m^2] */
+    m8 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m9 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 
 const char *const craig_417_branches[2] = {
     "left", "right",
@@ -446,12 +455,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         m9));
 
     q[0] = v86 + angle6; q[1] = angle1 + v86; q[2] = angle2 + v86;
-    q[3] = v86 + (v83 - only_wide(half_turn < v83, whole_turn) + only_wide(v83 <= -half_turn,
-        whole_turn));
+    q[3] = v86 + (v83 + pick_wide(v83 <= -half_turn, all_wide(whole_turn), only_wide(half_turn <
+        v83, -whole_turn)));
     kind[0] = kind_of(q[0], 0);
     q[4] = v87 + angle7; q[5] = v87 - angle1; q[6] = angle3 + v87;
-    q[7] = v87 + (v84 - only_wide(half_turn < v84, whole_turn) + only_wide(v84 <= -half_turn,
-        whole_turn));
+    q[7] = v87 + (v84 + pick_wide(v84 <= -half_turn, all_wide(whole_turn), only_wide(half_turn <
+        v84, -whole_turn)));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -523,17 +532,16 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const four_mask doubt2 = (v30 <= m5) | (v22 <= m1) | ((m8 < v54) & (v54 <= m9)) | ((m6 < v53) &
         (v53 <= m7));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(-v31, v18, 0, 1, 6, 7),
-        __builtin_shufflevector(c3, v21, 0, 1, 6, 7)),
-        angle2 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
-        angle3 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3),
-        packed2 = atan2_four(__builtin_shufflevector(-v9, all_four(-S2), 0, 1, 6, 3),
-            __builtin_shufflevector(c1, all_four(v10), 0, 1, 6, 3)),
-        angle4 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1),
-        angle1 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2);
+    const four_ratio ratio1 = ratio_four(shuffle(-v9, all_four(-S2), 0, 1, 6, 3), shuffle(c1,
+        all_four(v10), 0, 1, 6, 3)),
+        ratio2 = ratio_four(shuffle(-v31, v18, 0, 1, 6, 7), shuffle(c3, v21, 0, 1, 6, 7));
+    const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 1, 0, 1),
+        angle1 = shuffle(packed1, packed1, 2, 2, 2, 2), packed2 = angle_four(ratio2),
+        angle2 = shuffle(packed2, packed2, 0, 1, 0, 1),
+        angle3 = shuffle(packed2, packed2, 2, 3, 2, 3);
     const four v55 = angle3 - angle2, q1 = v57 + angle4, q2 = v57 + e1 * angle1, q3 = angle2 + v57,
-        q4 = v57 + (v55 - only_four(half_turn < v55, whole_turn) + only_four(v55 <= -half_turn,
-            whole_turn));
+        q4 = v57 + (v55 + pick_four(v55 <= -half_turn, all_four(whole_turn), only_four(half_turn <
+            v55, -whole_turn)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -567,9 +575,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 2; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 2; i++)
-            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 2 * k, &word, 2);
+    }
     return bits_wide(left);
 }
 #else

@@ -631,12 +631,12 @@ def _regular(pose, q, status):
     q3_p = angle2 + v86
     q3_m = angle3 + v87
     q4_p = (
-        v86 + (v83 - (whole_turn if half_turn < v83 else 0.0) + (whole_turn if v83 <= -half_turn
-        else 0.0))
+        v86 + (v83 + (whole_turn if v83 <= -half_turn else (-whole_turn if half_turn < v83 else
+        0.0)))
     )
     q4_m = (
-        v87 + (v84 - (whole_turn if half_turn < v84 else 0.0) + (whole_turn if v84 <= -half_turn
-        else 0.0))
+        v87 + (v84 + (whole_turn if v84 <= -half_turn else (-whole_turn if half_turn < v84 else
+        0.0)))
     )
 
     # a joint is free, or branches meet
@@ -1025,12 +1025,12 @@ def _in_tiles(T, q, status):
             q3_p = angle2 + v86
             q3_m = angle3 + v87
             q4_p = (
-                v86 + (v83 - (whole_turn if half_turn < v83 else 0.0) + (whole_turn if v83 <=
-                -half_turn else 0.0))
+                v86 + (v83 + (whole_turn if v83 <= -half_turn else (-whole_turn if half_turn < v83
+                else 0.0)))
             )
             q4_m = (
-                v87 + (v84 - (whole_turn if half_turn < v84 else 0.0) + (whole_turn if v84 <=
-                -half_turn else 0.0))
+                v87 + (v84 + (whole_turn if v84 <= -half_turn else (-whole_turn if half_turn < v84
+                else 0.0)))
             )
             _544 = q1_p
             work[544 + k] = _544

@@ -361,24 +361,24 @@ static void tighten(const double T[16], double q[4][3], unsigned char status[4])
     }
 }
 
-static const double a1 = 1.0; /* link length 1 [m] */
-static const double d2 = 1.0; /* joint offset 2 [m] */
-static const double a2 = 2.0; /* link length 2 [m] */
-static const double a3 = 1.5; /* link length 3 [m] */
-static const double free_limit6 = 2.7680640624999998e-08; /* a length that fixes no angle [m^6] */
-static const double square_rounding = 1e-15; /* squares are rounded by this */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 3.025e-23;
-/* square of a length whose direction is good to few digits [m^2] */
-static const double near_limit_squared2 = 3.025e-05;
-static const double k1 = 3.0; /* a3 * a2 [m^2] */
-static const double k2 = 6.0; /* 2 * a3 * a2 [m^2] */
-static const double k3 = -6.25; /* a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2] */
-static const double k4 = 0.5; /* 1 / 2 */
-static const double k5 = 12.0; /* 2 * 2 * a3 * a2 [m^2] */
-static const double k6 = 36.0; /* (2 * a3 * a2)^2 [m^4] */
-static const double k7 = 81.0; /* (a3 * 2 * a3 * a2)^2 [m^6] */
-static const double k8 = 0.1111111111111111; /* 1 / (a3 * 2 * a3 * a2) [m^-3] */
+static const double
+    a1 = 1.0, /* link length 1 [m] */
+    d2 = 1.0, /* joint offset 2 [m] */
+    a2 = 2.0, /* link length 2 [m] */
+    a3 = 1.5, /* link length 3 [m] */
+    free_limit6 = 2.7680640624999998e-08, /* a length that fixes no angle [m^6] */
+    square_rounding = 1e-15, /* squares are rounded by this */
+    free_limit_squared2 = 3.025e-23, /* square of a length that fixes no angle [m^2] */
+    /* square of a length whose direction is good to few digits [m^2] */
+    near_limit_squared2 = 3.025e-05,
+    k1 = 3.0, /* a3 * a2 [m^2] */
+    k2 = 6.0, /* 2 * a3 * a2 [m^2] */
+    k3 = -6.25, /* a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2] */
+    k4 = 0.5, /* 1 / 2 */
+    k5 = 12.0, /* 2 * 2 * a3 * a2 [m^2] */
+    k6 = 36.0, /* (2 * a3 * a2)^2 [m^4] */
+    k7 = 81.0, /* (a3 * 2 * a3 * a2)^2 [m^6] */
+    k8 = 0.1111111111111111; /* 1 / (a3 * 2 * a3 * a2) [m^-3] */
 
 const char *const cuspidal_3r_branches[4] = {
     "root1", "root2", "root3", "root4",

@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -128,6 +134,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -153,24 +160,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -192,11 +199,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -211,33 +218,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -249,46 +259,42 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)DENSO_VS060_UNREACHABLE \
         : (outside) ? (int)DENSO_VS060_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.345; /* joint offset 1 [m] */
-static const double a2 = 0.305; /* link length 2 [m] */
-static const double a3 = 0.01; /* link length 3 [m] */
-static const double d4 = 0.3; /* joint offset 4 [m] */
-static const double d6 = 0.07; /* joint offset 6 [m] */
-static const double free_limit1 = 1.03e-12; /* a length that fixes no angle [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double longest3 = 0.36622663844160425; /* square of the longest reach [m^2] */
-static const double shortest3 = 2.3361558395660652e-05; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.3662266384417289;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 2.3361558394664975e-05;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.36622663844159176;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 2.336155839576022e-05;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.0608999999999998e-24;
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset3 = -1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double k1 = 0.183; /* 2 * d4 * a2 [m^2] */
-static const double k2 = 0.0061; /* 2 * a3 * a2 [m^2] */
-static const double k3 = 0.18312499999999998; /* a2^2 + (a3^2 + d4^2) [m^2] */
-static const double k4 = 29.827409659487312; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.0608999999999999e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double turn1 = 1.5374753309166493; /* a constant angle [rad] */
-static const double m1 = 1.0609000000000003e-06; /* doubt_limit1^2 [m^2] */
-static const double m2 = 0.18194719892287262; /* a coefficient of s3 */
-static const double m3 = 0.9995724240825312; /* a coefficient of s3 */
-static const double m4 = 5.458415967686178; /* a coefficient of s3 */
-static const double m5 = 0.03331908080275105; /* a coefficient of c3 */
-static const double m6 = 1.639344262295082; /* a coefficient of X1_2 */
-static const double m7 = 0.004795081967213119; /* a coefficient of X1_2 */
-static const double m8 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.345, /* joint offset 1 [m] */
+    a2 = 0.305, /* link length 2 [m] */
+    a3 = 0.01, /* link length 3 [m] */
+    d4 = 0.3, /* joint offset 4 [m] */
+    d6 = 0.07, /* joint offset 6 [m] */
+    free_limit1 = 1.03e-12, /* a length that fixes no angle [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    longest3 = 0.36622663844160425, /* square of the longest reach [m^2] */
+    shortest3 = 2.3361558395660652e-05, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.3662266384417289, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 2.3361558394664975e-05, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.36622663844159176, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 2.336155839576022e-05, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 1.0608999999999998e-24, /* square of a length that fixes no angle [m^2] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset3 = -1.5707963267948966, /* offset of joint 3 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    k1 = 0.183, /* 2 * d4 * a2 [m^2] */
+    k2 = 0.0061, /* 2 * a3 * a2 [m^2] */
+    k3 = 0.18312499999999998, /* a2^2 + (a3^2 + d4^2) [m^2] */
+    k4 = 29.827409659487312, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.0608999999999999e-06,
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    turn1 = 1.5374753309166493, /* a constant angle [rad] */
+    m1 = 1.0609000000000003e-06, /* doubt_limit1^2 [m^2] */
+    m2 = 0.18194719892287262, /* a coefficient of s3 */
+    m3 = 0.9995724240825312, /* a coefficient of s3 */
+    m4 = 5.458415967686178, /* a coefficient of s3 */
+    m5 = 0.03331908080275105, /* a coefficient of c3 */
+    m6 = 1.639344262295082, /* a coefficient of X1_2 */
+    m7 = 0.004795081967213119, /* a coefficient of X1_2 */
+    m8 = 1e-06; /* doubt_limit^2 */
 static const double low1 = -2.967060001, high1 = 2.967060001, low2 = -2.094395001,
 high2 = 2.094395001, low3 = -2.1816620010000003, high3 = 2.705260001, low5 = -2.094395001,
 high5 = 2.094395001;
@@ -500,7 +506,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q2_mpp = v38 + only_wide(v38 <= -half_turn, whole_turn),
         q2_mmp = v39 + only_wide(v39 <= -half_turn, whole_turn), angle14 = atan2_wide(w3, N3 - k3),
         v40 = angle14 - turn1 - offset3, v41 = offset3 + (turn1 + angle14),
-        q3_ppp = v40 - only_wide(half_turn < v40, whole_turn),
+        q3_ppp = v40 + only_wide(half_turn < v40, -whole_turn),
+        q3_pmp = only_wide(half_turn < -v41, -whole_turn) - v41,
         angle15 = atan2_wide(sqrt_wide(v20), factor2 * (s23_pp * v13 - T33 * c23_pp)),
         angle16 = atan2_wide(sqrt_wide(v21), factor2 * (s23_pm * v13 - T33 * c23_pm)),
         angle17 = atan2_wide(sqrt_wide(v22), -(factor2 * (s23_mp * v13 + T33 * c23_mp))),
@@ -517,7 +524,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mmp = v48 + only_wide(v48 <= -half_turn, whole_turn),
         q5_mmm = only_wide(-v49 <= -half_turn, whole_turn) - v49;
     const wide_mask v50 = beyond(q1__p, 1), v51 = beyond(q1__m, 1), v52 = beyond(q3_ppp, 3),
-        v53 = beyond(-(v41 + only_wide(half_turn < -v41, whole_turn)), 3);
+        v53 = beyond(q3_pmp, 3);
     const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
     const wide_mask v54 = v52 | v50 | beyond(q2_ppp, 2), v55 = v53 | v50 | beyond(q2_pmp, 2),
         v56 = v52 | v51 | beyond(q2_mpp, 2), v57 = v53 | v51 | beyond(q2_mmp, 2),
@@ -530,29 +537,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v24; q[10] = q5_ppm;
     q[11] = angle5 - signed_wide(half_turn, v30);
     kind[1] = kind_of(q[6], v54 | beyond(q5_ppm, 5));
-    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = -(v41 + only_wide(half_turn < -v41, whole_turn));
-    q[15] = angle2; q[16] = q5_pmp; q[17] = angle6;
+    q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2; q[16] = q5_pmp; q[17] = angle6;
     kind[2] = kind_of(q[12], v55 | beyond(q5_pmp, 5));
-    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = -(v41 + only_wide(half_turn < -v41, whole_turn));
-    q[21] = angle2 - v24; q[22] = q5_pmm; q[23] = angle6 - signed_wide(half_turn, v31);
+    q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v24; q[22] = q5_pmm;
+    q[23] = angle6 - signed_wide(half_turn, v31);
     kind[3] = kind_of(q[18], v55 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3; q[28] = q5_mpp; q[29] = angle7;
     kind[4] = kind_of(q[24], v56 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v25; q[34] = q5_mpm;
     q[35] = angle7 - signed_wide(half_turn, v32);
     kind[5] = kind_of(q[30], v56 | beyond(q5_mpm, 5));
-    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = -(v41 + only_wide(half_turn < -v41, whole_turn));
-    q[39] = angle4; q[40] = q5_mmp; q[41] = angle8;
+    q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4; q[40] = q5_mmp; q[41] = angle8;
     kind[6] = kind_of(q[36], v57 | beyond(q5_mmp, 5));
-    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = -(v41 + only_wide(half_turn < -v41, whole_turn));
-    q[45] = angle4 - v25; q[46] = q5_mmm; q[47] = angle8 - signed_wide(half_turn, v33);
+    q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v25; q[46] = q5_mmm;
+    q[47] = angle8 - signed_wide(half_turn, v33);
     kind[7] = kind_of(q[42], v57 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-static const double m9 = 0.5; /* 1 / 2 */
+static const double
+    m9 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -600,24 +606,24 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3)
         & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2) | (v1 <= m1);
 
-    const four angle1 = atan2_four(-(e1 * v10), v12),
-        angle2 = atan2_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16)))),
-        angle4 = atan2_four(S2, C2),
-        angle6 = atan2_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23)),
-        packed5 = atan2_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1 }),
-        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 0, 0),
-        angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four((four){ wy, w3, wy, wy }, (four){ -X1, N3 - k3, -X1, -X1
+        }), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-(e1 * v10), v12),
+        ratio4 = ratio_four(v19, e1 * (c4 * v15 - v10 * (s23 * T32 + e1 * (c23 * v16)))),
+        ratio5 = ratio_four(sqrt_four(v13), factor2 * (e1 * (s23 * v9) - T33 * c23));
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
+        angle1 = angle_four(ratio3), angle2 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_m = angle1 - v14, q6_m = angle2 - signed_four(half_turn, v19),
         v21 = angle3 + v20 * (m9 * (e1 - 1.0)) - offset1,
         q1_ = v21 + only_four(v21 <= -half_turn, whole_turn), v22 = angle4 - offset2,
         q2_p = v22 + only_four(v22 <= -half_turn, whole_turn), v23 = e2 * angle5 - turn1 - offset3,
-        q3_p = v23 - only_four(half_turn < v23, whole_turn), v24 = angle6 - offset5,
+        q3_p = v23 + only_four(half_turn < v23, -whole_turn), v24 = angle6 - offset5,
         v25 = offset5 + angle6, q5_p = v24 + only_four(v24 <= -half_turn, whole_turn),
         q5_m = only_four(-v25 <= -half_turn, whole_turn) - v25;
-    const four_mask v26 = beyond(q1_, 1), v27 = beyond(q3_p, 3);
+    const four_mask v26 = beyond_four(q1_, 1), v27 = beyond_four(q3_p, 3);
     const four q1_p = v3 + q1_;
-    const four_mask v28 = v27 | v26 | beyond(q2_p, 2), outside_p = v28 | beyond(q5_p, 5),
-        outside_m = v28 | beyond(q5_m, 5);
+    const four_mask v28 = v27 | v26 | beyond_four(q2_p, 2), outside_p = v28 | beyond_four(q5_p, 5),
+        outside_m = v28 | beyond_four(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -658,9 +664,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -385,7 +385,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "denso_vs060 b2c402fbdb8c24e1"
+_KEY = "denso_vs060 0aa1d9e9645cf30f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1085,7 +1085,8 @@ def _regular(pose, q, status):
     q2_mmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
     v40 = angle14 - turn1 - offset3
     v41 = offset3 + (turn1 + angle14)
-    q3_ppp = v40 - (whole_turn if half_turn < v40 else 0.0)
+    q3_ppp = v40 + (-whole_turn if half_turn < v40 else 0.0)
+    q3_pmp = (-whole_turn if half_turn < -v41 else 0.0) - v41
     v42 = angle15 - offset5
     v43 = offset5 + angle15
     v44 = angle16 - offset5
@@ -1105,10 +1106,7 @@ def _regular(pose, q, status):
     v50 = q1__p < low1 or high1 < q1__p
     v51 = q1__m < low1 or high1 < q1__m
     v52 = q3_ppp < low3 or high3 < q3_ppp
-    v53 = (
-        -(v41 + (whole_turn if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 + (whole_turn if
-        half_turn < -v41 else 0.0))
-    )
+    v53 = q3_pmp < low3 or high3 < q3_pmp
     q1_ppp = v3 + q1__p
     q1_mpp = v3 + q1__m
     v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
@@ -1143,14 +1141,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else (OUT_OF_LIMITS if outside_ppm else OK)
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
+    q[2, 2] = q3_pmp
     q[2, 3] = angle2
     q[2, 4] = q5_pmp
     q[2, 5] = angle6
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else (OUT_OF_LIMITS if outside_pmp else OK)
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
+    q[3, 2] = q3_pmp
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmm
     q[3, 5] = q6_pmm
@@ -1171,14 +1169,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else (OUT_OF_LIMITS if outside_mpm else OK)
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
+    q[6, 2] = q3_pmp
     q[6, 3] = angle4
     q[6, 4] = q5_mmp
     q[6, 5] = angle8
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else (OUT_OF_LIMITS if outside_mmp else OK)
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
+    q[7, 2] = q3_pmp
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmm
     q[7, 5] = q6_mmm
@@ -1568,7 +1566,8 @@ def _in_tiles(T, q, status):
             q2_mmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
             v40 = angle14 - turn1 - offset3
             v41 = offset3 + (turn1 + angle14)
-            q3_ppp = v40 - (whole_turn if half_turn < v40 else 0.0)
+            q3_ppp = v40 + (-whole_turn if half_turn < v40 else 0.0)
+            q3_pmp = (-whole_turn if half_turn < -v41 else 0.0) - v41
             v42 = angle15 - offset5
             v43 = offset5 + angle15
             v44 = angle16 - offset5
@@ -1588,10 +1587,7 @@ def _in_tiles(T, q, status):
             v50 = q1__p < low1 or high1 < q1__p
             v51 = q1__m < low1 or high1 < q1__m
             v52 = q3_ppp < low3 or high3 < q3_ppp
-            v53 = (
-                -(v41 + (whole_turn if half_turn < -v41 else 0.0)) < low3 or high3 < -(v41 +
-                (whole_turn if half_turn < -v41 else 0.0))
-            )
+            v53 = q3_pmp < low3 or high3 < q3_pmp
             q1_ppp = v3 + q1__p
             q1_mpp = v3 + q1__m
             v54 = v52 or v50 or q2_ppp < low2 or high2 < q2_ppp
@@ -1626,7 +1622,7 @@ def _in_tiles(T, q, status):
             work[1120 + k] = _1120
             _1136 = q2_pmp
             work[1136 + k] = _1136
-            _1152 = -(v41 + (whole_turn if half_turn < -v41 else 0.0))
+            _1152 = q3_pmp
             work[1152 + k] = _1152
             _1168 = angle2
             work[1168 + k] = _1168

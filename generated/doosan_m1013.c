@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -128,6 +134,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -153,24 +160,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -192,11 +199,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -211,33 +218,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -249,42 +259,38 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)DOOSAN_M1013_UNREACHABLE \
         : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.1525; /* joint offset 1 [m] */
-static const double d2 = 0.0345; /* joint offset 2 [m] */
-static const double a2 = 0.62; /* link length 2 [m] */
-static const double d4 = 0.559; /* joint offset 4 [m] */
-static const double d6 = 0.121; /* joint offset 6 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 2.211169e-24;
-static const double longest3 = 1.390041; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.003720999999999993; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 1.390041000000351;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.0037209999999818517;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 1.390040999999965;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.003721000000001807;
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset3 = 1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double k1 = 0.0011902500000000001; /* d2^2 [m^2] */
-static const double k2 = 1.0260300000022113e-14; /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
-static const double k3 = 1.0260300000002213e-15; /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-static const double k4 = 0.6931600000000001; /* 2 * d4 * a2 [m^2] */
-static const double k5 = 0.6968810000000001; /* a2^2 + d4^2 [m^2] */
-static const double k6 = 2.081291995206794; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 2.2111690000000003e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 0.8064516129032259; /* a coefficient of S2 */
-static const double m2 = 0.057999193548387; /* a coefficient of S2 */
-static const double m3 = 4.889268346561001e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double m4 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.1525, /* joint offset 1 [m] */
+    d2 = 0.0345, /* joint offset 2 [m] */
+    a2 = 0.62, /* link length 2 [m] */
+    d4 = 0.559, /* joint offset 4 [m] */
+    d6 = 0.121, /* joint offset 6 [m] */
+    free_limit_squared2 = 2.211169e-24, /* square of a length that fixes no angle [m^2] */
+    longest3 = 1.390041, /* square of the longest reach [m^2] */
+    shortest3 = 0.003720999999999993, /* square of the shortest reach [m^2] */
+    longest3_reach = 1.390041000000351, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0037209999999818517, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 1.390040999999965, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.003721000000001807, /* the shortest, where branches merge [m^2] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    k1 = 0.0011902500000000001, /* d2^2 [m^2] */
+    k2 = 1.0260300000022113e-14, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
+    k3 = 1.0260300000002213e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
+    k4 = 0.6931600000000001, /* 2 * d4 * a2 [m^2] */
+    k5 = 0.6968810000000001, /* a2^2 + d4^2 [m^2] */
+    k6 = 2.081291995206794, /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 2.2111690000000003e-06,
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 0.8064516129032259, /* a coefficient of S2 */
+    m2 = 0.057999193548387, /* a coefficient of S2 */
+    m3 = 4.889268346561001e-12, /* doubt_limit_squared2^2 [m^4] */
+    m4 = 1e-06; /* doubt_limit^2 */
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -533,7 +539,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m5 = 0.5; /* 1 / 2 */
+static const double
+    m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -583,13 +590,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = (fabs(D1) <= k2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle1 = atan2_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4),
-        angle2 = atan2_four(S2, C2), angle4 = atan2_four(Y4, -X4),
-        angle5 = atan2_four(sqrt_four(v28), -(T33 * v25 + s23 * v26)),
-        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(v6), 0, 5, 2, 3),
-            __builtin_shufflevector(-v3, all_four(-v7), 0, 5, 2, 3)),
-        angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle3 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(v6), 0, 5, 2, 3), shuffle(-v3,
+        all_four(-v7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(Y4, -X4),
+        ratio4 = ratio_four(s6, Y4 * (s23 * T32 - v25 * v30) - v29 * -X4),
+        ratio5 = ratio_four(sqrt_four(v28), -(T33 * v25 + s23 * v26));
+    const four packed1 = angle_four(ratio1), angle6 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
+        angle4 = angle_four(ratio3), angle1 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
         q2_p = v33 + only_four(v33 <= -half_turn, whole_turn),
         v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
@@ -635,9 +642,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -256,7 +256,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 31cb82451978ef38"
+_KEY = "epson_t3 d00a92abe16f5ebf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -796,12 +796,8 @@ def _regular(pose, q, status):
     # joint values
     v11 = angle2 + angle3 - angle1
     v12 = angle4 - angle2 - angle1
-    q4_p = (
-        v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn else 0.0)
-    )
-    q4_m = (
-        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
-    )
+    q4_p = v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else 0.0))
+    q4_m = v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else 0.0))
     outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
     outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
@@ -1074,12 +1070,12 @@ def _in_tiles(T, q, status):
             v11 = angle2 + angle3 - angle1
             v12 = angle4 - angle2 - angle1
             q4_p = (
-                v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn
-                else 0.0)
+                v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else
+                0.0))
             )
             q4_m = (
-                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
-                else 0.0)
+                v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else
+                0.0))
             )
             outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
             outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2

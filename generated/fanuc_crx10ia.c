@@ -3571,16 +3571,17 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.245; /* joint offset 1 [m] */
-static const double a2 = 0.54; /* link length 2 [m] */
-static const double d4 = 0.54; /* joint offset 4 [m] */
-static const double d5 = 0.15; /* joint offset 5 [m] */
-static const double d6 = 0.16; /* z of the tool frame [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double offset3 = 3.141592653589793; /* offset of joint 3 [rad] */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
+static const double
+    d1 = 0.245, /* joint offset 1 [m] */
+    a2 = 0.54, /* link length 2 [m] */
+    d4 = 0.54, /* joint offset 4 [m] */
+    d5 = 0.15, /* joint offset 5 [m] */
+    d6 = 0.16, /* z of the tool frame [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    offset3 = 3.141592653589793, /* offset of joint 3 [rad] */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
 
 const char *const fanuc_crx10ia_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

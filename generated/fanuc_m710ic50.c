@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -101,6 +105,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -115,6 +120,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -129,6 +135,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -154,24 +161,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -193,11 +200,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -212,33 +219,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -250,45 +260,40 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)FANUC_M710IC50_UNREACHABLE \
         : (outside) ? (int)FANUC_M710IC50_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.565; /* joint offset 1 [m] */
-static const double a1 = 0.15; /* link length 1 [m] */
-static const double a2 = 0.87; /* link length 2 [m] */
-static const double a3 = 0.17; /* link length 3 [m] */
-static const double d4 = 1.016; /* joint offset 4 [m] */
-static const double d6 = 0.175; /* z of the tool frame [m] */
-static const double free_limit1 = 2.9459999999999998e-12; /* a length that fixes no angle [m] */
-static const double longest3 = 3.61047221996678; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.025639780033220066; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 3.6104722199679;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.025639780033125722;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 3.610472219966668;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.025639780033229496;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 8.678915999999998e-24;
-static const double offset2 = -1.5707963267948966; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double k1 = 1.76784; /* 2 * d4 * a2 [m^2] */
-static const double k2 = 0.2958; /* 2 * a3 * a2 [m^2] */
-static const double k3 = 1.8180560000000001; /* a2^2 + (a3^2 + d4^2) [m^2] */
-static const double k4 = 0.31125925198890714; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 8.678915999999998e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double turn1 = -1.4050092836833894; /* a constant angle [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 8.678916e-06; /* doubt_limit1^2 [m^2] */
-static const double m3 = 0.5747126436781609; /* a coefficient of Y1_2 */
-static const double m4 = 0.1748597701149426; /* a coefficient of Y1_2 */
-static const double m5 = 0.0801013234623373; /* a coefficient of c2m3 */
-static const double m6 = 0.47872320375138055; /* a coefficient of c2m3 */
-static const double m7 = 0.14565440708058014; /* a coefficient of c2m3 */
-static const double m8 = 0.024371308271356914; /* a coefficient of c2m3 */
-static const double m9 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.565, /* joint offset 1 [m] */
+    a1 = 0.15, /* link length 1 [m] */
+    a2 = 0.87, /* link length 2 [m] */
+    a3 = 0.17, /* link length 3 [m] */
+    d4 = 1.016, /* joint offset 4 [m] */
+    d6 = 0.175, /* z of the tool frame [m] */
+    free_limit1 = 2.9459999999999998e-12, /* a length that fixes no angle [m] */
+    longest3 = 3.61047221996678, /* square of the longest reach [m^2] */
+    shortest3 = 0.025639780033220066, /* square of the shortest reach [m^2] */
+    longest3_reach = 3.6104722199679, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.025639780033125722, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 3.610472219966668, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.025639780033229496, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 8.678915999999998e-24, /* square of a length that fixes no angle [m^2] */
+    offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    k1 = 1.76784, /* 2 * d4 * a2 [m^2] */
+    k2 = 0.2958, /* 2 * a3 * a2 [m^2] */
+    k3 = 1.8180560000000001, /* a2^2 + (a3^2 + d4^2) [m^2] */
+    k4 = 0.31125925198890714, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    doubt_limit_squared2 = 8.678915999999998e-06, /* square of a length that fixes no angle [m^2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    turn1 = -1.4050092836833894, /* a constant angle [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 8.678916e-06, /* doubt_limit1^2 [m^2] */
+    m3 = 0.5747126436781609, /* a coefficient of Y1_2 */
+    m4 = 0.1748597701149426, /* a coefficient of Y1_2 */
+    m5 = 0.0801013234623373, /* a coefficient of c2m3 */
+    m6 = 0.47872320375138055, /* a coefficient of c2m3 */
+    m7 = 0.14565440708058014, /* a coefficient of c2m3 */
+    m8 = 0.024371308271356914, /* a coefficient of c2m3 */
+    m9 = 1e-06; /* doubt_limit^2 */
 static const double low1 = -3.1415000010000003, high1 = 3.1415000010000003, low2 = -1.570700001,
 high2 = 2.356100001, low3 = -2.792500001, high3 = 4.886900001, low5 = -2.181600001,
 high5 = 2.181600001;
@@ -492,10 +497,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v47 = angle12 - offset2, angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11),
         v48 = angle13 - offset2, angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10),
         v49 = angle14 - offset2, angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11),
-        v50 = angle15 - offset2, q2_ppp = v47 - only_wide(half_turn < v47, whole_turn),
-        q2_pmp = v48 - only_wide(half_turn < v48, whole_turn),
-        q2_mpp = v49 - only_wide(half_turn < v49, whole_turn),
-        q2_mmp = v50 - only_wide(half_turn < v50, whole_turn),
+        v50 = angle15 - offset2, q2_ppp = v47 + only_wide(half_turn < v47, -whole_turn),
+        q2_pmp = v48 + only_wide(half_turn < v48, -whole_turn),
+        q2_mpp = v49 + only_wide(half_turn < v49, -whole_turn),
+        q2_mmp = v50 + only_wide(half_turn < v50, -whole_turn),
         angle16 = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28),
         angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28),
         angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28),
@@ -511,19 +516,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         q5_mpm = only_wide(-v56 <= -half_turn, whole_turn) - v56,
         q5_mmp = v57 + only_wide(v57 <= -half_turn, whole_turn),
         q5_mmm = only_wide(-v58 <= -half_turn, whole_turn) - v58,
-        v59 = q3__pp - only_wide(half_turn < q3__pp, whole_turn),
-        v60 = v6 + only_wide(half_turn < -v6, whole_turn),
-        v61 = q3__mp - only_wide(half_turn < q3__mp, whole_turn),
-        v62 = v7 + only_wide(half_turn < -v7, whole_turn);
+        v59 = q3__pp + only_wide(half_turn < q3__pp, -whole_turn),
+        v60 = only_wide(half_turn < -v6, -whole_turn) - v6,
+        v61 = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
+        v62 = only_wide(half_turn < -v7, -whole_turn) - v7;
     const wide_mask v63 = beyond(angle1, 1), v64 = beyond(q1__m, 1);
     const wide v65 = v59 + only_wide(v59 < low3, whole_turn),
-        v66 = only_wide(-v60 < low3, whole_turn) - v60,
+        v66 = v60 + only_wide(v60 < low3, whole_turn),
         v67 = v61 + only_wide(v61 < low3, whole_turn),
-        v68 = only_wide(-v62 < low3, whole_turn) - v62;
+        v68 = v62 + only_wide(v62 < low3, whole_turn);
     const wide_mask v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = beyond(v67, 3),
         v72 = beyond(v68, 3);
-    const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, -v60, v66),
-        q3_mpp = pick_wide(v71, v61, v67), q3_mmp = pick_wide(v72, -v62, v68),
+    const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, v60, v66),
+        q3_mpp = pick_wide(v71, v61, v67), q3_mmp = pick_wide(v72, v62, v68),
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v73 = v69 | v63 | beyond(q2_ppp, 2), v74 = v70 | v63 | beyond(q2_pmp, 2),
         v75 = v71 | v64 | beyond(q2_mpp, 2), v76 = v72 | v64 | beyond(q2_mmp, 2),
@@ -558,7 +563,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -608,26 +614,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle3 = atan2_four(v20, -X4),
-        angle4 = atan2_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22)),
-        angle5 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7),
-        angle6 = atan2_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17)),
-        packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-            __builtin_shufflevector(N3 - k3, all_four(-t14), 0, 5, 2, 3)),
-        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
+        all_four(-t14), 0, 5, 2, 3)),
+        ratio2 = ratio_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7),
+        ratio3 = ratio_four(v20, -X4),
+        ratio4 = ratio_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22)),
+        ratio5 = ratio_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
+    const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle5 = angle_four(ratio2),
+        angle3 = angle_four(ratio3), angle4 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
         q4_m = angle3 - v21, q6_m = angle4 - signed_four(half_turn, v26), v27 = angle5 - offset2,
-        q2_p = v27 - only_four(half_turn < v27, whole_turn), v28 = angle6 - offset5,
+        q2_p = v27 + only_four(half_turn < v27, -whole_turn), v28 = angle6 - offset5,
         v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, whole_turn),
         q5_m = only_four(-v29 <= -half_turn, whole_turn) - v29,
-        v30 = q3_ - only_four(half_turn < q3_, whole_turn);
-    const four_mask v31 = beyond(q1_, 1);
+        v30 = q3_ + only_four(half_turn < q3_, -whole_turn);
+    const four_mask v31 = beyond_four(q1_, 1);
     const four v32 = v30 + only_four(v30 < low3, whole_turn);
-    const four_mask v33 = beyond(v32, 3);
+    const four_mask v33 = beyond_four(v32, 3);
     const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
-    const four_mask v34 = v33 | v31 | beyond(q2_p, 2), outside_p = v34 | beyond(q5_p, 5),
-        outside_m = v34 | beyond(q5_m, 5);
+    const four_mask v34 = v33 | v31 | beyond_four(q2_p, 2), outside_p = v34 | beyond_four(q5_p, 5),
+        outside_m = v34 | beyond_four(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -668,9 +675,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

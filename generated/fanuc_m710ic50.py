@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 1d4729b7e35143bd"
+_KEY = "fanuc_m710ic50 a1f03974dad7b812"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1085,10 +1085,10 @@ def _regular(pose, q, status):
     v48 = angle13 - offset2
     v49 = angle14 - offset2
     v50 = angle15 - offset2
-    q2_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
-    q2_pmp = v48 - (whole_turn if half_turn < v48 else 0.0)
-    q2_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
-    q2_mmp = v50 - (whole_turn if half_turn < v50 else 0.0)
+    q2_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+    q2_pmp = v48 + (-whole_turn if half_turn < v48 else 0.0)
+    q2_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
+    q2_mmp = v50 + (-whole_turn if half_turn < v50 else 0.0)
     v51 = angle16 - offset5
     v52 = offset5 + angle16
     v53 = angle17 - offset5
@@ -1105,24 +1105,24 @@ def _regular(pose, q, status):
     q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
     q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
     q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
-    v59 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
-    v60 = v6 + (whole_turn if half_turn < -v6 else 0.0)
-    v61 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
-    v62 = v7 + (whole_turn if half_turn < -v7 else 0.0)
+    v59 = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
+    v60 = (-whole_turn if half_turn < -v6 else 0.0) - v6
+    v61 = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
+    v62 = (-whole_turn if half_turn < -v7 else 0.0) - v7
     v63 = angle1 < low1 or high1 < angle1
     v64 = q1__m < low1 or high1 < q1__m
     v65 = v59 + (whole_turn if v59 < low3 else 0.0)
-    v66 = (whole_turn if -v60 < low3 else 0.0) - v60
+    v66 = v60 + (whole_turn if v60 < low3 else 0.0)
     v67 = v61 + (whole_turn if v61 < low3 else 0.0)
-    v68 = (whole_turn if -v62 < low3 else 0.0) - v62
+    v68 = v62 + (whole_turn if v62 < low3 else 0.0)
     v69 = v65 < low3 or high3 < v65
     v70 = v66 < low3 or high3 < v66
     v71 = v67 < low3 or high3 < v67
     v72 = v68 < low3 or high3 < v68
     q3_ppp = v59 if v69 else v65
-    q3_pmp = -v60 if v70 else v66
+    q3_pmp = v60 if v70 else v66
     q3_mpp = v61 if v71 else v67
-    q3_mmp = -v62 if v72 else v68
+    q3_mmp = v62 if v72 else v68
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
     v73 = v69 or v63 or q2_ppp < low2 or high2 < q2_ppp
@@ -1588,10 +1588,10 @@ def _in_tiles(T, q, status):
             v48 = angle13 - offset2
             v49 = angle14 - offset2
             v50 = angle15 - offset2
-            q2_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
-            q2_pmp = v48 - (whole_turn if half_turn < v48 else 0.0)
-            q2_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
-            q2_mmp = v50 - (whole_turn if half_turn < v50 else 0.0)
+            q2_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+            q2_pmp = v48 + (-whole_turn if half_turn < v48 else 0.0)
+            q2_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
+            q2_mmp = v50 + (-whole_turn if half_turn < v50 else 0.0)
             v51 = angle16 - offset5
             v52 = offset5 + angle16
             v53 = angle17 - offset5
@@ -1608,24 +1608,24 @@ def _in_tiles(T, q, status):
             q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
             q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
             q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
-            v59 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
-            v60 = v6 + (whole_turn if half_turn < -v6 else 0.0)
-            v61 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
-            v62 = v7 + (whole_turn if half_turn < -v7 else 0.0)
+            v59 = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
+            v60 = (-whole_turn if half_turn < -v6 else 0.0) - v6
+            v61 = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
+            v62 = (-whole_turn if half_turn < -v7 else 0.0) - v7
             v63 = angle1 < low1 or high1 < angle1
             v64 = q1__m < low1 or high1 < q1__m
             v65 = v59 + (whole_turn if v59 < low3 else 0.0)
-            v66 = (whole_turn if -v60 < low3 else 0.0) - v60
+            v66 = v60 + (whole_turn if v60 < low3 else 0.0)
             v67 = v61 + (whole_turn if v61 < low3 else 0.0)
-            v68 = (whole_turn if -v62 < low3 else 0.0) - v62
+            v68 = v62 + (whole_turn if v62 < low3 else 0.0)
             v69 = v65 < low3 or high3 < v65
             v70 = v66 < low3 or high3 < v66
             v71 = v67 < low3 or high3 < v67
             v72 = v68 < low3 or high3 < v68
             q3_ppp = v59 if v69 else v65
-            q3_pmp = -v60 if v70 else v66
+            q3_pmp = v60 if v70 else v66
             q3_mpp = v61 if v71 else v67
-            q3_mmp = -v62 if v72 else v68
+            q3_mmp = v62 if v72 else v68
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
             v73 = v69 or v63 or q2_ppp < low2 or high2 < q2_ppp

@@ -46,29 +46,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -94,6 +98,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -108,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v cos_##v(v x) \
 { \
     for (int k = 0; k < lanes; k++) \
@@ -134,6 +140,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -162,24 +169,24 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -209,11 +216,11 @@ HELPER four irregularity_four(const double T[16], const double free_joints[1])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -228,33 +235,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -266,43 +276,40 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)FRANKA_PANDA_UNREACHABLE \
         : (outside) ? (int)FRANKA_PANDA_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.333; /* joint offset 1 [m] */
-static const double d3 = 0.316; /* joint offset 3 [m] */
-static const double a3 = 0.0825; /* link length 4 [m] */
-static const double d5 = 0.384; /* joint offset 5 [m] */
-static const double a4 = 0.0825; /* link length 5 [m] */
-static const double a6 = 0.088; /* link length 7 [m] */
-static const double d7 = 0.107; /* z of the tool frame [m] */
-/* rounding at the boundary of the workspace [m^2] */
-static const double reach_slack2 = 1.9404490000000003e-13;
-/* nearer to that boundary two branches are one [m^2] */
-static const double merge_slack2 = 1.940449e-14;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.940449e-24;
-static const double reach_slack1 = 1.393e-13; /* rounding at the boundary of the workspace [m] */
-static const double merge_slack1 = 1.393e-14; /* nearer to that boundary two branches are one [m] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double k1 = 0.1155; /* 2 * (d3 * a4 + d5 * a3) [m^2] */
-static const double k2 = 0.22907550000000002; /* 2 * (d3 * d5 - a4 * a3) [m^2] */
-/* (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4] */
-static const double k3 = 0.06581583470025;
-/* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
-static const double k4 = 0.25318050000000003;
-/* 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4] */
-static const double k5 = 15.193911990243306;
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.940449e-06;
-static const double turn1 = 0.46700242365301164; /* a constant angle [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1.754896834873102; /* a coefficient of c4 */
-static const double m2 = 3.4805529861209807; /* a coefficient of c4 */
-static const double m3 = 1.2446337324912609; /* a coefficient of v7 */
-static const double m4 = 0.0825; /* a coefficient of v7 */
-static const double m5 = 0.2674017784649193; /* a coefficient of v7 */
-static const double m7 = 0.384; /* a coefficient of Y1_6 */
-static const double m8 = 3.765342321601e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double m9 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.333, /* joint offset 1 [m] */
+    d3 = 0.316, /* joint offset 3 [m] */
+    a3 = 0.0825, /* link length 4 [m] */
+    d5 = 0.384, /* joint offset 5 [m] */
+    a4 = 0.0825, /* link length 5 [m] */
+    a6 = 0.088, /* link length 7 [m] */
+    d7 = 0.107, /* z of the tool frame [m] */
+    reach_slack2 = 1.9404490000000003e-13, /* rounding at the boundary of the workspace [m^2] */
+    merge_slack2 = 1.940449e-14, /* nearer to that boundary two branches are one [m^2] */
+    free_limit_squared2 = 1.940449e-24, /* square of a length that fixes no angle [m^2] */
+    reach_slack1 = 1.393e-13, /* rounding at the boundary of the workspace [m] */
+    merge_slack1 = 1.393e-14, /* nearer to that boundary two branches are one [m] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    k1 = 0.1155, /* 2 * (d3 * a4 + d5 * a3) [m^2] */
+    k2 = 0.22907550000000002, /* 2 * (d3 * d5 - a4 * a3) [m^2] */
+    k3 = 0.06581583470025, /* (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4] */
+    k4 = 0.25318050000000003, /* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
+    /* 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4] */
+    k5 = 15.193911990243306,
+    k6 = -12.121212121212121, /* -1 / a3 [m^-1] */
+    doubt_limit_squared2 = 1.940449e-06, /* square of a length that fixes no angle [m^2] */
+    turn1 = 0.46700242365301164, /* a constant angle [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1.754896834873102, /* a coefficient of c4 */
+    m2 = 3.4805529861209807, /* a coefficient of c4 */
+    m3 = 1.2446337324912609, /* a coefficient of v7 */
+    m4 = 0.0825, /* a coefficient of v7 */
+    m5 = 0.2674017784649193, /* a coefficient of v7 */
+    m7 = 0.384, /* a coefficient of Y1_6 */
+    m8 = 3.765342321601e-12, /* doubt_limit_squared2^2 [m^4] */
+    m9 = 1e-06, /* doubt_limit^2 */
+    m10 = 12.121212121212121; /* a coefficient of s3 */
 static const double low1 = -2.897300001, high1 = 2.897300001, low2 = -1.762800001,
 high2 = 1.762800001, low3 = -2.897300001, high3 = 2.897300001, low4 = -3.071800001,
 high4 = -0.069799999, low5 = -2.897300001, high5 = 2.897300001, low6 = -0.017500001,
@@ -527,84 +534,85 @@ HELPER wide_mask solve_wide(
         v71 = factor6_mp * (-v34 * (v61 + v68) - C6_mp * (v59 - v66)) - v64,
         v72 = v64 + factor6_mm * (v35 * (v61 - v68) + C6_mm * (v59 + v66)),
         v73 = X1_pp * X1_pp + v69 * v69, v74 = X1_pm * X1_pm + v70 * v70,
-        v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72,
-        angle8 = atan2_wide(-v69, -X1_pp), angle9 = atan2_wide(-v70, -X1_pm),
-        angle10 = atan2_wide(-v71, -X1_mp), angle11 = atan2_wide(v72, v56),
-        q1_ppm = angle8 - signed_wide(half_turn, -v69),
+        v75 = X1_mp * X1_mp + v71 * v71, v76 = v56 * v56 + v72 * v72, w1_pp = sqrt_wide(v73),
+        w1_pm = sqrt_wide(v74), w1_mp = sqrt_wide(v75), w1_mm = sqrt_wide(v76), v77 = 1.0 / v73,
+        v78 = 1.0 / v74, v79 = 1.0 / v75, v80 = 1.0 / v76, angle8 = atan2_wide(-v69, -X1_pp),
+        angle9 = atan2_wide(-v70, -X1_pm), angle10 = atan2_wide(-v71, -X1_mp),
+        angle11 = atan2_wide(v72, v56), q1_ppm = angle8 - signed_wide(half_turn, -v69),
         q1_pmm = angle9 - signed_wide(half_turn, -v70),
         q1_mpm = angle10 - signed_wide(half_turn, -v71),
         q1_mmm = angle11 - signed_wide(half_turn, v72);
 
     /* theta3 */
-    const wide v77 = a4 * v57, v78 = d5 * T23, v79 = a4 * T23, v80 = d5 * v57, v81 = a4 * v62,
-        v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v83 = s5_p * v81 - v82,
-        v84 = s5_m * v81 - v82, v85 = v22 * v77, v86 = v23 * v77, v87 = v22 * v79, v88 = v23 * v79,
-        v89 = a4 * v44, v90 = d5 * T13, v91 = a4 * T13, v92 = d5 * v44, v93 = a4 * v49,
-        v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12)), v95 = s5_p * v93 - v94,
-        v96 = s5_m * v93 - v94, v97 = v22 * v89, v98 = v23 * v89, v99 = v22 * v91, v100 = v23 * v91,
-        v101 = s5_p * v57, v102 = s5_m * v57, v103 = T23 * s5_p, v104 = T23 * s5_m,
-        v105 = v22 * v62, v106 = v23 * v62, v107 = s5_p * v44, v108 = s5_m * v44, v109 = T13 * s5_p,
-        v110 = T13 * s5_m, v111 = v22 * v49, v112 = v23 * v49,
-        s3_pp = (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) - v69 *
-            (v95 + factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3,
-        s3_pm = (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70 * (v95
-            + factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3,
-        s3_mp = (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) - v71 *
-            (v96 + factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3,
-        s3_mm = (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56 * (v84
-            + factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3,
-        v113 = a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105 +
-            factor6_pp * (C6_pp * v101 + -v31 * v103))) / -a3,
-        v114 = a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm * (factor6_pm *
-            (C6_pm * v101 - v32 * v103) - v105)) / -a3,
-        v115 = a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106 +
-            factor6_mp * (C6_mp * v102 + -v34 * v104))) / -a3,
-        v116 = a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm *
-            (C6_mm * v108 - v35 * v110) - v112)) / -a3, angle12 = atan2_wide(s3_pp, -v113),
-        angle13 = atan2_wide(s3_pm, -v114), angle14 = atan2_wide(s3_mp, -v115),
-        angle15 = atan2_wide(s3_mm, -v116), q3_ppm = angle12 - signed_wide(half_turn, s3_pp),
-        q3_pmm = angle13 - signed_wide(half_turn, s3_pm),
-        q3_mpm = angle14 - signed_wide(half_turn, s3_mp),
-        q3_mmm = angle15 - signed_wide(half_turn, s3_mm);
+    const wide v81 = a4 * v57, v82 = d5 * T23, v83 = a4 * T23, v84 = d5 * v57, v85 = a4 * v62,
+        v86 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22)), v87 = s5_p * v85 - v86,
+        v88 = s5_m * v85 - v86, v89 = v22 * v81, v90 = v23 * v81, v91 = v22 * v83, v92 = v23 * v83,
+        v93 = a4 * v44, v94 = d5 * T13, v95 = a4 * T13, v96 = d5 * v44, v97 = a4 * v49,
+        v98 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12)), v99 = s5_p * v97 - v98,
+        v100 = s5_m * v97 - v98, v101 = v22 * v93, v102 = v23 * v93, v103 = v22 * v95,
+        v104 = v23 * v95, v105 = s5_p * v57, v106 = s5_m * v57, v107 = T23 * s5_p,
+        v108 = T23 * s5_m, v109 = v22 * v62, v110 = v23 * v62, v111 = s5_p * v44, v112 = s5_m * v44,
+        v113 = T13 * s5_p, v114 = T13 * s5_m, v115 = v22 * v49, v116 = v23 * v49,
+        v117 = m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) - -v31 * (v96 + v103)))
+            - X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) - -v31 * (v84 + v91))))),
+        v118 = m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103)))
+            - X1_pm * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91))))),
+        v119 = m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) - -v34 * (v96 +
+            v104))) - X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) - -v34 * (v84 + v92))))),
+        v120 = m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) -
+            v72 * (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104))))),
+        v121 = v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 + -v31 * v107)) - v69 * (v115 +
+            factor6_pp * (C6_pp * v111 + -v31 * v113))),
+        v122 = v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm
+            * (C6_pm * v111 - v32 * v113) - v115)),
+        v123 = v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 + -v34 * v108)) - v71 * (v116 +
+            factor6_mp * (C6_mp * v112 + -v34 * v114))),
+        v124 = v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm *
+            (C6_mm * v106 - v35 * v108) - v110)), angle12 = atan2_wide(v117, -v121),
+        angle13 = atan2_wide(v118, -v122), angle14 = atan2_wide(v119, -v123),
+        angle15 = atan2_wide(v120, -v124), q3_ppm = angle12 - signed_wide(half_turn, v117),
+        q3_pmm = angle13 - signed_wide(half_turn, v118),
+        q3_mpm = angle14 - signed_wide(half_turn, v119),
+        q3_mmm = angle15 - signed_wide(half_turn, v120);
 
     /* theta2 */
-    const wide v117 = c7 * T31 - s7 * T32, v118 = s4_p * v117, v119 = v8 * v117, v120 = T33 * c4_p,
-        v121 = T33 * c4_m, v122 = T33 * s4_p, v123 = T33 * v8, v124 = c4_p * v117,
-        v125 = c4_m * v117, v126 = c7 * T32 + s7 * T31, v127 = s5_p * (s4_p * v126),
-        v128 = s5_m * (v8 * v126), v129 = v22 * v118, v130 = v23 * v119, v131 = v22 * v122,
-        v132 = v23 * v123, v133 = s5_p * (c4_p * v126), v134 = s5_m * (c4_m * v126),
-        v135 = v22 * v124, v136 = v23 * v125, v137 = v22 * v120, v138 = v23 * v121,
-        v139 = s5_p * v117, v140 = s5_m * v117, v141 = T33 * s5_p, v142 = T33 * s5_m,
-        v143 = v22 * v126, v144 = v23 * v126,
-        angle16 = atan2_wide(sqrt_wide(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp *
-            (v122 - v135) - -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 +
-            -v31 * v141))), v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))),
-        angle17 = atan2_wide(sqrt_wide(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm *
-            (v122 + v135) + v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 *
-            v141) - v143)), v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))),
-        angle18 = atan2_wide(sqrt_wide(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp *
-            (v123 + v136) + -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 +
-            -v34 * v142))), factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128),
-        angle19 = atan2_wide(sqrt_wide(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm *
-            (v136 - v123) - v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 *
-            v142) - v144)), -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130))));
+    const wide v125 = c7 * T31 - s7 * T32, v126 = s4_p * v125, v127 = v8 * v125, v128 = T33 * c4_p,
+        v129 = T33 * c4_m, v130 = T33 * s4_p, v131 = T33 * v8, v132 = c4_p * v125,
+        v133 = c4_m * v125, v134 = c7 * T32 + s7 * T31, v135 = s5_p * (s4_p * v134),
+        v136 = s5_m * (v8 * v134), v137 = v22 * v126, v138 = v23 * v127, v139 = v22 * v130,
+        v140 = v23 * v131, v141 = s5_p * (c4_p * v134), v142 = s5_m * (c4_m * v134),
+        v143 = v22 * v132, v144 = v23 * v133, v145 = v22 * v128, v146 = v23 * v129,
+        v147 = s5_p * v125, v148 = s5_m * v125, v149 = T33 * s5_p, v150 = T33 * s5_m,
+        v151 = v22 * v134, v152 = v23 * v134,
+        angle16 = atan2_wide(w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 *
+            (v126 + v145))) + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149)),
+            v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))),
+        angle17 = atan2_wide(w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 *
+            (v126 - v145))) + w1_pm * v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151), v135
+            - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))),
+        angle18 = atan2_wide(w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 *
+            (v146 - v127))) + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150)),
+            factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136),
+        angle19 = atan2_wide(w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 *
+            (v127 + v146))) + w1_mm * v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152),
+            -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138))));
 
     /* joint values */
-    const wide v145 = q4__p + only_wide(q4__p <= -half_turn, whole_turn),
-        v146 = only_wide(-v9 <= -half_turn, whole_turn) - v9;
-    const wide_mask v147 = beyond(v145, 4), v148 = beyond(v146, 4), v149 = beyond(angle2, 5),
-        v150 = beyond(q5_pmp, 5), v151 = beyond(angle3, 5), v152 = beyond(q5_mmp, 5);
-    const wide v153 = angle4 + only_wide(angle4 < low6, whole_turn),
-        v154 = angle5 + only_wide(angle5 < low6, whole_turn),
-        v155 = angle6 + only_wide(angle6 < low6, whole_turn),
-        v156 = angle7 + only_wide(angle7 < low6, whole_turn);
-    const wide_mask v157 = beyond(v153, 6), v158 = beyond(v154, 6), v159 = beyond(v155, 6),
-        v160 = beyond(v156, 6);
-    const wide q6_ppp = pick_wide(v157, angle4, v153), q6_pmp = pick_wide(v158, angle5, v154),
-        q6_mpp = pick_wide(v159, angle6, v155), q6_mmp = pick_wide(v160, angle7, v156);
-    const wide_mask v161 = beyond(free_joints[0], 7);
-    const wide q4_ppp = v17 + v145, q4_mpp = v18 + v146, v162 = free_joints[0] + (w4 - w4),
-        q7_ppp = v17 + v162, q7_mpp = v18 + v162;
+    const wide v153 = q4__p + only_wide(q4__p <= -half_turn, whole_turn),
+        v154 = only_wide(-v9 <= -half_turn, whole_turn) - v9;
+    const wide_mask v155 = beyond(v153, 4), v156 = beyond(v154, 4), v157 = beyond(angle2, 5),
+        v158 = beyond(q5_pmp, 5), v159 = beyond(angle3, 5), v160 = beyond(q5_mmp, 5);
+    const wide v161 = angle4 + only_wide(angle4 < low6, whole_turn),
+        v162 = angle5 + only_wide(angle5 < low6, whole_turn),
+        v163 = angle6 + only_wide(angle6 < low6, whole_turn),
+        v164 = angle7 + only_wide(angle7 < low6, whole_turn);
+    const wide_mask v165 = beyond(v161, 6), v166 = beyond(v162, 6), v167 = beyond(v163, 6),
+        v168 = beyond(v164, 6);
+    const wide q6_ppp = pick_wide(v165, angle4, v161), q6_pmp = pick_wide(v166, angle5, v162),
+        q6_mpp = pick_wide(v167, angle6, v163), q6_mmp = pick_wide(v168, angle7, v164);
+    const wide_mask v169 = beyond(free_joints[0], 7);
+    const wide q4_ppp = v17 + v153, q4_mpp = v18 + v154, v170 = free_joints[0] + (w4 - w4),
+        q7_ppp = v17 + v170, q7_mpp = v18 + v170;
     const wide_mask doubt1 = (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8) | (v74 <= m9) |
         (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <=
         doubt_limit_squared2) | (abs_wide(D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 *
@@ -612,42 +620,43 @@ HELPER wide_mask solve_wide(
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
-    kind[0] = kind_of(q[0], v161 | v157 | v149 | v147 | beyond(angle12, 3) | beyond(angle8, 1) |
+    kind[0] = kind_of(q[0], v169 | v165 | v157 | v155 | beyond(angle12, 3) | beyond(angle8, 1) |
         beyond(angle16, 2));
     q[7] = q1_ppm; q[8] = -angle16; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
-    kind[1] = kind_of(q[7], v161 | v157 | v149 | v147 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
+    kind[1] = kind_of(q[7], v169 | v165 | v157 | v155 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
         beyond(-angle16, 2));
     q[14] = angle9; q[15] = angle17; q[16] = angle13; q[17] = q4_ppp; q[18] = q5_pmp;
     q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14], v161 | v158 | v150 | v147 | beyond(angle13, 3) | beyond(angle9, 1) |
+    kind[2] = kind_of(q[14], v169 | v166 | v158 | v155 | beyond(angle13, 3) | beyond(angle9, 1) |
         beyond(angle17, 2));
     q[21] = q1_pmm; q[22] = -angle17; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
     q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21], v161 | v158 | v150 | v147 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
+    kind[3] = kind_of(q[21], v169 | v166 | v158 | v155 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
         beyond(-angle17, 2));
     q[28] = angle10; q[29] = angle18; q[30] = angle14; q[31] = q4_mpp; q[32] = angle3;
     q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28], v161 | v159 | v151 | v148 | beyond(angle14, 3) | beyond(angle10, 1) |
+    kind[4] = kind_of(q[28], v169 | v167 | v159 | v156 | beyond(angle14, 3) | beyond(angle10, 1) |
         beyond(angle18, 2));
     q[35] = q1_mpm; q[36] = -angle18; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
     q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35], v161 | v159 | v151 | v148 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
+    kind[5] = kind_of(q[35], v169 | v167 | v159 | v156 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
         beyond(-angle18, 2));
     q[42] = angle11; q[43] = angle19; q[44] = angle15; q[45] = q4_mpp; q[46] = q5_mmp;
     q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42], v161 | v160 | v152 | v148 | beyond(angle15, 3) | beyond(angle11, 1) |
+    kind[6] = kind_of(q[42], v169 | v168 | v160 | v156 | beyond(angle15, 3) | beyond(angle11, 1) |
         beyond(angle19, 2));
     q[49] = q1_mmm; q[50] = -angle19; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
     q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49], v161 | v160 | v152 | v148 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
+    kind[7] = kind_of(q[49], v169 | v168 | v160 | v156 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
         beyond(-angle19, 2));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-static const double m6 = 0.5; /* 1 / 2 */
+static const double
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -702,55 +711,55 @@ HELPER int solve_regular(
     const double v34 = c7 * T22 + s7 * T21;
     const four v35 = s5 * (s4 * v34), v36 = v13 * (s4 * v31), v37 = v13 * (T23 * s4),
         v38 = v35 + factor6 * (-v20 * (v33 - e2 * v37) - C6 * (v32 + e2 * v36)),
-        v39 = X1 * X1 + v38 * v38;
+        v39 = X1 * X1 + v38 * v38, w1 = sqrt_four(v39), v40 = 1.0 / v39;
 
     /* theta3 */
-    const double v40 = a4 * v31, v41 = d5 * T23, v42 = a4 * T23, v43 = d5 * v31, v44 = a4 * v34,
-        v45 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
-    const four v46 = s5 * v44 - v45, v47 = v13 * v40, v48 = v13 * v42;
-    const double v49 = a4 * v24, v50 = d5 * T13, v51 = a4 * T13, v52 = d5 * v24, v53 = a4 * v27,
-        v54 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
-    const four v55 = s5 * v53 - v54, v56 = v13 * v49, v57 = v13 * v51, v58 = s5 * v31,
-        v59 = T23 * s5, v60 = v13 * v34, v61 = s5 * v24, v62 = T13 * s5, v63 = v13 * v27,
-        s3 = (X1 * (v46 + factor6 * (C6 * (v41 - e2 * v47) - -v20 * (v43 + e2 * v48))) - v38 * (v55
-            + factor6 * (C6 * (v50 - e2 * v56) - -v20 * (v52 + e2 * v57)))) / -a3,
-        v64 = a3 * (v38 * (e2 * v63 + factor6 * (C6 * v61 + -v20 * v62)) - X1 * (factor6 * (C6 * v58
-            + -v20 * v59) + e2 * v60)) / -a3;
+    const double v41 = a4 * v31, v42 = d5 * T23, v43 = a4 * T23, v44 = d5 * v31, v45 = a4 * v34,
+        v46 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22));
+    const four v47 = s5 * v45 - v46, v48 = v13 * v41, v49 = v13 * v43;
+    const double v50 = a4 * v24, v51 = d5 * T13, v52 = a4 * T13, v53 = d5 * v24, v54 = a4 * v27,
+        v55 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
+    const four v56 = s5 * v54 - v55, v57 = v13 * v50, v58 = v13 * v52, v59 = s5 * v31,
+        v60 = T23 * s5, v61 = v13 * v34, v62 = s5 * v24, v63 = T13 * s5, v64 = v13 * v27,
+        v65 = m10 * (v40 * (v38 * (v56 + factor6 * (C6 * (v51 - e2 * v57) - -v20 * (v53 + e2 *
+            v58))) - X1 * (v47 + factor6 * (C6 * (v42 - e2 * v48) - -v20 * (v44 + e2 * v49))))),
+        v66 = v40 * (X1 * (factor6 * (C6 * v59 + -v20 * v60) + e2 * v61) - v38 * (e2 * v64 + factor6
+            * (C6 * v62 + -v20 * v63)));
 
     /* theta2 */
-    const double v65 = c7 * T31 - s7 * T32;
-    const four v66 = s4 * v65, v67 = T33 * c4, v68 = T33 * s4, v69 = c4 * v65;
-    const double v70 = c7 * T32 + s7 * T31;
-    const four v71 = s5 * (s4 * v70), v72 = v13 * v66, v73 = v13 * v68, v74 = s5 * (c4 * v70),
-        v75 = v13 * v69, v76 = v13 * v67, v77 = s5 * v65, v78 = T33 * s5, v79 = v13 * v70;
+    const double v67 = c7 * T31 - s7 * T32;
+    const four v68 = s4 * v67, v69 = T33 * c4, v70 = T33 * s4, v71 = c4 * v67;
+    const double v72 = c7 * T32 + s7 * T31;
+    const four v73 = s5 * (s4 * v72), v74 = v13 * v68, v75 = v13 * v70, v76 = s5 * (c4 * v72),
+        v77 = v13 * v71, v78 = v13 * v69, v79 = s5 * v67, v80 = T33 * s5, v81 = v13 * v72;
 
     /* joint values */
-    const int v85 = beyond(free_joints[0], 7);
-    const double v86 = free_joints[0] + (w4 - w4);
-    const four q7_p = v10 + v86;
+    const int v87 = beyond(free_joints[0], 7);
+    const double v88 = free_joints[0] + (w4 - w4);
+    const four q7_p = v10 + v88;
     const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11),
         doubt3 = (v23 <= m8) | (v39 <= m9);
 
-    const four angle3 = atan2_four(-v20, C6), angle4 = atan2_four(-v38, -X1),
-        angle5 = atan2_four(s3, -v64),
-        angle6 = atan2_four(sqrt_four(v39) * (1.0 / v39) * (v64 * (v74 + factor6 * (C6 * (v68 - e2 *
-            v75) - -v20 * (v66 + e2 * v76))) + s3 * (e2 * v79 + factor6 * (C6 * v77 + -v20 * v78))),
-            v71 + factor6 * (-v20 * (v69 - e2 * v73) - C6 * (v67 + e2 * v72))),
-        packed5 = atan2_four(__builtin_shufflevector(v14, all_four(w4), 0, 5, 2, 3),
-            __builtin_shufflevector(-v12, all_four(Z4), 0, 5, 2, 3)),
-        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(v14, all_four(w4), 0, 5, 2, 3), shuffle(-v12,
+        all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v38, -X1),
+        ratio4 = ratio_four(v65, -v66),
+        ratio5 = ratio_four(w1 * v66 * (v76 + factor6 * (C6 * (v70 - e2 * v77) - -v20 * (v68 + e2 *
+            v78))) + w1 * v65 * (e2 * v81 + factor6 * (C6 * v79 + -v20 * v80)), v73 + factor6 *
+            (-v20 * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
+    const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
+        angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
-        q1_m = angle4 - signed_four(half_turn, -v38), q3_m = angle5 - signed_four(half_turn, s3),
-        v80 = q4_ + only_four(q4_ <= -half_turn, whole_turn);
-    const four_mask v81 = beyond(v80, 4), v82 = beyond(q5_p, 5);
-    const four v83 = angle3 + only_four(angle3 < low6, whole_turn);
-    const four_mask v84 = beyond(v83, 6);
-    const four q6_p = pick_four(v84, angle3, v83), q4_p = v10 + v80;
-    const four_mask outside_p = where_four(v85) | v84 | v82 | v81 | beyond(angle5, 3) |
-        beyond(angle4, 1) | beyond(angle6, 2),
-        outside_m = where_four(v85) | v84 | v82 | v81 | beyond(q3_m, 3) | beyond(q1_m, 1) |
-            beyond(-angle6, 2);
+        q1_m = angle4 - signed_four(half_turn, -v38), q3_m = angle5 - signed_four(half_turn, v65),
+        v82 = q4_ + only_four(q4_ <= -half_turn, whole_turn);
+    const four_mask v83 = beyond_four(v82, 4), v84 = beyond_four(q5_p, 5);
+    const four v85 = angle3 + only_four(angle3 < low6, whole_turn);
+    const four_mask v86 = beyond_four(v85, 6);
+    const four q6_p = pick_four(v86, angle3, v85), q4_p = v10 + v82;
+    const four_mask outside_p = where_four(v87) | v86 | v84 | v83 | beyond_four(angle5, 3) |
+        beyond_four(angle4, 1) | beyond_four(angle6, 2),
+        outside_m = where_four(v87) | v86 | v84 | v83 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1)
+            | beyond_four(-angle6, 2);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -800,9 +809,10 @@ HELPER unsigned solve_tile(
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else
@@ -949,8 +959,8 @@ static void solve(
                 const double q1 = atan2(s1, c1);
 
                 /* theta3 */
-                const double s3 = (s1 * v46 - c1 * v38) / -a3;
-                const double v53 = a3 * (c1 * v49 + s1 * v52) / -a3;
+                const double s3 = (s1 * v46 - c1 * v38) * k6;
+                const double v53 = a3 * (c1 * v49 + s1 * v52) * k6;
                 const double q3 = atan2(s3, -v53);
 
                 /* theta2 */

@@ -111,6 +111,7 @@ k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
 k3 = 0.06581583470025  # (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4]
 k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
 k5 = 15.193911990243306  # 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4]
+k6 = -12.121212121212121  # -1 / a3 [m^-1]
 doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
@@ -137,6 +138,7 @@ m5 = 0.2674017784649193  # a coefficient of v7
 m7 = 0.384  # a coefficient of Y1_6
 m8 = 3.765342321601e-12  # doubt_limit_squared2^2 [m^4]
 m9 = 1e-06  # doubt_limit^2
+m10 = 12.121212121212121  # a coefficient of s3
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -415,7 +417,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda baa67b0bfd258dfa"
+_KEY = "franka_panda 67260110124bbe94"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -640,8 +642,8 @@ def _solve(pose, q_free, seed, q, status):
                 q1 = _atan2(s1, c1)
 
                 # theta3
-                s3 = (s1 * v46 - c1 * v38) / -a3
-                v53 = a3 * (c1 * v49 + s1 * v52) / -a3
+                s3 = (s1 * v46 - c1 * v38) * k6
+                v53 = a3 * (c1 * v49 + s1 * v52) * k6
                 q3 = _atan2(s3, -v53)
 
                 # theta2
@@ -1020,13 +1022,13 @@ def _regular(pose, q_free, q, status):
     w2z = T13 * v1 + T23 * v2 + T33 * v3
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v78 = d5 * T23
-    v79 = a4 * T23
-    v90 = d5 * T13
-    v91 = a4 * T13
+    v82 = d5 * T23
+    v83 = a4 * T23
+    v94 = d5 * T13
+    v95 = a4 * T13
 
     # joint values
-    v161 = q_free[0] < low7 or high7 < q_free[0]
+    v169 = q_free[0] < low7 or high7 < q_free[0]
     s7 = math.sin(q_free[0])
     c7 = math.cos(q_free[0])
 
@@ -1143,107 +1145,115 @@ def _regular(pose, q_free, q, status):
     v74 = X1_pm * X1_pm + v70 * v70
     v75 = X1_mp * X1_mp + v71 * v71
     v76 = v56 * v56 + v72 * v72
+    w1_pp = math.sqrt(v73)
+    w1_pm = math.sqrt(v74)
+    w1_mp = math.sqrt(v75)
+    w1_mm = math.sqrt(v76)
+    v77 = 1.0 / v73
+    v78 = 1.0 / v74
+    v79 = 1.0 / v75
+    v80 = 1.0 / v76
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    v77 = a4 * v57
-    v80 = d5 * v57
-    v81 = a4 * v62
-    v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-    v83 = s5_p * v81 - v82
-    v84 = s5_m * v81 - v82
-    v85 = v22 * v77
-    v86 = v23 * v77
-    v87 = v22 * v79
-    v88 = v23 * v79
-    v89 = a4 * v44
-    v92 = d5 * v44
-    v93 = a4 * v49
-    v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-    v95 = s5_p * v93 - v94
-    v96 = s5_m * v93 - v94
-    v97 = v22 * v89
-    v98 = v23 * v89
-    v99 = v22 * v91
-    v100 = v23 * v91
-    v101 = s5_p * v57
-    v102 = s5_m * v57
-    v103 = T23 * s5_p
-    v104 = T23 * s5_m
-    v105 = v22 * v62
-    v106 = v23 * v62
-    v107 = s5_p * v44
-    v108 = s5_m * v44
-    v109 = T13 * s5_p
-    v110 = T13 * s5_m
-    v111 = v22 * v49
-    v112 = v23 * v49
-    s3_pp = (
-        (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) - v69 * (v95 +
-        factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3
+    v81 = a4 * v57
+    v84 = d5 * v57
+    v85 = a4 * v62
+    v86 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+    v87 = s5_p * v85 - v86
+    v88 = s5_m * v85 - v86
+    v89 = v22 * v81
+    v90 = v23 * v81
+    v91 = v22 * v83
+    v92 = v23 * v83
+    v93 = a4 * v44
+    v96 = d5 * v44
+    v97 = a4 * v49
+    v98 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+    v99 = s5_p * v97 - v98
+    v100 = s5_m * v97 - v98
+    v101 = v22 * v93
+    v102 = v23 * v93
+    v103 = v22 * v95
+    v104 = v23 * v95
+    v105 = s5_p * v57
+    v106 = s5_m * v57
+    v107 = T23 * s5_p
+    v108 = T23 * s5_m
+    v109 = v22 * v62
+    v110 = v23 * v62
+    v111 = s5_p * v44
+    v112 = s5_m * v44
+    v113 = T13 * s5_p
+    v114 = T13 * s5_m
+    v115 = v22 * v49
+    v116 = v23 * v49
+    v117 = (
+        m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) - -v31 * (v96 + v103))) -
+        X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) - -v31 * (v84 + v91)))))
     )
-    s3_pm = (
-        (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70 * (v95 +
-        factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3
+    v118 = (
+        m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103))) - X1_pm
+        * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91)))))
     )
-    s3_mp = (
-        (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) - v71 * (v96 +
-        factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3
+    v119 = (
+        m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) - -v34 * (v96 + v104))) -
+        X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) - -v34 * (v84 + v92)))))
     )
-    s3_mm = (
-        (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56 * (v84 +
-        factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3
+    v120 = (
+        m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) - v72 *
+        (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104)))))
     )
-    v113 = (
-        a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105 + factor6_pp
-        * (C6_pp * v101 + -v31 * v103))) / -a3
+    v121 = (
+        v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 + -v31 * v107)) - v69 * (v115 + factor6_pp
+        * (C6_pp * v111 + -v31 * v113)))
     )
-    v114 = (
-        a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm * (factor6_pm * (C6_pm
-        * v101 - v32 * v103) - v105)) / -a3
+    v122 = (
+        v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm *
+        (C6_pm * v111 - v32 * v113) - v115))
     )
-    v115 = (
-        a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106 + factor6_mp
-        * (C6_mp * v102 + -v34 * v104))) / -a3
+    v123 = (
+        v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 + -v34 * v108)) - v71 * (v116 + factor6_mp
+        * (C6_mp * v112 + -v34 * v114)))
     )
-    v116 = (
-        a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm * (C6_mm *
-        v108 - v35 * v110) - v112)) / -a3
+    v124 = (
+        v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm * (C6_mm
+        * v106 - v35 * v108) - v110))
     )
 
     # theta2, type 3: U0 (A3 A4 A5 A6 A7)^-1 [3, 2] and U0 (A3 A4 A5 A6 A7)^-1 [3, 1]
-    v117 = c7 * T31 - s7 * T32
-    v118 = s4_p * v117
-    v119 = v8 * v117
-    v120 = T33 * c4_p
-    v121 = T33 * c4_m
-    v122 = T33 * s4_p
-    v123 = T33 * v8
-    v124 = c4_p * v117
-    v125 = c4_m * v117
-    v126 = c7 * T32 + s7 * T31
-    v127 = s5_p * (s4_p * v126)
-    v128 = s5_m * (v8 * v126)
-    v129 = v22 * v118
-    v130 = v23 * v119
-    v131 = v22 * v122
-    v132 = v23 * v123
-    v133 = s5_p * (c4_p * v126)
-    v134 = s5_m * (c4_m * v126)
-    v135 = v22 * v124
-    v136 = v23 * v125
-    v137 = v22 * v120
-    v138 = v23 * v121
-    v139 = s5_p * v117
-    v140 = s5_m * v117
-    v141 = T33 * s5_p
-    v142 = T33 * s5_m
-    v143 = v22 * v126
-    v144 = v23 * v126
+    v125 = c7 * T31 - s7 * T32
+    v126 = s4_p * v125
+    v127 = v8 * v125
+    v128 = T33 * c4_p
+    v129 = T33 * c4_m
+    v130 = T33 * s4_p
+    v131 = T33 * v8
+    v132 = c4_p * v125
+    v133 = c4_m * v125
+    v134 = c7 * T32 + s7 * T31
+    v135 = s5_p * (s4_p * v134)
+    v136 = s5_m * (v8 * v134)
+    v137 = v22 * v126
+    v138 = v23 * v127
+    v139 = v22 * v130
+    v140 = v23 * v131
+    v141 = s5_p * (c4_p * v134)
+    v142 = s5_m * (c4_m * v134)
+    v143 = v22 * v132
+    v144 = v23 * v133
+    v145 = v22 * v128
+    v146 = v23 * v129
+    v147 = s5_p * v125
+    v148 = s5_m * v125
+    v149 = T33 * s5_p
+    v150 = T33 * s5_m
+    v151 = v22 * v134
+    v152 = v23 * v134
 
     # joint values
-    v162 = q_free[0] + (w4 - w4)
-    q7_ppp = v17 + v162
-    q7_mpp = v18 + v162
+    v170 = q_free[0] + (w4 - w4)
+    q7_ppp = v17 + v170
+    q7_mpp = v18 + v170
     doubt1 = (
         v76 <= m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or
         v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or abs(D4)
@@ -1262,25 +1272,25 @@ def _regular(pose, q_free, q, status):
     room[8] = -v70
     room[9] = -v71
     room[10] = v72
-    room[11] = s3_pp
-    room[12] = s3_pm
-    room[13] = s3_mp
-    room[14] = s3_mm
+    room[11] = v117
+    room[12] = v118
+    room[13] = v119
+    room[14] = v120
     room[15] = (
-        math.sqrt(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp * (v122 - v135) - -v31 *
-        (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 + -v31 * v141)))
+        w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 * (v126 + v145))) + w1_pp
+        * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149))
     )
     room[16] = (
-        math.sqrt(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm * (v122 + v135) + v32 *
-        (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 * v141) - v143))
+        w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 * (v126 - v145))) + w1_pm *
+        v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151)
     )
     room[17] = (
-        math.sqrt(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp * (v123 + v136) + -v34 *
-        (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 + -v34 * v142)))
+        w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 * (v146 - v127))) + w1_mp
+        * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150))
     )
     room[18] = (
-        math.sqrt(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm * (v136 - v123) - v35 *
-        (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 * v142) - v144))
+        w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 * (v127 + v146))) + w1_mm *
+        v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152)
     )
     room[24] = Z4
     room[25] = -v20
@@ -1293,14 +1303,14 @@ def _regular(pose, q_free, q, status):
     room[32] = -X1_pm
     room[33] = -X1_mp
     room[34] = v56
-    room[35] = -v113
-    room[36] = -v114
-    room[37] = -v115
-    room[38] = -v116
-    room[39] = v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))
-    room[40] = v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))
-    room[41] = factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128
-    room[42] = -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130)))
+    room[35] = -v121
+    room[36] = -v122
+    room[37] = -v123
+    room[38] = -v124
+    room[39] = v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))
+    room[40] = v135 - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))
+    room[41] = factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136
+    room[42] = -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138)))
     for k in range(19, 24):
         room[k] = room[k + 24] = 1.0
     for k in range(24):
@@ -1340,64 +1350,64 @@ def _regular(pose, q_free, q, status):
     q1_mmm = angle11 - math.copysign(half_turn, v72)
 
     # theta3, type 3: U1 (A5 A6 A7)^-1 [2, 4] and U1 (A5 A6 A7)^-1 [2, 3]
-    q3_ppm = angle12 - math.copysign(half_turn, s3_pp)
-    q3_pmm = angle13 - math.copysign(half_turn, s3_pm)
-    q3_mpm = angle14 - math.copysign(half_turn, s3_mp)
-    q3_mmm = angle15 - math.copysign(half_turn, s3_mm)
+    q3_ppm = angle12 - math.copysign(half_turn, v117)
+    q3_pmm = angle13 - math.copysign(half_turn, v118)
+    q3_mpm = angle14 - math.copysign(half_turn, v119)
+    q3_mmm = angle15 - math.copysign(half_turn, v120)
 
     # joint values
-    v145 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
-    v146 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
-    v147 = v145 < low4 or high4 < v145
-    v148 = v146 < low4 or high4 < v146
-    v149 = angle2 < low5 or high5 < angle2
-    v150 = q5_pmp < low5 or high5 < q5_pmp
-    v151 = angle3 < low5 or high5 < angle3
-    v152 = q5_mmp < low5 or high5 < q5_mmp
-    v153 = angle4 + (whole_turn if angle4 < low6 else 0.0)
-    v154 = angle5 + (whole_turn if angle5 < low6 else 0.0)
-    v155 = angle6 + (whole_turn if angle6 < low6 else 0.0)
-    v156 = angle7 + (whole_turn if angle7 < low6 else 0.0)
-    v157 = v153 < low6 or high6 < v153
-    v158 = v154 < low6 or high6 < v154
-    v159 = v155 < low6 or high6 < v155
-    v160 = v156 < low6 or high6 < v156
-    q6_ppp = angle4 if v157 else v153
-    q6_pmp = angle5 if v158 else v154
-    q6_mpp = angle6 if v159 else v155
-    q6_mmp = angle7 if v160 else v156
-    q4_ppp = v17 + v145
-    q4_mpp = v18 + v146
+    v153 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
+    v154 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
+    v155 = v153 < low4 or high4 < v153
+    v156 = v154 < low4 or high4 < v154
+    v157 = angle2 < low5 or high5 < angle2
+    v158 = q5_pmp < low5 or high5 < q5_pmp
+    v159 = angle3 < low5 or high5 < angle3
+    v160 = q5_mmp < low5 or high5 < q5_mmp
+    v161 = angle4 + (whole_turn if angle4 < low6 else 0.0)
+    v162 = angle5 + (whole_turn if angle5 < low6 else 0.0)
+    v163 = angle6 + (whole_turn if angle6 < low6 else 0.0)
+    v164 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+    v165 = v161 < low6 or high6 < v161
+    v166 = v162 < low6 or high6 < v162
+    v167 = v163 < low6 or high6 < v163
+    v168 = v164 < low6 or high6 < v164
+    q6_ppp = angle4 if v165 else v161
+    q6_pmp = angle5 if v166 else v162
+    q6_mpp = angle6 if v167 else v163
+    q6_mmp = angle7 if v168 else v164
+    q4_ppp = v17 + v153
+    q4_mpp = v18 + v154
     outside_ppp = (
-        v161 or v157 or v149 or v147 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
+        v169 or v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
         < angle8 or angle16 < low2 or high2 < angle16
     )
     outside_ppm = (
-        v161 or v157 or v149 or v147 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
+        v169 or v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
         q1_ppm or -angle16 < low2 or high2 < -angle16
     )
     outside_pmp = (
-        v161 or v158 or v150 or v147 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1
+        v169 or v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1
         < angle9 or angle17 < low2 or high2 < angle17
     )
     outside_pmm = (
-        v161 or v158 or v150 or v147 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
+        v169 or v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
         q1_pmm or -angle17 < low2 or high2 < -angle17
     )
     outside_mpp = (
-        v161 or v159 or v151 or v148 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1
+        v169 or v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1
         < angle10 or angle18 < low2 or high2 < angle18
     )
     outside_mpm = (
-        v161 or v159 or v151 or v148 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
+        v169 or v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
         q1_mpm or -angle18 < low2 or high2 < -angle18
     )
     outside_mmp = (
-        v161 or v160 or v152 or v148 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1
+        v169 or v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1
         < angle11 or angle19 < low2 or high2 < angle19
     )
     outside_mmm = (
-        v161 or v160 or v152 or v148 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
+        v169 or v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
         q1_mmm or -angle19 < low2 or high2 < -angle19
     )
 
@@ -1704,21 +1714,21 @@ def _in_tiles(T, q_free, q, status):
             w2x = v1 * T11 + v2 * T21 + v3 * T31
             w2y = v1 * T12 + v2 * T22 + v3 * T32
             w2z = T13 * v1 + T23 * v2 + T33 * v3
-            v78 = d5 * T23
-            v79 = a4 * T23
-            v90 = d5 * T13
-            v91 = a4 * T13
-            v161 = given1 < low7 or high7 < given1
+            v82 = d5 * T23
+            v83 = a4 * T23
+            v94 = d5 * T13
+            v95 = a4 * T13
+            v169 = given1 < low7 or high7 < given1
             work[288 + k] = v1
             work[304 + k] = v2
             work[320 + k] = w2x
             work[336 + k] = w2y
             work[352 + k] = w2z
-            work[368 + k] = v78
-            work[384 + k] = v79
-            work[400 + k] = v90
-            work[416 + k] = v91
-            work[432 + k] = v161
+            work[368 + k] = v82
+            work[384 + k] = v83
+            work[400 + k] = v94
+            work[416 + k] = v95
+            work[432 + k] = v169
             work[448 + k] = given1
             work[464 + k] = given1
         for k in range(448, 464):
@@ -1741,10 +1751,10 @@ def _in_tiles(T, q_free, q, status):
             w2x = work[320 + k]
             w2y = work[336 + k]
             w2z = work[352 + k]
-            v78 = work[368 + k]
-            v79 = work[384 + k]
-            v90 = work[400 + k]
-            v91 = work[416 + k]
+            v82 = work[368 + k]
+            v83 = work[384 + k]
+            v94 = work[400 + k]
+            v95 = work[416 + k]
             s7 = work[448 + k]
             c7 = work[464 + k]
             Z4 = (
@@ -1853,101 +1863,109 @@ def _in_tiles(T, q_free, q, status):
             v74 = X1_pm * X1_pm + v70 * v70
             v75 = X1_mp * X1_mp + v71 * v71
             v76 = v56 * v56 + v72 * v72
-            v77 = a4 * v57
-            v80 = d5 * v57
-            v81 = a4 * v62
-            v82 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
-            v83 = s5_p * v81 - v82
-            v84 = s5_m * v81 - v82
-            v85 = v22 * v77
-            v86 = v23 * v77
-            v87 = v22 * v79
-            v88 = v23 * v79
-            v89 = a4 * v44
-            v92 = d5 * v44
-            v93 = a4 * v49
-            v94 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
-            v95 = s5_p * v93 - v94
-            v96 = s5_m * v93 - v94
-            v97 = v22 * v89
-            v98 = v23 * v89
-            v99 = v22 * v91
-            v100 = v23 * v91
-            v101 = s5_p * v57
-            v102 = s5_m * v57
-            v103 = T23 * s5_p
-            v104 = T23 * s5_m
-            v105 = v22 * v62
-            v106 = v23 * v62
-            v107 = s5_p * v44
-            v108 = s5_m * v44
-            v109 = T13 * s5_p
-            v110 = T13 * s5_m
-            v111 = v22 * v49
-            v112 = v23 * v49
-            s3_pp = (
-                (X1_pp * (v83 + factor6_pp * (C6_pp * (v78 - v85) - -v31 * (v80 + v87))) - v69 *
-                (v95 + factor6_pp * (C6_pp * (v90 - v97) - -v31 * (v92 + v99)))) / -a3
+            w1_pp = math.sqrt(v73)
+            w1_pm = math.sqrt(v74)
+            w1_mp = math.sqrt(v75)
+            w1_mm = math.sqrt(v76)
+            v77 = 1.0 / v73
+            v78 = 1.0 / v74
+            v79 = 1.0 / v75
+            v80 = 1.0 / v76
+            v81 = a4 * v57
+            v84 = d5 * v57
+            v85 = a4 * v62
+            v86 = v2 + (c7 * (a6 * T21) - s7 * (a6 * T22))
+            v87 = s5_p * v85 - v86
+            v88 = s5_m * v85 - v86
+            v89 = v22 * v81
+            v90 = v23 * v81
+            v91 = v22 * v83
+            v92 = v23 * v83
+            v93 = a4 * v44
+            v96 = d5 * v44
+            v97 = a4 * v49
+            v98 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12))
+            v99 = s5_p * v97 - v98
+            v100 = s5_m * v97 - v98
+            v101 = v22 * v93
+            v102 = v23 * v93
+            v103 = v22 * v95
+            v104 = v23 * v95
+            v105 = s5_p * v57
+            v106 = s5_m * v57
+            v107 = T23 * s5_p
+            v108 = T23 * s5_m
+            v109 = v22 * v62
+            v110 = v23 * v62
+            v111 = s5_p * v44
+            v112 = s5_m * v44
+            v113 = T13 * s5_p
+            v114 = T13 * s5_m
+            v115 = v22 * v49
+            v116 = v23 * v49
+            v117 = (
+                m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) - -v31 * (v96 +
+                v103))) - X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) - -v31 * (v84 + v91)))))
             )
-            s3_pm = (
-                (X1_pm * (v83 + factor6_pm * (C6_pm * (v78 + v85) + v32 * (v80 - v87))) - v70 * (v95
-                + factor6_pm * (C6_pm * (v90 + v97) + v32 * (v92 - v99)))) / -a3
+            v118 = (
+                m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103)))
+                - X1_pm * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91)))))
             )
-            s3_mp = (
-                (X1_mp * (v84 + factor6_mp * (C6_mp * (v78 - v86) - -v34 * (v80 + v88))) - v71 *
-                (v96 + factor6_mp * (C6_mp * (v90 - v98) - -v34 * (v92 + v100)))) / -a3
+            v119 = (
+                m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) - -v34 * (v96 +
+                v104))) - X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) - -v34 * (v84 + v92)))))
             )
-            s3_mm = (
-                (v72 * (v96 + factor6_mm * (C6_mm * (v90 + v98) + v35 * (v92 - v100))) - v56 * (v84
-                + factor6_mm * (C6_mm * (v78 + v86) + v35 * (v80 - v88)))) / -a3
+            v120 = (
+                m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) -
+                v72 * (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104)))))
             )
-            v113 = (
-                a3 * (v69 * (v111 + factor6_pp * (C6_pp * v107 + -v31 * v109)) - X1_pp * (v105 +
-                factor6_pp * (C6_pp * v101 + -v31 * v103))) / -a3
+            v121 = (
+                v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 + -v31 * v107)) - v69 * (v115 +
+                factor6_pp * (C6_pp * v111 + -v31 * v113)))
             )
-            v114 = (
-                a3 * (v70 * (factor6_pm * (C6_pm * v107 - v32 * v109) - v111) - X1_pm * (factor6_pm
-                * (C6_pm * v101 - v32 * v103) - v105)) / -a3
+            v122 = (
+                v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm
+                * (C6_pm * v111 - v32 * v113) - v115))
             )
-            v115 = (
-                a3 * (v71 * (v112 + factor6_mp * (C6_mp * v108 + -v34 * v110)) - X1_mp * (v106 +
-                factor6_mp * (C6_mp * v102 + -v34 * v104))) / -a3
+            v123 = (
+                v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 + -v34 * v108)) - v71 * (v116 +
+                factor6_mp * (C6_mp * v112 + -v34 * v114)))
             )
-            v116 = (
-                a3 * (v56 * (factor6_mm * (C6_mm * v102 - v35 * v104) - v106) - v72 * (factor6_mm *
-                (C6_mm * v108 - v35 * v110) - v112)) / -a3
+            v124 = (
+                v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm *
+                (C6_mm * v106 - v35 * v108) - v110))
             )
-            v117 = c7 * T31 - s7 * T32
-            v118 = s4_p * v117
-            v119 = v8 * v117
-            v120 = T33 * c4_p
-            v121 = T33 * c4_m
-            v122 = T33 * s4_p
-            v123 = T33 * v8
-            v124 = c4_p * v117
-            v125 = c4_m * v117
-            v126 = c7 * T32 + s7 * T31
-            v127 = s5_p * (s4_p * v126)
-            v128 = s5_m * (v8 * v126)
-            v129 = v22 * v118
-            v130 = v23 * v119
-            v131 = v22 * v122
-            v132 = v23 * v123
-            v133 = s5_p * (c4_p * v126)
-            v134 = s5_m * (c4_m * v126)
-            v135 = v22 * v124
-            v136 = v23 * v125
-            v137 = v22 * v120
-            v138 = v23 * v121
-            v139 = s5_p * v117
-            v140 = s5_m * v117
-            v141 = T33 * s5_p
-            v142 = T33 * s5_m
-            v143 = v22 * v126
-            v144 = v23 * v126
-            v162 = given1 + (w4 - w4)
-            q7_ppp = v17 + v162
-            q7_mpp = v18 + v162
+            v125 = c7 * T31 - s7 * T32
+            v126 = s4_p * v125
+            v127 = v8 * v125
+            v128 = T33 * c4_p
+            v129 = T33 * c4_m
+            v130 = T33 * s4_p
+            v131 = T33 * v8
+            v132 = c4_p * v125
+            v133 = c4_m * v125
+            v134 = c7 * T32 + s7 * T31
+            v135 = s5_p * (s4_p * v134)
+            v136 = s5_m * (v8 * v134)
+            v137 = v22 * v126
+            v138 = v23 * v127
+            v139 = v22 * v130
+            v140 = v23 * v131
+            v141 = s5_p * (c4_p * v134)
+            v142 = s5_m * (c4_m * v134)
+            v143 = v22 * v132
+            v144 = v23 * v133
+            v145 = v22 * v128
+            v146 = v23 * v129
+            v147 = s5_p * v125
+            v148 = s5_m * v125
+            v149 = T33 * s5_p
+            v150 = T33 * s5_m
+            v151 = v22 * v134
+            v152 = v23 * v134
+            v170 = given1 + (w4 - w4)
+            q7_ppp = v17 + v170
+            q7_mpp = v18 + v170
             doubt1 = (
                 v76 <= m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <=
                 m9 or v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <=
@@ -1962,10 +1980,10 @@ def _in_tiles(T, q_free, q, status):
             work[560 + k] = v70
             work[576 + k] = v71
             work[592 + k] = v72
-            work[608 + k] = s3_pp
-            work[624 + k] = s3_pm
-            work[640 + k] = s3_mp
-            work[656 + k] = s3_mm
+            work[608 + k] = v117
+            work[624 + k] = v118
+            work[640 + k] = v119
+            work[656 + k] = v120
             work[672 + k] = q7_ppp
             work[688 + k] = q7_mpp
             work[704 + k] = doubt1
@@ -1980,25 +1998,25 @@ def _in_tiles(T, q_free, q, status):
             work[848 + k] = -v70
             work[864 + k] = -v71
             work[880 + k] = v72
-            work[896 + k] = s3_pp
-            work[912 + k] = s3_pm
-            work[928 + k] = s3_mp
-            work[944 + k] = s3_mm
+            work[896 + k] = v117
+            work[912 + k] = v118
+            work[928 + k] = v119
+            work[944 + k] = v120
             work[960 + k] = (
-                math.sqrt(v73) * (1.0 / v73) * (v113 * (v133 + factor6_pp * (C6_pp * (v122 - v135) -
-                -v31 * (v118 + v137))) + s3_pp * (v143 + factor6_pp * (C6_pp * v139 + -v31 * v141)))
+                w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 * (v126 + v145)))
+                + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149))
             )
             work[976 + k] = (
-                math.sqrt(v74) * (1.0 / v74) * (v114 * (v133 + factor6_pm * (C6_pm * (v122 + v135) +
-                v32 * (v118 - v137))) + s3_pm * (factor6_pm * (C6_pm * v139 - v32 * v141) - v143))
+                w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 * (v126 - v145))) +
+                w1_pm * v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151)
             )
             work[992 + k] = (
-                math.sqrt(v75) * (1.0 / v75) * (v115 * (v134 - factor6_mp * (C6_mp * (v123 + v136) +
-                -v34 * (v138 - v119))) + s3_mp * (v144 + factor6_mp * (C6_mp * v140 + -v34 * v142)))
+                w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 * (v146 - v127)))
+                + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150))
             )
             work[1008 + k] = (
-                math.sqrt(v76) * (1.0 / v76) * (v116 * (v134 + factor6_mm * (C6_mm * (v136 - v123) -
-                v35 * (v119 + v138))) + s3_mm * (factor6_mm * (C6_mm * v140 - v35 * v142) - v144))
+                w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 * (v127 + v146))) +
+                w1_mm * v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152)
             )
             work[1024 + k] = Z4
             work[1040 + k] = -v20
@@ -2011,18 +2029,18 @@ def _in_tiles(T, q_free, q, status):
             work[1152 + k] = -X1_pm
             work[1168 + k] = -X1_mp
             work[1184 + k] = v56
-            work[1200 + k] = -v113
-            work[1216 + k] = -v114
-            work[1232 + k] = -v115
-            work[1248 + k] = -v116
-            work[1264 + k] = v127 + factor6_pp * (-v31 * (v124 - v131) - C6_pp * (v120 + v129))
-            work[1280 + k] = v127 - factor6_pm * (v32 * (v124 + v131) + C6_pm * (v120 - v129))
-            work[1296 + k] = factor6_mp * (-v34 * (v125 + v132) - C6_mp * (v121 - v130)) - v128
-            work[1312 + k] = -(v128 + factor6_mm * (v35 * (v125 - v132) + C6_mm * (v121 + v130)))
+            work[1200 + k] = -v121
+            work[1216 + k] = -v122
+            work[1232 + k] = -v123
+            work[1248 + k] = -v124
+            work[1264 + k] = v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))
+            work[1280 + k] = v135 - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))
+            work[1296 + k] = factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136
+            work[1312 + k] = -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138)))
         for k in range(720, 1024):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v161 = work[432 + k] != 0.0
+            v169 = work[432 + k] != 0.0
             v17 = work[480 + k]
             v18 = work[496 + k]
             v24 = work[512 + k]
@@ -2031,10 +2049,10 @@ def _in_tiles(T, q_free, q, status):
             v70 = work[560 + k]
             v71 = work[576 + k]
             v72 = work[592 + k]
-            s3_pp = work[608 + k]
-            s3_pm = work[624 + k]
-            s3_mp = work[640 + k]
-            s3_mm = work[656 + k]
+            v117 = work[608 + k]
+            v118 = work[624 + k]
+            v119 = work[640 + k]
+            v120 = work[656 + k]
             q7_ppp = work[672 + k]
             q7_mpp = work[688 + k]
             doubt1 = work[704 + k] != 0.0
@@ -2065,62 +2083,62 @@ def _in_tiles(T, q_free, q, status):
             q1_pmm = angle9 - math.copysign(half_turn, -v70)
             q1_mpm = angle10 - math.copysign(half_turn, -v71)
             q1_mmm = angle11 - math.copysign(half_turn, v72)
-            q3_ppm = angle12 - math.copysign(half_turn, s3_pp)
-            q3_pmm = angle13 - math.copysign(half_turn, s3_pm)
-            q3_mpm = angle14 - math.copysign(half_turn, s3_mp)
-            q3_mmm = angle15 - math.copysign(half_turn, s3_mm)
-            v145 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
-            v146 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
-            v147 = v145 < low4 or high4 < v145
-            v148 = v146 < low4 or high4 < v146
-            v149 = angle2 < low5 or high5 < angle2
-            v150 = q5_pmp < low5 or high5 < q5_pmp
-            v151 = angle3 < low5 or high5 < angle3
-            v152 = q5_mmp < low5 or high5 < q5_mmp
-            v153 = angle4 + (whole_turn if angle4 < low6 else 0.0)
-            v154 = angle5 + (whole_turn if angle5 < low6 else 0.0)
-            v155 = angle6 + (whole_turn if angle6 < low6 else 0.0)
-            v156 = angle7 + (whole_turn if angle7 < low6 else 0.0)
-            v157 = v153 < low6 or high6 < v153
-            v158 = v154 < low6 or high6 < v154
-            v159 = v155 < low6 or high6 < v155
-            v160 = v156 < low6 or high6 < v156
-            q6_ppp = angle4 if v157 else v153
-            q6_pmp = angle5 if v158 else v154
-            q6_mpp = angle6 if v159 else v155
-            q6_mmp = angle7 if v160 else v156
-            q4_ppp = v17 + v145
-            q4_mpp = v18 + v146
+            q3_ppm = angle12 - math.copysign(half_turn, v117)
+            q3_pmm = angle13 - math.copysign(half_turn, v118)
+            q3_mpm = angle14 - math.copysign(half_turn, v119)
+            q3_mmm = angle15 - math.copysign(half_turn, v120)
+            v153 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
+            v154 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
+            v155 = v153 < low4 or high4 < v153
+            v156 = v154 < low4 or high4 < v154
+            v157 = angle2 < low5 or high5 < angle2
+            v158 = q5_pmp < low5 or high5 < q5_pmp
+            v159 = angle3 < low5 or high5 < angle3
+            v160 = q5_mmp < low5 or high5 < q5_mmp
+            v161 = angle4 + (whole_turn if angle4 < low6 else 0.0)
+            v162 = angle5 + (whole_turn if angle5 < low6 else 0.0)
+            v163 = angle6 + (whole_turn if angle6 < low6 else 0.0)
+            v164 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+            v165 = v161 < low6 or high6 < v161
+            v166 = v162 < low6 or high6 < v162
+            v167 = v163 < low6 or high6 < v163
+            v168 = v164 < low6 or high6 < v164
+            q6_ppp = angle4 if v165 else v161
+            q6_pmp = angle5 if v166 else v162
+            q6_mpp = angle6 if v167 else v163
+            q6_mmp = angle7 if v168 else v164
+            q4_ppp = v17 + v153
+            q4_mpp = v18 + v154
             outside_ppp = (
-                v161 or v157 or v149 or v147 or angle12 < low3 or high3 < angle12 or angle8 < low1
+                v169 or v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1
                 or high1 < angle8 or angle16 < low2 or high2 < angle16
             )
             outside_ppm = (
-                v161 or v157 or v149 or v147 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or
+                v169 or v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or
                 high1 < q1_ppm or -angle16 < low2 or high2 < -angle16
             )
             outside_pmp = (
-                v161 or v158 or v150 or v147 or angle13 < low3 or high3 < angle13 or angle9 < low1
+                v169 or v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1
                 or high1 < angle9 or angle17 < low2 or high2 < angle17
             )
             outside_pmm = (
-                v161 or v158 or v150 or v147 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or
+                v169 or v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or
                 high1 < q1_pmm or -angle17 < low2 or high2 < -angle17
             )
             outside_mpp = (
-                v161 or v159 or v151 or v148 or angle14 < low3 or high3 < angle14 or angle10 < low1
+                v169 or v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1
                 or high1 < angle10 or angle18 < low2 or high2 < angle18
             )
             outside_mpm = (
-                v161 or v159 or v151 or v148 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or
+                v169 or v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or
                 high1 < q1_mpm or -angle18 < low2 or high2 < -angle18
             )
             outside_mmp = (
-                v161 or v160 or v152 or v148 or angle15 < low3 or high3 < angle15 or angle11 < low1
+                v169 or v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1
                 or high1 < angle11 or angle19 < low2 or high2 < angle19
             )
             outside_mmm = (
-                v161 or v160 or v152 or v148 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or
+                v169 or v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or
                 high1 < q1_mmm or -angle19 < low2 or high2 < -angle19
             )
             _1328 = angle8

@@ -3087,38 +3087,39 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.31; /* joint offset 1 [m] */
-static const double a1 = 0.12; /* link length 1 [m] */
-static const double ca1 = 0.3623577544766736; /* cosine of twist 1 */
-static const double sa1 = 0.9320390859672263; /* sine of twist 1 */
-static const double d2 = -0.14; /* joint offset 2 [m] */
-static const double a2 = 0.27; /* link length 2 [m] */
-static const double ca2 = 0.6967067093471654; /* cosine of twist 2 */
-static const double sa2 = 0.7173560908995228; /* sine of twist 2 */
-static const double cat3 = 0.9210609940028851; /* cosine of the angle of joint 3 */
-static const double sat3 = 0.3894183423086505; /* sine of the angle of joint 3 */
-static const double a3 = 0.09; /* link length 3 [m] */
-static const double ca3 = 0.32328956686350346; /* cosine of twist 3 */
-static const double sa3 = 0.9463000876874145; /* sine of twist 3 */
-static const double d4 = 0.22; /* joint offset 4 [m] */
-static const double a4 = -0.18; /* link length 4 [m] */
-static const double ca4 = 0.7648421872844885; /* cosine of twist 4 */
-static const double sa4 = 0.644217687237691; /* sine of twist 4 */
-static const double cat5 = 0.6216099682706644; /* cosine of the angle of joint 5 */
-static const double sat5 = 0.7833269096274834; /* sine of the angle of joint 5 */
-static const double a5 = 0.15; /* link length 5 [m] */
-static const double ca5 = 0.4535961214255773; /* cosine of twist 5 */
-static const double sa5 = 0.8912073600614354; /* sine of twist 5 */
-static const double d6 = 0.17; /* joint offset 6 [m] */
-static const double a6 = 0.08; /* link length 6 [m] */
-static const double ca6 = 0.8253356149096783; /* cosine of twist 6 */
-static const double sa6 = 0.5646424733950354; /* sine of twist 6 */
-static const double f1 = -0.05073008562673431; /* d2 * ca1 [m] */
-static const double f2 = 0.2599395422585156; /* sa2 * ca1 */
-static const double f3 = 0.2524570787278714; /* ca2 * ca1 */
-static const double g1 = -0.05073008562673431; /* d2 * ca1 [m] */
-static const double g2 = 0.2599395422585156; /* sa2 * ca1 */
-static const double g3 = 0.2524570787278714; /* ca2 * ca1 */
+static const double
+    d1 = 0.31, /* joint offset 1 [m] */
+    a1 = 0.12, /* link length 1 [m] */
+    ca1 = 0.3623577544766736, /* cosine of twist 1 */
+    sa1 = 0.9320390859672263, /* sine of twist 1 */
+    d2 = -0.14, /* joint offset 2 [m] */
+    a2 = 0.27, /* link length 2 [m] */
+    ca2 = 0.6967067093471654, /* cosine of twist 2 */
+    sa2 = 0.7173560908995228, /* sine of twist 2 */
+    cat3 = 0.9210609940028851, /* cosine of the angle of joint 3 */
+    sat3 = 0.3894183423086505, /* sine of the angle of joint 3 */
+    a3 = 0.09, /* link length 3 [m] */
+    ca3 = 0.32328956686350346, /* cosine of twist 3 */
+    sa3 = 0.9463000876874145, /* sine of twist 3 */
+    d4 = 0.22, /* joint offset 4 [m] */
+    a4 = -0.18, /* link length 4 [m] */
+    ca4 = 0.7648421872844885, /* cosine of twist 4 */
+    sa4 = 0.644217687237691, /* sine of twist 4 */
+    cat5 = 0.6216099682706644, /* cosine of the angle of joint 5 */
+    sat5 = 0.7833269096274834, /* sine of the angle of joint 5 */
+    a5 = 0.15, /* link length 5 [m] */
+    ca5 = 0.4535961214255773, /* cosine of twist 5 */
+    sa5 = 0.8912073600614354, /* sine of twist 5 */
+    d6 = 0.17, /* joint offset 6 [m] */
+    a6 = 0.08, /* link length 6 [m] */
+    ca6 = 0.8253356149096783, /* cosine of twist 6 */
+    sa6 = 0.5646424733950354, /* sine of twist 6 */
+    f1 = -0.05073008562673431, /* d2 * ca1 [m] */
+    f2 = 0.2599395422585156, /* sa2 * ca1 */
+    f3 = 0.2524570787278714, /* ca2 * ca1 */
+    g1 = -0.05073008562673431, /* d2 * ca1 [m] */
+    g2 = 0.2599395422585156, /* sa2 * ca1 */
+    g3 = 0.2524570787278714; /* ca2 * ca1 */
 
 const char *const general_4r2p_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",

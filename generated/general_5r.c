@@ -3294,36 +3294,37 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.32; /* joint offset 1 [m] */
-static const double a1 = 0.09; /* link length 1 [m] */
-static const double ca1 = 0.3420201433256688; /* cosine of twist 1 */
-static const double sa1 = 0.9396926207859083; /* sine of twist 1 */
-static const double d2 = 0.11; /* joint offset 2 [m] */
-static const double a2 = 0.38; /* link length 2 [m] */
-static const double ca2 = 0.9063077870366499; /* cosine of twist 2 */
-static const double sa2 = 0.42261826174069944; /* sine of twist 2 */
-static const double d3 = -0.07; /* joint offset 3 [m] */
-static const double a3 = 0.29; /* link length 3 [m] */
-static const double ca3 = 0.5735764363510462; /* cosine of twist 3 */
-static const double sa3 = 0.8191520442889918; /* sine of twist 3 */
-static const double d4 = 0.14; /* joint offset 4 [m] */
-static const double a4 = 0.05; /* link length 4 [m] */
-static const double ca4 = 0.08715574274765814; /* cosine of twist 4 */
-static const double sa4 = 0.9961946980917455; /* sine of twist 4 */
-static const double d5 = 0.1; /* joint offset 5 [m] */
-static const double a5 = 0.04; /* link length 5 [m] */
-static const double ca5 = 0.766044443118978; /* cosine of twist 5 */
-static const double sa5 = 0.6427876096865393; /* sine of twist 5 */
-static const double cae11 = 0.955336489125606; /* cosine of tool frame, entry 1,1 */
-static const double sae11 = 0.29552020666133955; /* sine of tool frame, entry 1,1 */
-static const double ex = 0.03; /* x of the tool frame [m] */
-static const double ez = 0.14; /* z of the tool frame [m] */
-static const double f1 = 0.03762221576582357; /* d2 * ca1 [m] */
-static const double f2 = 0.14454395845259904; /* sa2 * ca1 */
-static const double f3 = 0.3099755192194448; /* ca2 * ca1 */
-static const double g1 = 0.03762221576582357; /* d2 * ca1 [m] */
-static const double g2 = 0.14454395845259904; /* sa2 * ca1 */
-static const double g3 = 0.3099755192194448; /* ca2 * ca1 */
+static const double
+    d1 = 0.32, /* joint offset 1 [m] */
+    a1 = 0.09, /* link length 1 [m] */
+    ca1 = 0.3420201433256688, /* cosine of twist 1 */
+    sa1 = 0.9396926207859083, /* sine of twist 1 */
+    d2 = 0.11, /* joint offset 2 [m] */
+    a2 = 0.38, /* link length 2 [m] */
+    ca2 = 0.9063077870366499, /* cosine of twist 2 */
+    sa2 = 0.42261826174069944, /* sine of twist 2 */
+    d3 = -0.07, /* joint offset 3 [m] */
+    a3 = 0.29, /* link length 3 [m] */
+    ca3 = 0.5735764363510462, /* cosine of twist 3 */
+    sa3 = 0.8191520442889918, /* sine of twist 3 */
+    d4 = 0.14, /* joint offset 4 [m] */
+    a4 = 0.05, /* link length 4 [m] */
+    ca4 = 0.08715574274765814, /* cosine of twist 4 */
+    sa4 = 0.9961946980917455, /* sine of twist 4 */
+    d5 = 0.1, /* joint offset 5 [m] */
+    a5 = 0.04, /* link length 5 [m] */
+    ca5 = 0.766044443118978, /* cosine of twist 5 */
+    sa5 = 0.6427876096865393, /* sine of twist 5 */
+    cae11 = 0.955336489125606, /* cosine of tool frame, entry 1,1 */
+    sae11 = 0.29552020666133955, /* sine of tool frame, entry 1,1 */
+    ex = 0.03, /* x of the tool frame [m] */
+    ez = 0.14, /* z of the tool frame [m] */
+    f1 = 0.03762221576582357, /* d2 * ca1 [m] */
+    f2 = 0.14454395845259904, /* sa2 * ca1 */
+    f3 = 0.3099755192194448, /* ca2 * ca1 */
+    g1 = 0.03762221576582357, /* d2 * ca1 [m] */
+    g2 = 0.14454395845259904, /* sa2 * ca1 */
+    g3 = 0.3099755192194448; /* ca2 * ca1 */
 
 const char *const general_5r_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -3358,37 +3358,38 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = -0.293; /* joint offset 1 [m] */
-static const double a1 = 0.278; /* link length 1 [m] */
-static const double ca1 = 0.012203370292583539; /* cosine of twist 1 */
-static const double sa1 = 0.9999255361043151; /* sine of twist 1 */
-static const double d2 = -0.196; /* joint offset 2 [m] */
-static const double a2 = -0.004; /* link length 2 [m] */
-static const double ca2 = 0.9544456308244855; /* cosine of twist 2 */
-static const double sa2 = 0.29838488198977153; /* sine of twist 2 */
-static const double cat3 = 0.6145349462240683; /* cosine of the angle of joint 3 */
-static const double sat3 = 0.7888895992909156; /* sine of the angle of joint 3 */
-static const double a3 = 0.231; /* link length 3 [m] */
-static const double ca3 = 0.7618754628213957; /* cosine of twist 3 */
-static const double sa3 = 0.647723536048123; /* sine of twist 3 */
-static const double d4 = -0.377; /* joint offset 4 [m] */
-static const double a4 = 0.269; /* link length 4 [m] */
-static const double ca4 = 0.9191023971657747; /* cosine of twist 4 */
-static const double sa4 = 0.39401876037078043; /* sine of twist 4 */
-static const double d5 = 0.211; /* joint offset 5 [m] */
-static const double a5 = -0.398; /* link length 5 [m] */
-static const double ca5 = 0.9463659134816423; /* cosine of twist 5 */
-static const double sa5 = 0.323096824187513; /* sine of twist 5 */
-static const double d6 = 0.037; /* joint offset 6 [m] */
-static const double a6 = 0.357; /* link length 6 [m] */
-static const double ca6 = 0.7427737668732654; /* cosine of twist 6 */
-static const double sa6 = 0.6695424790443845; /* sine of twist 6 */
-static const double f1 = -0.002391860577346374; /* ca1 * d2 [m] */
-static const double f2 = 0.003641301204630023; /* ca1 * sa2 */
-static const double f3 = 0.011647453457089682; /* ca1 * ca2 */
-static const double g1 = -0.002391860577346374; /* ca1 * d2 [m] */
-static const double g2 = 0.003641301204630023; /* ca1 * sa2 */
-static const double g3 = 0.011647453457089682; /* ca1 * ca2 */
+static const double
+    d1 = -0.293, /* joint offset 1 [m] */
+    a1 = 0.278, /* link length 1 [m] */
+    ca1 = 0.012203370292583539, /* cosine of twist 1 */
+    sa1 = 0.9999255361043151, /* sine of twist 1 */
+    d2 = -0.196, /* joint offset 2 [m] */
+    a2 = -0.004, /* link length 2 [m] */
+    ca2 = 0.9544456308244855, /* cosine of twist 2 */
+    sa2 = 0.29838488198977153, /* sine of twist 2 */
+    cat3 = 0.6145349462240683, /* cosine of the angle of joint 3 */
+    sat3 = 0.7888895992909156, /* sine of the angle of joint 3 */
+    a3 = 0.231, /* link length 3 [m] */
+    ca3 = 0.7618754628213957, /* cosine of twist 3 */
+    sa3 = 0.647723536048123, /* sine of twist 3 */
+    d4 = -0.377, /* joint offset 4 [m] */
+    a4 = 0.269, /* link length 4 [m] */
+    ca4 = 0.9191023971657747, /* cosine of twist 4 */
+    sa4 = 0.39401876037078043, /* sine of twist 4 */
+    d5 = 0.211, /* joint offset 5 [m] */
+    a5 = -0.398, /* link length 5 [m] */
+    ca5 = 0.9463659134816423, /* cosine of twist 5 */
+    sa5 = 0.323096824187513, /* sine of twist 5 */
+    d6 = 0.037, /* joint offset 6 [m] */
+    a6 = 0.357, /* link length 6 [m] */
+    ca6 = 0.7427737668732654, /* cosine of twist 6 */
+    sa6 = 0.6695424790443845, /* sine of twist 6 */
+    f1 = -0.002391860577346374, /* ca1 * d2 [m] */
+    f2 = 0.003641301204630023, /* ca1 * sa2 */
+    f3 = 0.011647453457089682, /* ca1 * ca2 */
+    g1 = -0.002391860577346374, /* ca1 * d2 [m] */
+    g2 = 0.003641301204630023, /* ca1 * sa2 */
+    g3 = 0.011647453457089682; /* ca1 * ca2 */
 
 const char *const general_5r1p_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -3398,22 +3398,23 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double a1 = 0.472; /* link length 1 [m] */
-static const double d2 = -0.069; /* joint offset 2 [m] */
-static const double d3 = -0.261; /* joint offset 3 [m] */
-static const double a3 = 0.234; /* link length 3 [m] */
-static const double d4 = 0.525; /* joint offset 4 [m] */
-static const double d5 = 0.119; /* joint offset 5 [m] */
-static const double a6 = 0.123; /* link length 6 [m] */
-static const double f1 = 0.5; /* 1 / 2 */
-static const double f2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double f3 = -0.2260326303877385; /* 1 / 2 * sqrt3 * d3 [m] */
-static const double f4 = 0.45466333698683026; /* d4 * 1 / 2 * sqrt3 [m] */
-static const double f5 = 0.7071067811865476; /* 1 / 2 * sqrt2 */
-static const double g1 = 0.5; /* 1 / 2 */
-static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double g3 = -0.2260326303877385; /* 1 / 2 * sqrt3 * d3 [m] */
-static const double g4 = 0.45466333698683026; /* d4 * 1 / 2 * sqrt3 [m] */
+static const double
+    a1 = 0.472, /* link length 1 [m] */
+    d2 = -0.069, /* joint offset 2 [m] */
+    d3 = -0.261, /* joint offset 3 [m] */
+    a3 = 0.234, /* link length 3 [m] */
+    d4 = 0.525, /* joint offset 4 [m] */
+    d5 = 0.119, /* joint offset 5 [m] */
+    a6 = 0.123, /* link length 6 [m] */
+    f1 = 0.5, /* 1 / 2 */
+    f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    f3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
+    f4 = 0.45466333698683026, /* d4 * 1 / 2 * sqrt3 [m] */
+    f5 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
+    g1 = 0.5, /* 1 / 2 */
+    g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    g3 = -0.2260326303877385, /* 1 / 2 * sqrt3 * d3 [m] */
+    g4 = 0.45466333698683026; /* d4 * 1 / 2 * sqrt3 [m] */
 
 const char *const general_5r1p_pair_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -3356,38 +3356,39 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.35; /* joint offset 1 [m] */
-static const double a1 = 0.1; /* link length 1 [m] */
-static const double d2 = 0.08; /* joint offset 2 [m] */
-static const double a2 = 0.4; /* link length 2 [m] */
-static const double ca2 = 0.9396926207859084; /* cosine of twist 2 */
-static const double sa2 = 0.3420201433256687; /* sine of twist 2 */
-static const double d3 = -0.05; /* joint offset 3 [m] */
-static const double a3 = 0.3; /* link length 3 [m] */
-static const double ca3 = 0.42261826174069944; /* cosine of twist 3 */
-static const double sa3 = 0.9063077870366499; /* sine of twist 3 */
-static const double d4 = 0.12; /* joint offset 4 [m] */
-static const double a4 = 0.06; /* link length 4 [m] */
-static const double ca4 = 0.17364817766693041; /* cosine of twist 4 */
-static const double sa4 = 0.984807753012208; /* sine of twist 4 */
-static const double d5 = 0.09; /* joint offset 5 [m] */
-static const double a5 = 0.05; /* link length 5 [m] */
-static const double ca5 = 0.3420201433256688; /* cosine of twist 5 */
-static const double sa5 = 0.9396926207859083; /* sine of twist 5 */
-static const double cae11 = 0.9210609940028851; /* cosine of tool frame, entry 1,1 */
-static const double sae11 = 0.3894183423086505; /* sine of tool frame, entry 1,1 */
-static const double ex = 0.02; /* x of the tool frame [m] */
-static const double ez = 0.15; /* z of the tool frame [m] */
-static const double f1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
-static const double f2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-static const double f3 = 0.02070552360820166; /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
-static const double f4 = 0.08852132690137686; /* sa2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-static const double f5 = 0.24321034680169396; /* ca2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-static const double g1 = 0.25881904510252074; /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
-static const double g2 = 0.9659258262890683; /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-static const double g3 = 0.02070552360820166; /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
-static const double g4 = 0.08852132690137686; /* sa2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-static const double g5 = 0.24321034680169396; /* ca2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+static const double
+    d1 = 0.35, /* joint offset 1 [m] */
+    a1 = 0.1, /* link length 1 [m] */
+    d2 = 0.08, /* joint offset 2 [m] */
+    a2 = 0.4, /* link length 2 [m] */
+    ca2 = 0.9396926207859084, /* cosine of twist 2 */
+    sa2 = 0.3420201433256687, /* sine of twist 2 */
+    d3 = -0.05, /* joint offset 3 [m] */
+    a3 = 0.3, /* link length 3 [m] */
+    ca3 = 0.42261826174069944, /* cosine of twist 3 */
+    sa3 = 0.9063077870366499, /* sine of twist 3 */
+    d4 = 0.12, /* joint offset 4 [m] */
+    a4 = 0.06, /* link length 4 [m] */
+    ca4 = 0.17364817766693041, /* cosine of twist 4 */
+    sa4 = 0.984807753012208, /* sine of twist 4 */
+    d5 = 0.09, /* joint offset 5 [m] */
+    a5 = 0.05, /* link length 5 [m] */
+    ca5 = 0.3420201433256688, /* cosine of twist 5 */
+    sa5 = 0.9396926207859083, /* sine of twist 5 */
+    cae11 = 0.9210609940028851, /* cosine of tool frame, entry 1,1 */
+    sae11 = 0.3894183423086505, /* sine of tool frame, entry 1,1 */
+    ex = 0.02, /* x of the tool frame [m] */
+    ez = 0.15, /* z of the tool frame [m] */
+    f1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+    f2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+    f3 = 0.02070552360820166, /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+    f4 = 0.08852132690137686, /* sa2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    f5 = 0.24321034680169396, /* ca2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    g1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
+    g2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
+    g3 = 0.02070552360820166, /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+    g4 = 0.08852132690137686, /* sa2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    g5 = 0.24321034680169396; /* ca2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
 
 const char *const general_5r_pointing_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

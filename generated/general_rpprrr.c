@@ -3103,65 +3103,64 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.5; /* joint offset 1 [m] */
-static const double a1 = 0.1; /* link length 1 [m] */
-static const double ca1 = 0.30901699437494745; /* cosine of twist 1 */
-static const double sa1 = 0.9510565162951535; /* sine of twist 1 */
-static const double cat2 = 0.9800665778412416; /* cosine of the angle of joint 2 */
-static const double sat2 = 0.19866933079506122; /* sine of the angle of joint 2 */
-static const double ca2 = 0.3420201433256688; /* cosine of twist 2 */
-static const double sa2 = 0.9396926207859083; /* sine of twist 2 */
-static const double cat3 = 0.8775825618903728; /* cosine of the angle of joint 3 */
-static const double sat3 = 0.479425538604203; /* sine of the angle of joint 3 */
-static const double a3 = 0.12; /* link length 3 [m] */
-static const double ca3 = 0.766044443118978; /* cosine of twist 3 */
-static const double sa3 = 0.6427876096865393; /* sine of twist 3 */
-static const double d4 = 0.14; /* joint offset 4 [m] */
-static const double a4 = 0.2; /* link length 4 [m] */
-static const double ca4 = 0.42261826174069944; /* cosine of twist 4 */
-static const double sa4 = 0.9063077870366499; /* sine of twist 4 */
-static const double d5 = 0.1; /* joint offset 5 [m] */
-static const double a5 = 0.16; /* link length 5 [m] */
-static const double ca5 = 0.6427876096865394; /* cosine of twist 5 */
-static const double sa5 = 0.766044443118978; /* sine of twist 5 */
-static const double d6 = 0.12; /* joint offset 6 [m] */
-static const double f1 = -0.7701962384697986; /* ca2 * ca1 - sa2 * cat2 * sa1 */
-/* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
-static const double f2 = -0.12623975606886617;
-/* a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m] */
-static const double f3 = -0.015148770728263941;
-/* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 * cat2
- * * sa1) */
-static const double f4 = 0.9739951538781595;
-/* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
- * * cat2 * sa1)) [m] */
-static const double f5 = -0.02633971333380174;
-/* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
- * * cat2 * sa1)) */
-static const double f6 = -0.17051348073383996;
-/* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
- * * cat2 * sa1)) */
-static const double f7 = -0.0795117418848544;
-static const double g1 = -0.7701962384697986; /* ca2 * ca1 - sa2 * cat2 * sa1 */
-/* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
-static const double g2 = -0.12623975606886617;
-/* a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m] */
-static const double g3 = -0.015148770728263941;
-/* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 * cat2
- * * sa1) */
-static const double g4 = 0.9739951538781595;
-/* sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2 * cat2
- * * sa1) */
-static const double g5 = -0.18814080952715528;
-/* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
- * * cat2 * sa1)) [m] */
-static const double g6 = -0.02633971333380174;
-/* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
- * * cat2 * sa1)) */
-static const double g7 = -0.17051348073383996;
-/* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
- * * cat2 * sa1)) */
-static const double g8 = -0.0795117418848544;
+static const double
+    d1 = 0.5, /* joint offset 1 [m] */
+    a1 = 0.1, /* link length 1 [m] */
+    ca1 = 0.30901699437494745, /* cosine of twist 1 */
+    sa1 = 0.9510565162951535, /* sine of twist 1 */
+    cat2 = 0.9800665778412416, /* cosine of the angle of joint 2 */
+    sat2 = 0.19866933079506122, /* sine of the angle of joint 2 */
+    ca2 = 0.3420201433256688, /* cosine of twist 2 */
+    sa2 = 0.9396926207859083, /* sine of twist 2 */
+    cat3 = 0.8775825618903728, /* cosine of the angle of joint 3 */
+    sat3 = 0.479425538604203, /* sine of the angle of joint 3 */
+    a3 = 0.12, /* link length 3 [m] */
+    ca3 = 0.766044443118978, /* cosine of twist 3 */
+    sa3 = 0.6427876096865393, /* sine of twist 3 */
+    d4 = 0.14, /* joint offset 4 [m] */
+    a4 = 0.2, /* link length 4 [m] */
+    ca4 = 0.42261826174069944, /* cosine of twist 4 */
+    sa4 = 0.9063077870366499, /* sine of twist 4 */
+    d5 = 0.1, /* joint offset 5 [m] */
+    a5 = 0.16, /* link length 5 [m] */
+    ca5 = 0.6427876096865394, /* cosine of twist 5 */
+    sa5 = 0.766044443118978, /* sine of twist 5 */
+    d6 = 0.12, /* joint offset 6 [m] */
+    f1 = -0.7701962384697986, /* ca2 * ca1 - sa2 * cat2 * sa1 */
+    f2 = -0.12623975606886617, /* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
+    /* a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m] */
+    f3 = -0.015148770728263941,
+    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 *
+     * cat2 * sa1) */
+    f4 = 0.9739951538781595,
+    /* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
+     * sa2 * cat2 * sa1)) [m] */
+    f5 = -0.02633971333380174,
+    /* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
+     * sa2 * cat2 * sa1)) */
+    f6 = -0.17051348073383996,
+    /* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
+     * sa2 * cat2 * sa1)) */
+    f7 = -0.0795117418848544,
+    g1 = -0.7701962384697986, /* ca2 * ca1 - sa2 * cat2 * sa1 */
+    g2 = -0.12623975606886617, /* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
+    /* a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m] */
+    g3 = -0.015148770728263941,
+    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 *
+     * cat2 * sa1) */
+    g4 = 0.9739951538781595,
+    /* sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2 *
+     * cat2 * sa1) */
+    g5 = -0.18814080952715528,
+    /* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
+     * sa2 * cat2 * sa1)) [m] */
+    g6 = -0.02633971333380174,
+    /* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
+     * sa2 * cat2 * sa1)) */
+    g7 = -0.17051348073383996,
+    /* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
+     * sa2 * cat2 * sa1)) */
+    g8 = -0.0795117418848544;
 
 const char *const general_rpprrr_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",

@@ -735,16 +735,18 @@ def _regular(pose, q, status):
     v44 = angle11 - offset2
     v45 = angle12 - offset2
     v46 = angle13 - offset2
-    q2_ppp = v43 - (whole_turn if half_turn < v43 else 0.0)
-    q2_pmp = v44 - (whole_turn if half_turn < v44 else 0.0)
-    q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
-    q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
+    q2_ppp = v43 + (-whole_turn if half_turn < v43 else 0.0)
+    q2_pmp = v44 + (-whole_turn if half_turn < v44 else 0.0)
+    q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
+    q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
     v47 = angle14 - turn1 - offset3
     v48 = offset3 + (turn1 + angle14)
     v49 = angle15 - turn1 - offset3
     v50 = offset3 + (turn1 + angle15)
-    q3_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
-    q3_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
+    q3_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+    q3_pmp = (-whole_turn if half_turn < -v48 else 0.0) - v48
+    q3_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
+    q3_mmp = (-whole_turn if half_turn < -v50 else 0.0) - v50
     v51 = angle16 - offset5
     v52 = offset5 + angle16
     v53 = angle17 - offset5
@@ -783,14 +785,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
     q[2, 1] = q2_pmp
-    q[2, 2] = -(v48 + (whole_turn if half_turn < -v48 else 0.0))
+    q[2, 2] = q3_pmp
     q[2, 3] = angle3
     q[2, 4] = q5_pmp
     q[2, 5] = angle7
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = q2_pmp
-    q[3, 2] = -(v48 + (whole_turn if half_turn < -v48 else 0.0))
+    q[3, 2] = q3_pmp
     q[3, 3] = q4_pmm
     q[3, 4] = q5_pmm
     q[3, 5] = q6_pmm
@@ -811,14 +813,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = q2_mmp
-    q[6, 2] = -(v50 + (whole_turn if half_turn < -v50 else 0.0))
+    q[6, 2] = q3_mmp
     q[6, 3] = angle5
     q[6, 4] = q5_mmp
     q[6, 5] = angle9
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = q2_mmp
-    q[7, 2] = -(v50 + (whole_turn if half_turn < -v50 else 0.0))
+    q[7, 2] = q3_mmp
     q[7, 3] = q4_mmm
     q[7, 4] = q5_mmm
     q[7, 5] = q6_mmm
@@ -1209,16 +1211,18 @@ def _in_tiles(T, q, status):
             v44 = angle11 - offset2
             v45 = angle12 - offset2
             v46 = angle13 - offset2
-            q2_ppp = v43 - (whole_turn if half_turn < v43 else 0.0)
-            q2_pmp = v44 - (whole_turn if half_turn < v44 else 0.0)
-            q2_mpp = v45 - (whole_turn if half_turn < v45 else 0.0)
-            q2_mmp = v46 - (whole_turn if half_turn < v46 else 0.0)
+            q2_ppp = v43 + (-whole_turn if half_turn < v43 else 0.0)
+            q2_pmp = v44 + (-whole_turn if half_turn < v44 else 0.0)
+            q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
+            q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
             v47 = angle14 - turn1 - offset3
             v48 = offset3 + (turn1 + angle14)
             v49 = angle15 - turn1 - offset3
             v50 = offset3 + (turn1 + angle15)
-            q3_ppp = v47 - (whole_turn if half_turn < v47 else 0.0)
-            q3_mpp = v49 - (whole_turn if half_turn < v49 else 0.0)
+            q3_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+            q3_pmp = (-whole_turn if half_turn < -v48 else 0.0) - v48
+            q3_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
+            q3_mmp = (-whole_turn if half_turn < -v50 else 0.0) - v50
             v51 = angle16 - offset5
             v52 = offset5 + angle16
             v53 = angle17 - offset5
@@ -1257,7 +1261,7 @@ def _in_tiles(T, q, status):
             work[1168 + k] = _1168
             _1184 = q2_pmp
             work[1184 + k] = _1184
-            _1200 = -(v48 + (whole_turn if half_turn < -v48 else 0.0))
+            _1200 = q3_pmp
             work[1200 + k] = _1200
             _1216 = angle3
             work[1216 + k] = _1216
@@ -1291,7 +1295,7 @@ def _in_tiles(T, q, status):
             work[1440 + k] = _1440
             _1456 = q2_mmp
             work[1456 + k] = _1456
-            _1472 = -(v50 + (whole_turn if half_turn < -v50 else 0.0))
+            _1472 = q3_mmp
             work[1472 + k] = _1472
             _1488 = angle5
             work[1488 + k] = _1488

@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -128,6 +134,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -153,14 +160,14 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -190,11 +197,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -209,33 +216,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -247,42 +257,38 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)KATANA_400_UNREACHABLE \
         : (outside) ? (int)KATANA_400_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.2015; /* joint offset 1 [m] */
-static const double a2 = 0.19; /* link length 2 [m] */
-static const double a3 = 0.139; /* link length 3 [m] */
-static const double d5 = 0.1473; /* joint offset 5 [m] */
-static const double second_weight = 0.6778; /* lengths count in arm sizes [m] */
-static const double free_limit1 = 6.777999999999999e-13; /* a length that fixes no angle [m] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double offset4 = -1.5707963267948966; /* offset of joint 4 [rad] */
-static const double longest3 = 0.108241; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.002600999999999999; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.10824100000004461;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.0026009999999930854;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.10824099999999555;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.0026010000000006904;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 4.594128399999999e-25;
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 6.778e-06; /* a pose may be rounded by this [m] */
-static const double k1 = 0.055421000000000005; /* a2^2 + a3^2 [m^2] */
-static const double k2 = 18.932222642938278; /* 1 / (2 * a3 * a2) [m^-2] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 4.5941283999999983e-07; /* doubt_limit1^2 [m^2] */
-static const double m3 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 2.631578947368421; /* a coefficient of S2 */
-static const double m5 = 0.04415526315789473; /* a coefficient of S2 */
-static const double m6 = 2.1106015755686555e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m7 = 0.19; /* a coefficient of v12 */
-static const double m8 = 0.139; /* a coefficient of v12 */
-static const double m9 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m10 = 4.5941284e-11; /* pose_slack1^2 [m^2] */
-static const double m11 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double
+    d1 = 0.2015, /* joint offset 1 [m] */
+    a2 = 0.19, /* link length 2 [m] */
+    a3 = 0.139, /* link length 3 [m] */
+    d5 = 0.1473, /* joint offset 5 [m] */
+    second_weight = 0.6778, /* lengths count in arm sizes [m] */
+    free_limit1 = 6.777999999999999e-13, /* a length that fixes no angle [m] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    offset4 = -1.5707963267948966, /* offset of joint 4 [rad] */
+    longest3 = 0.108241, /* square of the longest reach [m^2] */
+    shortest3 = 0.002600999999999999, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.10824100000004461, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0026009999999930854, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.10824099999999555, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.0026010000000006904, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 4.594128399999999e-25, /* square of a length that fixes no angle [m^2] */
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 6.778e-06, /* a pose may be rounded by this [m] */
+    k1 = 0.055421000000000005, /* a2^2 + a3^2 [m^2] */
+    k2 = 18.932222642938278, /* 1 / (2 * a3 * a2) [m^-2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 4.5941283999999983e-07, /* doubt_limit1^2 [m^2] */
+    m3 = 1e-12, /* doubt_limit_squared^2 */
+    m4 = 2.631578947368421, /* a coefficient of S2 */
+    m5 = 0.04415526315789473, /* a coefficient of S2 */
+    m6 = 2.1106015755686555e-13, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 0.19, /* a coefficient of v12 */
+    m8 = 0.139, /* a coefficient of v12 */
+    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m10 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
+    m11 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
 
 const char *const katana_400_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -452,14 +458,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v69 = angle2 - (angle4 + angle5) - offset4,
         v70 = angle2 - (angle6 - angle4) - offset4, v71 = offset4 + (angle2 + (angle4 + angle7)),
         v72 = offset4 + (angle2 + (angle8 - angle4)),
-        v73 = v69 - only_wide(half_turn < v69, whole_turn) + only_wide(v69 <= -half_turn,
-            whole_turn),
-        v74 = v70 - only_wide(half_turn < v70, whole_turn) + only_wide(v70 <= -half_turn,
-            whole_turn),
-        v75 = only_wide(-v71 <= -half_turn, whole_turn) - (v71 + only_wide(half_turn < -v71,
-            whole_turn)),
-        v76 = only_wide(-v72 <= -half_turn, whole_turn) - (v72 + only_wide(half_turn < -v72,
-            whole_turn));
+        v73 = v69 + pick_wide(v69 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v69,
+            -whole_turn)),
+        v74 = v70 + pick_wide(v70 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v70,
+            -whole_turn)),
+        v75 = pick_wide(-v71 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v71,
+            -whole_turn)) - v71,
+        v76 = pick_wide(-v72 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v72,
+            -whole_turn)) - v72;
     const double v77 = NAN;
     const wide v78 = only_wide((v65 <= m10) == 0, v77), v79 = only_wide((v66 <= m10) == 0, v77),
         v80 = only_wide((v67 <= m10) == 0, v77), v81 = only_wide((v68 <= m10) == 0, v77),
@@ -472,23 +478,24 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46))))) | (v28 <= m6);
 
     q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
-    q[3] = v78 + (v73 - only_wide(half_turn < v73, whole_turn)); q[4] = v78 + v84;
+    q[3] = v78 + (v73 + only_wide(half_turn < v73, -whole_turn)); q[4] = v78 + v84;
     kind[0] = kind_of(q[0], 0);
     q[5] = v79 + v82; q[6] = angle6 + v79; q[7] = v79 - angle4;
-    q[8] = v79 + (v74 - only_wide(half_turn < v74, whole_turn)); q[9] = v79 + v84;
+    q[8] = v79 + (v74 + only_wide(half_turn < v74, -whole_turn)); q[9] = v79 + v84;
     kind[1] = kind_of(q[5], 0);
     q[10] = v80 + v83; q[11] = angle7 + v80; q[12] = angle4 + v80;
-    q[13] = v80 + (v75 - only_wide(half_turn < v75, whole_turn)); q[14] = v80 + v85;
+    q[13] = v80 + (v75 + only_wide(half_turn < v75, -whole_turn)); q[14] = v80 + v85;
     kind[2] = kind_of(q[10], 0);
     q[15] = v81 + v83; q[16] = angle8 + v81; q[17] = v81 - angle4;
-    q[18] = v81 + (v76 - only_wide(half_turn < v76, whole_turn)); q[19] = v81 + v85;
+    q[18] = v81 + (v76 + only_wide(half_turn < v76, -whole_turn)); q[19] = v81 + v85;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -552,16 +559,16 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         v40 + (v39 * v39 + (v37 * v37 + v38 * v38))))) | ((shortest3_reach <= N3) & (N3 <=
         longest3_reach) & (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    const four angle5 = atan2_four(S2, C2),
-        packed2 = atan2_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5, K3 }),
-        angle1 = __builtin_shufflevector(packed2, packed2, 0, 0, 0, 0),
-        angle2 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
-        angle3 = __builtin_shufflevector(packed2, packed2, 2, 2, 2, 2),
-        angle4 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four_ratio ratio1 = ratio_four((four){ v3, -Z2_234, -Z2_5, w3 }, (four){ v2, T33, -Z1_5,
+        K3 }), ratio2 = ratio_four(S2, C2);
+    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle2 = shuffle(packed1, packed1, 1, 1, 1, 1),
+        angle3 = shuffle(packed1, packed1, 2, 2, 2, 2),
+        angle4 = shuffle(packed1, packed1, 3, 3, 3, 3), angle5 = angle_four(ratio2);
     const four v47 = e2 * angle4, v48 = e1 * angle2, v49 = v48 - (angle5 + v47) - offset4,
-        v50 = v49 - only_four(half_turn < v49, whole_turn) + only_four(v49 <= -half_turn,
-            whole_turn), v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52,
-        q3 = v47 + v52, q4 = v52 + (v50 - only_four(half_turn < v50, whole_turn)),
+        v50 = v49 + pick_four(v49 <= -half_turn, all_four(whole_turn), only_four(half_turn < v49,
+            -whole_turn)), v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52,
+        q3 = v47 + v52, q4 = v52 + (v50 + only_four(half_turn < v50, -whole_turn)),
         v54 = v16 + (angle3 + v7 * v13), q5 = v52 + v54;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -597,9 +604,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 4; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 4; i++)
-            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 4 * k, &word, 4);
+    }
     return bits_wide(left);
 }
 #else

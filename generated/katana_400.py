@@ -330,7 +330,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 2a640f0b810718fb"
+_KEY = "katana_400 056c331b43608fc4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -927,20 +927,10 @@ def _regular(pose, q, status):
     v70 = angle2 - (angle6 - angle4) - offset4
     v71 = offset4 + (angle2 + (angle4 + angle7))
     v72 = offset4 + (angle2 + (angle8 - angle4))
-    v73 = (
-        v69 - (whole_turn if half_turn < v69 else 0.0) + (whole_turn if v69 <= -half_turn else 0.0)
-    )
-    v74 = (
-        v70 - (whole_turn if half_turn < v70 else 0.0) + (whole_turn if v70 <= -half_turn else 0.0)
-    )
-    v75 = (
-        (whole_turn if -v71 <= -half_turn else 0.0) - (v71 + (whole_turn if half_turn < -v71 else
-        0.0))
-    )
-    v76 = (
-        (whole_turn if -v72 <= -half_turn else 0.0) - (v72 + (whole_turn if half_turn < -v72 else
-        0.0))
-    )
+    v73 = v69 + (whole_turn if v69 <= -half_turn else (-whole_turn if half_turn < v69 else 0.0))
+    v74 = v70 + (whole_turn if v70 <= -half_turn else (-whole_turn if half_turn < v70 else 0.0))
+    v75 = (whole_turn if -v71 <= -half_turn else (-whole_turn if half_turn < -v71 else 0.0)) - v71
+    v76 = (whole_turn if -v72 <= -half_turn else (-whole_turn if half_turn < -v72 else 0.0)) - v72
     v82 = angle1 + v13
     v83 = v13 + (angle1 - math.copysign(half_turn, v3))
     q1_pp = v78 + v82
@@ -955,10 +945,10 @@ def _regular(pose, q, status):
     q3_pm = v79 - angle4
     q3_mp = angle4 + v80
     q3_mm = v81 - angle4
-    q4_pp = v78 + (v73 - (whole_turn if half_turn < v73 else 0.0))
-    q4_pm = v79 + (v74 - (whole_turn if half_turn < v74 else 0.0))
-    q4_mp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
-    q4_mm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
+    q4_pp = v78 + (v73 + (-whole_turn if half_turn < v73 else 0.0))
+    q4_pm = v79 + (v74 + (-whole_turn if half_turn < v74 else 0.0))
+    q4_mp = v80 + (v75 + (-whole_turn if half_turn < v75 else 0.0))
+    q4_mm = v81 + (v76 + (-whole_turn if half_turn < v76 else 0.0))
     v84 = angle3 + v13
     v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
     q5_pp = v78 + v84
@@ -1369,20 +1359,20 @@ def _in_tiles(T, q, status):
             v71 = offset4 + (angle2 + (angle4 + angle7))
             v72 = offset4 + (angle2 + (angle8 - angle4))
             v73 = (
-                v69 - (whole_turn if half_turn < v69 else 0.0) + (whole_turn if v69 <= -half_turn
-                else 0.0)
+                v69 + (whole_turn if v69 <= -half_turn else (-whole_turn if half_turn < v69 else
+                0.0))
             )
             v74 = (
-                v70 - (whole_turn if half_turn < v70 else 0.0) + (whole_turn if v70 <= -half_turn
-                else 0.0)
+                v70 + (whole_turn if v70 <= -half_turn else (-whole_turn if half_turn < v70 else
+                0.0))
             )
             v75 = (
-                (whole_turn if -v71 <= -half_turn else 0.0) - (v71 + (whole_turn if half_turn < -v71
-                else 0.0))
+                (whole_turn if -v71 <= -half_turn else (-whole_turn if half_turn < -v71 else 0.0)) -
+                v71
             )
             v76 = (
-                (whole_turn if -v72 <= -half_turn else 0.0) - (v72 + (whole_turn if half_turn < -v72
-                else 0.0))
+                (whole_turn if -v72 <= -half_turn else (-whole_turn if half_turn < -v72 else 0.0)) -
+                v72
             )
             v82 = angle1 + v13
             v83 = v13 + (angle1 - math.copysign(half_turn, v3))
@@ -1398,10 +1388,10 @@ def _in_tiles(T, q, status):
             q3_pm = v79 - angle4
             q3_mp = angle4 + v80
             q3_mm = v81 - angle4
-            q4_pp = v78 + (v73 - (whole_turn if half_turn < v73 else 0.0))
-            q4_pm = v79 + (v74 - (whole_turn if half_turn < v74 else 0.0))
-            q4_mp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
-            q4_mm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
+            q4_pp = v78 + (v73 + (-whole_turn if half_turn < v73 else 0.0))
+            q4_pm = v79 + (v74 + (-whole_turn if half_turn < v74 else 0.0))
+            q4_mp = v80 + (v75 + (-whole_turn if half_turn < v75 else 0.0))
+            q4_mm = v81 + (v76 + (-whole_turn if half_turn < v76 else 0.0))
             v84 = angle3 + v13
             v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
             q5_pp = v78 + v84

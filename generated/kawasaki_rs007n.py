@@ -378,7 +378,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n fbf263e50a57a54c"
+_KEY = "kawasaki_rs007n 2288d51876b6bef0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1087,10 +1087,10 @@ def _regular(pose, q, status):
     v63 = angle3 - offset2
     v64 = angle4 - offset2
     v65 = angle5 - offset2
-    q2_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
-    q2_pmp = v63 - (whole_turn if half_turn < v63 else 0.0)
-    q2_mpp = v64 - (whole_turn if half_turn < v64 else 0.0)
-    q2_mmp = v65 - (whole_turn if half_turn < v65 else 0.0)
+    q2_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
+    q2_pmp = v63 + (-whole_turn if half_turn < v63 else 0.0)
+    q2_mpp = v64 + (-whole_turn if half_turn < v64 else 0.0)
+    q2_mmp = v65 + (-whole_turn if half_turn < v65 else 0.0)
     v66 = angle6 - offset3
     v67 = math.copysign(half_turn, v5) - angle6 - offset3
     q3_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
@@ -1151,8 +1151,8 @@ def _regular(pose, q, status):
     q6_mmm = v95 + (whole_turn if v95 <= -half_turn else 0.0)
     v96 = q3_ppp < low3 or high3 < q3_ppp
     v97 = q3_pmp < low3 or high3 < q3_pmp
-    q1_ppp = v4 + (v60 - (whole_turn if half_turn < v60 else 0.0))
-    q1_mpp = v4 + (v61 - (whole_turn if half_turn < v61 else 0.0))
+    q1_ppp = v4 + (v60 + (-whole_turn if half_turn < v60 else 0.0))
+    q1_mpp = v4 + (v61 + (-whole_turn if half_turn < v61 else 0.0))
     v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
     v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
     v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
@@ -1640,10 +1640,10 @@ def _in_tiles(T, q, status):
             v63 = angle3 - offset2
             v64 = angle4 - offset2
             v65 = angle5 - offset2
-            q2_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
-            q2_pmp = v63 - (whole_turn if half_turn < v63 else 0.0)
-            q2_mpp = v64 - (whole_turn if half_turn < v64 else 0.0)
-            q2_mmp = v65 - (whole_turn if half_turn < v65 else 0.0)
+            q2_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
+            q2_pmp = v63 + (-whole_turn if half_turn < v63 else 0.0)
+            q2_mpp = v64 + (-whole_turn if half_turn < v64 else 0.0)
+            q2_mmp = v65 + (-whole_turn if half_turn < v65 else 0.0)
             v66 = angle6 - offset3
             v67 = math.copysign(half_turn, v5) - angle6 - offset3
             q3_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
@@ -1704,8 +1704,8 @@ def _in_tiles(T, q, status):
             q6_mmm = v95 + (whole_turn if v95 <= -half_turn else 0.0)
             v96 = q3_ppp < low3 or high3 < q3_ppp
             v97 = q3_pmp < low3 or high3 < q3_pmp
-            q1_ppp = v4 + (v60 - (whole_turn if half_turn < v60 else 0.0))
-            q1_mpp = v4 + (v61 - (whole_turn if half_turn < v61 else 0.0))
+            q1_ppp = v4 + (v60 + (-whole_turn if half_turn < v60 else 0.0))
+            q1_mpp = v4 + (v61 + (-whole_turn if half_turn < v61 else 0.0))
             v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
             v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
             v100 = v96 or q2_mpp < low2 or high2 < q2_mpp

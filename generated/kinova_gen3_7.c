@@ -3322,19 +3322,20 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.28481; /* joint offset 1 [m] */
-static const double d2 = 0.01175; /* joint offset 2 [m] */
-static const double d3 = 0.42076; /* joint offset 3 [m] */
-static const double d4 = 0.01275; /* joint offset 4 [m] */
-static const double d5 = 0.31436; /* joint offset 5 [m] */
-static const double d6 = 0.00035; /* joint offset 6 [m] */
-static const double d7 = 0.10593; /* joint offset 7 [m] */
-static const double offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
-static const double offset3 = 3.141592653589793; /* offset of joint 3 [rad] */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
-static const double offset7 = 3.141592653589793; /* offset of joint 7 [rad] */
+static const double
+    d1 = 0.28481, /* joint offset 1 [m] */
+    d2 = 0.01175, /* joint offset 2 [m] */
+    d3 = 0.42076, /* joint offset 3 [m] */
+    d4 = 0.01275, /* joint offset 4 [m] */
+    d5 = 0.31436, /* joint offset 5 [m] */
+    d6 = 0.00035, /* joint offset 6 [m] */
+    d7 = 0.10593, /* joint offset 7 [m] */
+    offset2 = 3.141592653589793, /* offset of joint 2 [rad] */
+    offset3 = 3.141592653589793, /* offset of joint 3 [rad] */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
+    offset7 = 3.141592653589793; /* offset of joint 7 [rad] */
 
 const char *const kinova_gen3_7_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

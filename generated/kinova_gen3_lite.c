@@ -3328,18 +3328,19 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.24325; /* joint offset 1 [m] */
-static const double d2 = 0.03; /* joint offset 2 [m] */
-static const double a2 = 0.28; /* link length 2 [m] */
-static const double d3 = 0.02; /* joint offset 3 [m] */
-static const double d4 = 0.245; /* joint offset 4 [m] */
-static const double d5 = 0.057; /* joint offset 5 [m] */
-static const double d6 = 0.105; /* joint offset 6 [m] */
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double offset3 = 1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double offset6 = 1.5707963267948966; /* offset of joint 6 [rad] */
+static const double
+    d1 = 0.24325, /* joint offset 1 [m] */
+    d2 = 0.03, /* joint offset 2 [m] */
+    a2 = 0.28, /* link length 2 [m] */
+    d3 = 0.02, /* joint offset 3 [m] */
+    d4 = 0.245, /* joint offset 4 [m] */
+    d5 = 0.057, /* joint offset 5 [m] */
+    d6 = 0.105, /* joint offset 6 [m] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    offset6 = 1.5707963267948966; /* offset of joint 6 [rad] */
 
 const char *const kinova_gen3_lite_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

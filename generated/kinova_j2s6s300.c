@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -101,6 +105,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -115,6 +120,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -129,6 +135,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -154,24 +161,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -193,11 +200,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -212,33 +219,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -250,46 +260,40 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)KINOVA_J2S6S300_UNREACHABLE \
         : (outside) ? (int)KINOVA_J2S6S300_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.2755; /* joint offset 1 [m] */
-static const double d2 = 0.0016; /* joint offset 2 [m] */
-static const double a2 = 0.41; /* link length 2 [m] */
-static const double d3 = 0.0114; /* joint offset 3 [m] */
-static const double d4 = 0.31105; /* joint offset 4 [m] */
-static const double d6 = 0.26375; /* joint offset 6 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.6212928899999995e-24;
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double longest3 = 0.5199131025; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.009791102499999996; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.5199131025001836;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.009791102499974799;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.5199131024999816;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.009791102500002518;
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset3 = 1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset6 = -1.5707963267948966; /* offset of joint 6 [rad] */
-static const double k1 = -0.0098; /* d2 - d3 [m] */
-static const double k2 = 9.604000000000001e-05; /* (d2 - d3)^2 [m^2] */
-/* reach_slack1 * (reach_slack1 - (d2 - d3) * 2) [m^2] */
-static const double k3 = 2.495668000016213e-15;
-/* merge_slack1 * (merge_slack1 - (d2 - d3) * 2) [m^2] */
-static const double k4 = 2.4956680000016213e-16;
-static const double k5 = 0.255061; /* 2 * d4 * a2 [m^2] */
-static const double k6 = 0.26485210249999996; /* a2^2 + d4^2 [m^2] */
-static const double k7 = 15.371345486276748; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.6212928899999995e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1.2195121951219514; /* a coefficient of S2 */
-static const double m2 = 0.08700963109756096; /* a coefficient of S2 */
-static const double m3 = 2.6285906351645502e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double m4 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.2755, /* joint offset 1 [m] */
+    d2 = 0.0016, /* joint offset 2 [m] */
+    a2 = 0.41, /* link length 2 [m] */
+    d3 = 0.0114, /* joint offset 3 [m] */
+    d4 = 0.31105, /* joint offset 4 [m] */
+    d6 = 0.26375, /* joint offset 6 [m] */
+    free_limit_squared2 = 1.6212928899999995e-24, /* square of a length that fixes no angle [m^2] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    longest3 = 0.5199131025, /* square of the longest reach [m^2] */
+    shortest3 = 0.009791102499999996, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.5199131025001836, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.009791102499974799, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.5199131024999816, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.009791102500002518, /* the shortest, where branches merge [m^2] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset6 = -1.5707963267948966, /* offset of joint 6 [rad] */
+    k1 = -0.0098, /* d2 - d3 [m] */
+    k2 = 9.604000000000001e-05, /* (d2 - d3)^2 [m^2] */
+    k3 = 2.495668000016213e-15, /* reach_slack1 * (reach_slack1 - (d2 - d3) * 2) [m^2] */
+    k4 = 2.4956680000016213e-16, /* merge_slack1 * (merge_slack1 - (d2 - d3) * 2) [m^2] */
+    k5 = 0.255061, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.26485210249999996, /* a2^2 + d4^2 [m^2] */
+    k7 = 15.371345486276748, /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.6212928899999995e-06,
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1.2195121951219514, /* a coefficient of S2 */
+    m2 = 0.08700963109756096, /* a coefficient of S2 */
+    m3 = 2.6285906351645502e-12, /* doubt_limit_squared2^2 [m^4] */
+    m4 = 1e-06; /* doubt_limit^2 */
 static const double low2 = 0.820304747437335, high2 = 5.462880559742252, low3 = 0.3316125568789226,
 high3 = 5.951572750300664, low5 = 0.5235987745982988, high5 = 5.759586532581287;
 
@@ -565,35 +569,36 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
-    q[5] = v62 - only_wide(half_turn < v62, whole_turn);
+    q[5] = v62 + only_wide(half_turn < v62, -whole_turn);
     kind[0] = kind_of(q[0], v90 | v98);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
-    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 - only_wide(half_turn < v63, whole_turn);
+    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 + only_wide(half_turn < v63, -whole_turn);
     kind[1] = kind_of(q[6], v91 | v98);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
-    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 - only_wide(half_turn < v64, whole_turn);
+    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 + only_wide(half_turn < v64, -whole_turn);
     kind[2] = kind_of(q[12], v92 | v99);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
-    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 - only_wide(half_turn < v65, whole_turn);
+    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 + only_wide(half_turn < v65, -whole_turn);
     kind[3] = kind_of(q[18], v93 | v99);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
-    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 - only_wide(half_turn < v66, whole_turn);
+    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 + only_wide(half_turn < v66, -whole_turn);
     kind[4] = kind_of(q[24], v94 | v100);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
-    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 - only_wide(half_turn < v67, whole_turn);
+    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 + only_wide(half_turn < v67, -whole_turn);
     kind[5] = kind_of(q[30], v95 | v100);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
-    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 - only_wide(half_turn < v68, whole_turn);
+    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 + only_wide(half_turn < v68, -whole_turn);
     kind[6] = kind_of(q[36], v96 | v101);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
-    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 - only_wide(half_turn < v69, whole_turn);
+    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 + only_wide(half_turn < v69, -whole_turn);
     kind[7] = kind_of(q[42], v97 | v101);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-static const double m5 = 0.5; /* 1 / 2 */
+static const double
+    m5 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -643,28 +648,27 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = (fabs(D1) <= k3) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle1 = atan2_four(-v25, -X4),
-        angle2 = atan2_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24)),
-        angle4 = atan2_four(S2, C2),
-        angle6 = atan2_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29),
-        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(-v5), 0, 5, 2, 3),
-            __builtin_shufflevector(c1, all_four(v7), 0, 5, 2, 3)),
-        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle5 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(-v5), 0, 5, 2, 3), shuffle(c1,
+        all_four(v7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-v25, -X4),
+        ratio4 = ratio_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29),
+        ratio5 = ratio_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
+        angle1 = angle_four(ratio3), angle6 = angle_four(ratio4), angle2 = angle_four(ratio5);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
         q2_ = v34 + only_four(v34 <= -half_turn, whole_turn),
         v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
         q3_ = v36 + only_four(v36 <= -half_turn, whole_turn), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6,
-        q6_p = v37 - only_four(half_turn < v37, whole_turn),
-        q6_m = v38 - only_four(half_turn < v38, whole_turn),
+        q6_p = v37 + only_four(half_turn < v37, -whole_turn),
+        q6_m = v38 + only_four(half_turn < v38, -whole_turn),
         v39 = q2_ + only_four(q2_ < low2, whole_turn);
-    const four_mask v40 = beyond(v39, 2);
+    const four_mask v40 = beyond_four(v39, 2);
     const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low3, whole_turn);
-    const four_mask v42 = beyond(v41, 3);
+    const four_mask v42 = beyond_four(v41, 3);
     const four v43 = angle2 + only_four(angle2 < low5, whole_turn),
         v44 = only_four(-angle2 < low5, whole_turn) - angle2;
-    const four_mask v45 = beyond(v43, 5), v46 = beyond(v44, 5);
+    const four_mask v45 = beyond_four(v43, 5), v46 = beyond_four(v44, 5);
     const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44),
         q1_p = v4 + (v33 + only_four(v33 <= -half_turn, whole_turn)),
         q3_p = v1 + pick_four(v42, q3_, v41);
@@ -709,9 +713,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -379,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 3031a99241e1e9b8"
+_KEY = "kinova_j2s6s300 2a016b5d000921b4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1116,14 +1116,14 @@ def _regular(pose, q, status):
     v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
     v68 = angle19 - offset6
     v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
-    q6_ppm = v63 - (whole_turn if half_turn < v63 else 0.0)
-    q6_pmp = v64 - (whole_turn if half_turn < v64 else 0.0)
-    q6_pmm = v65 - (whole_turn if half_turn < v65 else 0.0)
-    q6_mpp = v66 - (whole_turn if half_turn < v66 else 0.0)
-    q6_mpm = v67 - (whole_turn if half_turn < v67 else 0.0)
-    q6_mmp = v68 - (whole_turn if half_turn < v68 else 0.0)
-    q6_mmm = v69 - (whole_turn if half_turn < v69 else 0.0)
+    q6_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
+    q6_ppm = v63 + (-whole_turn if half_turn < v63 else 0.0)
+    q6_pmp = v64 + (-whole_turn if half_turn < v64 else 0.0)
+    q6_pmm = v65 + (-whole_turn if half_turn < v65 else 0.0)
+    q6_mpp = v66 + (-whole_turn if half_turn < v66 else 0.0)
+    q6_mpm = v67 + (-whole_turn if half_turn < v67 else 0.0)
+    q6_mmp = v68 + (-whole_turn if half_turn < v68 else 0.0)
+    q6_mmm = v69 + (-whole_turn if half_turn < v69 else 0.0)
     v70 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
     v71 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
     v72 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
@@ -1660,14 +1660,14 @@ def _in_tiles(T, q, status):
             v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
             v68 = angle19 - offset6
             v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v62 - (whole_turn if half_turn < v62 else 0.0)
-            q6_ppm = v63 - (whole_turn if half_turn < v63 else 0.0)
-            q6_pmp = v64 - (whole_turn if half_turn < v64 else 0.0)
-            q6_pmm = v65 - (whole_turn if half_turn < v65 else 0.0)
-            q6_mpp = v66 - (whole_turn if half_turn < v66 else 0.0)
-            q6_mpm = v67 - (whole_turn if half_turn < v67 else 0.0)
-            q6_mmp = v68 - (whole_turn if half_turn < v68 else 0.0)
-            q6_mmm = v69 - (whole_turn if half_turn < v69 else 0.0)
+            q6_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
+            q6_ppm = v63 + (-whole_turn if half_turn < v63 else 0.0)
+            q6_pmp = v64 + (-whole_turn if half_turn < v64 else 0.0)
+            q6_pmm = v65 + (-whole_turn if half_turn < v65 else 0.0)
+            q6_mpp = v66 + (-whole_turn if half_turn < v66 else 0.0)
+            q6_mpm = v67 + (-whole_turn if half_turn < v67 else 0.0)
+            q6_mmp = v68 + (-whole_turn if half_turn < v68 else 0.0)
+            q6_mmm = v69 + (-whole_turn if half_turn < v69 else 0.0)
             v70 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
             v71 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
             v72 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)

@@ -3259,22 +3259,23 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double D1 = 0.2755; /* joint offset 1 [m] */
-static const double D2 = 0.41; /* link length 2 [m] */
-static const double e2 = 0.0098; /* joint offset 3 [m] */
-static const double d5 = -0.08579425000157839; /* joint offset 5 [m] */
-static const double offset2 = -1.5707963267948966; /* offset of joint 2 [rad] */
-static const double offset3 = 1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double offset6 = 1.7453292519943295; /* offset of joint 6 [rad] */
-static const double f1 = 0.2501971250007892; /* D3 + d4 [m] */
-static const double f2 = 0.5; /* 1 / 2 */
-static const double f3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double f4 = 0.2115971250007892; /* D6 + d6 [m] */
-static const double g1 = 0.2501971250007892; /* D3 + d4 [m] */
-static const double g2 = 0.5; /* 1 / 2 */
-static const double g3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double g4 = 0.2115971250007892; /* D6 + d6 [m] */
+static const double
+    D1 = 0.2755, /* joint offset 1 [m] */
+    D2 = 0.41, /* link length 2 [m] */
+    e2 = 0.0098, /* joint offset 3 [m] */
+    d5 = -0.08579425000157839, /* joint offset 5 [m] */
+    offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    offset6 = 1.7453292519943295, /* offset of joint 6 [rad] */
+    f1 = 0.2501971250007892, /* D3 + d4 [m] */
+    f2 = 0.5, /* 1 / 2 */
+    f3 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    f4 = 0.2115971250007892, /* D6 + d6 [m] */
+    g1 = 0.2501971250007892, /* D3 + d4 [m] */
+    g2 = 0.5, /* 1 / 2 */
+    g3 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    g4 = 0.2115971250007892; /* D6 + d6 [m] */
 
 const char *const kinova_jaco2_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v cos_##v(v x) \
 { \
     for (int k = 0; k < lanes; k++) \
@@ -140,6 +146,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -168,24 +175,24 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -215,11 +222,11 @@ HELPER four irregularity_four(const double T[16], const double free_joints[1])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -234,33 +241,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -272,39 +282,33 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)KUKA_IIWA14_UNREACHABLE \
         : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.36; /* joint offset 1 [m] */
-static const double d3 = 0.42; /* joint offset 3 [m] */
-static const double d5 = 0.4; /* joint offset 5 [m] */
-static const double d7 = 0.126; /* joint offset 7 [m] */
-static const double longest4 = 0.6724000000000001; /* square of the longest reach [m^2] */
-static const double shortest4 = 0.0003999999999999985; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest4_reach = 0.6724000000002143;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest4_reach = 0.0003999999999947745;
-/* the longest, where branches merge [m^2] */
-static const double longest4_apart = 0.6723999999999786;
-/* the shortest, where branches merge [m^2] */
-static const double shortest4_apart = 0.00040000000000052087;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.705636e-24;
-/* rounding at the boundary of the workspace [m] */
-static const double reach_slack1 = 1.3060000000000002e-13;
-static const double merge_slack1 = 1.306e-14; /* nearer to that boundary two branches are one [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
-static const double k1 = 0.336; /* 2 * d5 * d3 [m^2] */
-static const double k2 = 0.33640000000000003; /* d3^2 + d5^2 [m^2] */
-static const double k3 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.705636e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 2.9091941644959998e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double m2 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.36, /* joint offset 1 [m] */
+    d3 = 0.42, /* joint offset 3 [m] */
+    d5 = 0.4, /* joint offset 5 [m] */
+    d7 = 0.126, /* joint offset 7 [m] */
+    longest4 = 0.6724000000000001, /* square of the longest reach [m^2] */
+    shortest4 = 0.0003999999999999985, /* square of the shortest reach [m^2] */
+    longest4_reach = 0.6724000000002143, /* the longest, with what rounding adds [m^2] */
+    shortest4_reach = 0.0003999999999947745, /* the shortest, with what rounding adds [m^2] */
+    longest4_apart = 0.6723999999999786, /* the longest, where branches merge [m^2] */
+    shortest4_apart = 0.00040000000000052087, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 1.705636e-24, /* square of a length that fixes no angle [m^2] */
+    reach_slack1 = 1.3060000000000002e-13, /* rounding at the boundary of the workspace [m] */
+    merge_slack1 = 1.306e-14, /* nearer to that boundary two branches are one [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 3.141592653589793, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
+    k1 = 0.336, /* 2 * d5 * d3 [m^2] */
+    k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
+    k3 = 8.857709750566894, /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+    doubt_limit_squared2 = 1.705636e-06, /* square of a length that fixes no angle [m^2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 2.9091941644959998e-12, /* doubt_limit_squared2^2 [m^4] */
+    m2 = 1e-06; /* doubt_limit^2 */
 static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
 low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.9670597293903604,
 high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
@@ -722,17 +726,19 @@ HELPER int solve_regular(
         2.0 * fabs(Z1))) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) & (((shortest4_apart <
         V4) & (V4 < longest4_apart)) == 0));
 
-    const four angle1 = atan2_four(Y5, -X5),
-        angle2 = atan2_four(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1 * T11 + s1 *
+    const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
+        }), ratio2 = ratio_four(s1, c1), ratio3 = ratio_four(S2, -v22),
+        ratio4 = ratio_four(Y5, -X5),
+        ratio5 = ratio_four(-(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 * (c1 * T11 + s1 *
             T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 + s1 * v59)) + S2 *
             (v63 + e1 * (c1 * v61 + s1 * v62))))), -(X5 * (c3 * v48 - factor2 * (S2 * v47 - v22 *
             (s3 * (c1 * T12 + s1 * T22)))) + Y5 * (v3 * (s3 * v48) + factor2 * (v22 * (v55 - (c1 *
             v49 + s1 * v50)) + S2 * (v54 + e1 * (c1 * v52 + s1 * v53)))))),
-        angle3 = atan2_four(s1, c1), angle4 = atan2_four(S2, -v22),
-        angle6 = atan2_four(sqrt_four(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1 * v44 -
-            v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41)))),
-        packed6 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 }),
-        angle5 = __builtin_shufflevector(packed6, packed6, 0, 0, 0, 0);
+        ratio6 = ratio_four(sqrt_four(v39), e1 * (v5 * v36) - factor2 * (S2 * (c1 * v43 + s1 * v44 -
+            v46) + v22 * (v42 + e1 * (c1 * v40 + s1 * v41))));
+    const four packed1 = angle_four(ratio1), angle5 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        angle3 = angle_four(ratio2), angle4 = angle_four(ratio3), angle1 = angle_four(ratio4),
+        angle2 = angle_four(ratio5), angle6 = angle_four(ratio6);
     const four q5_m = angle1 - signed_four(half_turn, Y5),
         q7_m = angle2 - signed_four(half_turn, -(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 *
             (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 +
@@ -742,11 +748,11 @@ HELPER int solve_regular(
         q4_ = v67 + only_four(v67 <= -half_turn, whole_turn), v68 = angle6 - offset6,
         v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, whole_turn),
         q6_m = only_four(-v69 <= -half_turn, whole_turn) - v69;
-    const four_mask v71 = beyond(q4_, 4);
+    const four_mask v71 = beyond_four(q4_, 4);
     const four q4_p = v6 + q4_;
-    const four_mask v72 = v71 | where_four(v70) | beyond(q1_p, 1) | beyond(q2_p, 2),
-        outside_p = beyond(angle2, 7) | beyond(q6_p, 6) | v72 | beyond(angle1, 5),
-        outside_m = beyond(q7_m, 7) | beyond(q6_m, 6) | v72 | beyond(q5_m, 5);
+    const four_mask v72 = v71 | where_four(v70) | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
+        outside_p = beyond_four(angle2, 7) | beyond_four(q6_p, 6) | v72 | beyond_four(angle1, 5),
+        outside_m = beyond_four(q7_m, 7) | beyond_four(q6_m, 6) | v72 | beyond_four(q5_m, 5);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -795,9 +801,10 @@ HELPER unsigned solve_tile(
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -53,29 +53,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -102,6 +106,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -116,6 +121,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v cos_##v(v x) \
 { \
     for (int k = 0; k < lanes; k++) \
@@ -142,6 +148,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -170,24 +177,24 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -217,11 +224,11 @@ HELPER four irregularity_four(const double T[16], const double free_joints[1])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -236,33 +243,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -274,34 +284,30 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)KUKA_IIWA14_ARM_ANGLE_UNREACHABLE \
         : (outside) ? (int)KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.36; /* joint offset 1 [m] */
-static const double d3 = 0.42; /* joint offset 3 [m] */
-static const double d5 = 0.4; /* joint offset 5 [m] */
-static const double d7 = 0.126; /* joint offset 7 [m] */
-static const double longest4 = 0.6724000000000001; /* square of the longest reach [m^2] */
-static const double shortest4 = 0.0003999999999999985; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest4_reach = 0.6724000000002143;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest4_reach = 0.0003999999999947745;
-/* the longest, where branches merge [m^2] */
-static const double longest4_apart = 0.6723999999999786;
-/* the shortest, where branches merge [m^2] */
-static const double shortest4_apart = 0.00040000000000052087;
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-/* a stretched arm: its elbow is on either side [m^2] */
-static const double straight_limit = 5.353007080137295e-08;
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
-static const double k1 = 0.336; /* 2 * d5 * d3 [m^2] */
-static const double k2 = 0.33640000000000003; /* d3^2 + d5^2 [m^2] */
-static const double k3 = 8.857709750566894; /* 1 / ((2 * d5 * d3)^2) [m^-4] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1e-24; /* free_limit^2 */
-static const double m2 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.36, /* joint offset 1 [m] */
+    d3 = 0.42, /* joint offset 3 [m] */
+    d5 = 0.4, /* joint offset 5 [m] */
+    d7 = 0.126, /* joint offset 7 [m] */
+    longest4 = 0.6724000000000001, /* square of the longest reach [m^2] */
+    shortest4 = 0.0003999999999999985, /* square of the shortest reach [m^2] */
+    longest4_reach = 0.6724000000002143, /* the longest, with what rounding adds [m^2] */
+    shortest4_reach = 0.0003999999999947745, /* the shortest, with what rounding adds [m^2] */
+    longest4_apart = 0.6723999999999786, /* the longest, where branches merge [m^2] */
+    shortest4_apart = 0.00040000000000052087, /* the shortest, where branches merge [m^2] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    straight_limit = 5.353007080137295e-08, /* a stretched arm: its elbow is on either side [m^2] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 3.141592653589793, /* offset of joint 2 [rad] */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
+    k1 = 0.336, /* 2 * d5 * d3 [m^2] */
+    k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
+    k3 = 8.857709750566894, /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1e-24, /* free_limit^2 */
+    m2 = 1e-06; /* doubt_limit^2 */
 static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
 low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.9670597293903604,
 high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
@@ -649,7 +655,8 @@ HELPER wide_mask solve_wide(
 }
 
 #if LANES > 1
-static const double m3 = 0.5; /* 1 / 2 */
+static const double
+    m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -724,22 +731,20 @@ HELPER int solve_regular(
     const four v52 = signed_four(half_turn, b22);
     const four_mask doubt2 = (v27 <= m2) | (v41 <= m2);
 
-    const four packed1 = atan2_four(__builtin_shufflevector(-v30, Y5, 0, 5, 2, 7),
-        __builtin_shufflevector(-v32, -X5, 0, 5, 2, 7)),
-        angle1 = __builtin_shufflevector(packed1, packed1, 0, 0, 2, 2),
-        angle2 = __builtin_shufflevector(packed1, packed1, 1, 1, 3, 3),
-        packed2 = atan2_four(__builtin_shufflevector(v51, b22, 0, 5, 2, 7),
-            __builtin_shufflevector(v42 * (v33 * v43 - v31 * v45) - s5 * (e1 * (v5 * (w1 * v44 - (uz
-            * (arm * (v16 * (side * (v13 * (e1 * T32))))) - v46))) - (v33 * (v3 * v45) + v31 * (v3 *
-            v43))), -X1, 0, 5, 2, 7)),
-        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
-        angle4 = __builtin_shufflevector(packed2, packed2, 1, 1, 3, 3),
-        packed3 = atan2_four(__builtin_shufflevector(w1, w5, 0, 5, 2, 7),
-            __builtin_shufflevector(c2, -(v3 * v40 + e1 * (v33 * (v5 * v37) + v31 * (v5 * v38))), 0,
-            5, 2, 7)), angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 2, 2),
-        angle7 = __builtin_shufflevector(packed3, packed3, 1, 1, 3, 3),
-        packed4 = atan2_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2 }),
-        angle6 = __builtin_shufflevector(packed4, packed4, 0, 0, 0, 0);
+    const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
+        }), ratio2 = ratio_four(shuffle(-v30, Y5, 0, 5, 2, 7), shuffle(-v32, -X5, 0, 5, 2, 7)),
+        ratio3 = ratio_four(shuffle(w1, w5, 0, 5, 2, 7), shuffle(c2, -(v3 * v40 + e1 * (v33 * (v5 *
+            v37) + v31 * (v5 * v38))), 0, 5, 2, 7)),
+        ratio4 = ratio_four(shuffle(v51, b22, 0, 5, 2, 7), shuffle(v42 * (v33 * v43 - v31 * v45) -
+            s5 * (e1 * (v5 * (w1 * v44 - (uz * (arm * (v16 * (side * (v13 * (e1 * T32))))) - v46)))
+            - (v33 * (v3 * v45) + v31 * (v3 * v43))), -X1, 0, 5, 2, 7));
+    const four packed1 = angle_four(ratio1), angle6 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        packed2 = angle_four(ratio2), angle1 = shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle2 = shuffle(packed2, packed2, 1, 1, 3, 3), packed3 = angle_four(ratio3),
+        angle5 = shuffle(packed3, packed3, 0, 0, 2, 2),
+        angle7 = shuffle(packed3, packed3, 1, 1, 3, 3), packed4 = angle_four(ratio4),
+        angle3 = shuffle(packed4, packed4, 0, 0, 2, 2),
+        angle4 = shuffle(packed4, packed4, 1, 1, 3, 3);
     const four q3_p = angle1 + v34 * v35, q5_m = angle2 - signed_four(half_turn, Y5),
         q7_m = angle3 - signed_four(half_turn, v51), v53 = angle4 + v35 * v52 - offset1,
         q1_p = v53 + only_four(v53 <= -half_turn, whole_turn), v54 = e2 * angle5 - offset2,
@@ -747,9 +752,10 @@ HELPER int solve_regular(
         q4_p = v55 + only_four(v55 <= -half_turn, whole_turn), v56 = angle7 - offset6,
         v57 = offset6 + angle7, q6_p = v56 + only_four(v56 <= -half_turn, whole_turn),
         q6_m = only_four(-v57 <= -half_turn, whole_turn) - v57;
-    const four_mask v58 = beyond(q4_p, 4), v59 = beyond(angle2, 5), v60 = beyond(q5_m, 5),
-        v61 = beyond(q6_p, 6), v62 = beyond(q6_m, 6), v63 = beyond(angle3, 7),
-        v64 = beyond(q7_m, 7), v65 = v58 | beyond(q3_p, 3) | beyond(q1_p, 1) | beyond(q2_p, 2),
+    const four_mask v58 = beyond_four(q4_p, 4), v59 = beyond_four(angle2, 5),
+        v60 = beyond_four(q5_m, 5), v61 = beyond_four(q6_p, 6), v62 = beyond_four(q6_m, 6),
+        v63 = beyond_four(angle3, 7), v64 = beyond_four(q7_m, 7),
+        v65 = v58 | beyond_four(q3_p, 3) | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
         outside_p = v63 | v61 | v59 | v65, outside_m = v64 | v62 | v60 | v65;
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
@@ -799,9 +805,10 @@ HELPER unsigned solve_tile(
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -735,10 +735,10 @@ def _regular(pose, q, status):
     v47 = angle19 - offset2
     v48 = angle20 - offset2
     v49 = angle21 - offset2
-    q2_ppp = v46 - (whole_turn if half_turn < v46 else 0.0)
-    q2_pmp = v47 - (whole_turn if half_turn < v47 else 0.0)
-    q2_mpp = v48 - (whole_turn if half_turn < v48 else 0.0)
-    q2_mmp = v49 - (whole_turn if half_turn < v49 else 0.0)
+    q2_ppp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+    q2_pmp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+    q2_mpp = v48 + (-whole_turn if half_turn < v48 else 0.0)
+    q2_mmp = v49 + (-whole_turn if half_turn < v49 else 0.0)
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
 
@@ -1205,10 +1205,10 @@ def _in_tiles(T, q, status):
             v47 = angle19 - offset2
             v48 = angle20 - offset2
             v49 = angle21 - offset2
-            q2_ppp = v46 - (whole_turn if half_turn < v46 else 0.0)
-            q2_pmp = v47 - (whole_turn if half_turn < v47 else 0.0)
-            q2_mpp = v48 - (whole_turn if half_turn < v48 else 0.0)
-            q2_mmp = v49 - (whole_turn if half_turn < v49 else 0.0)
+            q2_ppp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+            q2_pmp = v47 + (-whole_turn if half_turn < v47 else 0.0)
+            q2_mpp = v48 + (-whole_turn if half_turn < v48 else 0.0)
+            q2_mmp = v49 + (-whole_turn if half_turn < v49 else 0.0)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             _1104 = q1_ppp

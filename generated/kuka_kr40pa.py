@@ -304,7 +304,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa a3df38e5eefca7f0"
+_KEY = "kuka_kr40pa 0f741ca080794e3d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1219,12 +1219,12 @@ def _regular(pose, q, status):
     q3_p = angle2 + v33
     q3_m = v34 - angle2
     q4_p = (
-        v33 + (v30 - (whole_turn if half_turn < v30 else 0.0) + (whole_turn if v30 <= -half_turn
-        else 0.0))
+        v33 + (v30 + (whole_turn if v30 <= -half_turn else (-whole_turn if half_turn < v30 else
+        0.0)))
     )
     q4_m = (
-        v34 + (v31 - (whole_turn if half_turn < v31 else 0.0) + (whole_turn if v31 <= -half_turn
-        else 0.0))
+        v34 + (v31 + (whole_turn if v31 <= -half_turn else (-whole_turn if half_turn < v31 else
+        0.0)))
     )
 
     # a joint is free, or branches meet
@@ -1534,12 +1534,12 @@ def _in_tiles(T, q, status):
             q3_p = angle2 + v33
             q3_m = v34 - angle2
             q4_p = (
-                v33 + (v30 - (whole_turn if half_turn < v30 else 0.0) + (whole_turn if v30 <=
-                -half_turn else 0.0))
+                v33 + (v30 + (whole_turn if v30 <= -half_turn else (-whole_turn if half_turn < v30
+                else 0.0)))
             )
             q4_m = (
-                v34 + (v31 - (whole_turn if half_turn < v31 else 0.0) + (whole_turn if v31 <=
-                -half_turn else 0.0))
+                v34 + (v31 + (whole_turn if v31 <= -half_turn else (-whole_turn if half_turn < v31
+                else 0.0)))
             )
             _496 = q1_p
             work[496 + k] = _496

@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -128,6 +134,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -153,14 +160,14 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -190,11 +197,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -209,33 +216,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -247,44 +257,40 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)KUKA_YOUBOT_UNREACHABLE \
         : (outside) ? (int)KUKA_YOUBOT_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.147; /* joint offset 1 [m] */
-static const double a1 = 0.033; /* link length 1 [m] */
-static const double a2 = 0.155; /* link length 2 [m] */
-static const double a3 = 0.135; /* link length 3 [m] */
-static const double d5 = 0.2175; /* joint offset 5 [m] */
-static const double second_weight = 0.6875; /* lengths count in arm sizes [m] */
-static const double free_limit1 = 6.874999999999999e-13; /* a length that fixes no angle [m] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
-static const double longest3 = 0.08410000000000002; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.0003999999999999996; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.08410000000003988;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.00039999999999724956;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.08409999999999603;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.00040000000000027465;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 4.7265625e-25;
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 6.875e-06; /* a pose may be rounded by this [m] */
-static const double k1 = 0.04225; /* a2^2 + a3^2 [m^2] */
-static const double k2 = 23.894862604540023; /* 1 / (2 * a3 * a2) [m^-2] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 4.7265624999999995e-07; /* doubt_limit1^2 [m^2] */
-static const double m3 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 3.2258064516129035; /* a coefficient of S2 */
-static const double m5 = 0.018709677419354823; /* a coefficient of S2 */
-static const double m6 = 2.234039306640625e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m7 = 3.7037037037037037; /* a coefficient of c23 */
-static const double m8 = 0.021481481481481466; /* a coefficient of c23 */
-static const double m9 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m10 = 4.7265625e-11; /* pose_slack1^2 [m^2] */
-static const double m11 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double
+    d1 = 0.147, /* joint offset 1 [m] */
+    a1 = 0.033, /* link length 1 [m] */
+    a2 = 0.155, /* link length 2 [m] */
+    a3 = 0.135, /* link length 3 [m] */
+    d5 = 0.2175, /* joint offset 5 [m] */
+    second_weight = 0.6875, /* lengths count in arm sizes [m] */
+    free_limit1 = 6.874999999999999e-13, /* a length that fixes no angle [m] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
+    longest3 = 0.08410000000000002, /* square of the longest reach [m^2] */
+    shortest3 = 0.0003999999999999996, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.08410000000003988, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.00039999999999724956, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.08409999999999603, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.00040000000000027465, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 4.7265625e-25, /* square of a length that fixes no angle [m^2] */
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 6.875e-06, /* a pose may be rounded by this [m] */
+    k1 = 0.04225, /* a2^2 + a3^2 [m^2] */
+    k2 = 23.894862604540023, /* 1 / (2 * a3 * a2) [m^-2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 4.7265624999999995e-07, /* doubt_limit1^2 [m^2] */
+    m3 = 1e-12, /* doubt_limit_squared^2 */
+    m4 = 3.2258064516129035, /* a coefficient of S2 */
+    m5 = 0.018709677419354823, /* a coefficient of S2 */
+    m6 = 2.234039306640625e-13, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 3.7037037037037037, /* a coefficient of c23 */
+    m8 = 0.021481481481481466, /* a coefficient of c23 */
+    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m10 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
+    m11 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
 
 const char *const kuka_youbot_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -468,14 +474,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v80 = angle9 - offset2, v81 = angle2 - (angle4 + angle6) - offset4,
         v82 = angle2 - (angle7 - angle4) - offset4, v83 = offset4 + (angle2 + (angle5 + angle8)),
         v84 = offset4 + (angle2 + (angle9 - angle5)),
-        v85 = v81 - only_wide(half_turn < v81, whole_turn) + only_wide(v81 <= -half_turn,
-            whole_turn),
-        v86 = v82 - only_wide(half_turn < v82, whole_turn) + only_wide(v82 <= -half_turn,
-            whole_turn),
-        v87 = only_wide(-v83 <= -half_turn, whole_turn) - (v83 + only_wide(half_turn < -v83,
-            whole_turn)),
-        v88 = only_wide(-v84 <= -half_turn, whole_turn) - (v84 + only_wide(half_turn < -v84,
-            whole_turn));
+        v85 = v81 + pick_wide(v81 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v81,
+            -whole_turn)),
+        v86 = v82 + pick_wide(v82 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v82,
+            -whole_turn)),
+        v87 = pick_wide(-v83 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v83,
+            -whole_turn)) - v83,
+        v88 = pick_wide(-v84 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v84,
+            -whole_turn)) - v84;
     const double v89 = NAN;
     const wide v90 = only_wide((v73 <= m10) == 0, v89), v91 = only_wide((v74 <= m10) == 0, v89),
         v92 = only_wide((v75 <= m10) == 0, v89), v93 = only_wide((v76 <= m10) == 0, v89),
@@ -510,7 +516,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -573,19 +580,19 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const int doubt1 = (v8 <= m3) | (v4 <= m1) | (m9 < v44 * v44 + (v43 * v43 + (v42 * v42 + (v41 *
         v41 + (v39 * v39 + v40 * v40))))) | (v10 <= m3);
 
-    const four angle5 = atan2_four(S2, C2),
-        packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3, all_four(v3), 0, 5,
-            2, 3), all_four(Z2_234), 0, 1, 2, 7), __builtin_shufflevector(__builtin_shufflevector(N3
-            - k1, all_four(v2), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7)),
-        angle4 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
-        angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3),
-        packed3 = atan2_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5 }),
-        angle3 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four_ratio ratio1 = ratio_four((four){ -S5, -S5, -S5, -S5 }, (four){ -C5, -C5, -C5, -C5
+        }),
+        ratio2 = ratio_four(shuffle(shuffle(w3, all_four(v3), 0, 5, 2, 3), all_four(Z2_234), 0, 1,
+            2, 7), shuffle(shuffle(N3 - k1, all_four(v2), 0, 5, 2, 3), all_four(-T33), 0, 1, 2, 7)),
+        ratio3 = ratio_four(S2, C2);
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        packed2 = angle_four(ratio2), angle4 = shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle1 = shuffle(packed2, packed2, 1, 1, 1, 1),
+        angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle5 = angle_four(ratio3);
     const four v49 = angle5 - offset2, v50 = e2 * angle4, v51 = e1 * angle2,
         v52 = v51 - (angle5 + v50) - offset4,
-        v53 = v52 - only_four(half_turn < v52, whole_turn) + only_four(v52 <= -half_turn,
-            whole_turn), v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
+        v53 = v52 + pick_four(v52 <= -half_turn, all_four(whole_turn), only_four(half_turn < v52,
+            -whole_turn)), v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
         q2 = v55 + (v49 + only_four(v49 <= -half_turn, whole_turn)), q3 = v50 + v55,
         q4 = v55 + (v53 + only_four(v53 <= -half_turn, whole_turn)),
         v57 = v23 + (angle3 + v7 * v14), q5 = v55 + v57;
@@ -623,9 +630,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 4; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 4; i++)
-            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 4 * k, &word, 4);
+    }
     return bits_wide(left);
 }
 #else

@@ -338,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 14e9994dc4b51b85"
+_KEY = "kuka_youbot 27cb16b9d8e35303"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -961,20 +961,10 @@ def _regular(pose, q, status):
     v82 = angle2 - (angle7 - angle4) - offset4
     v83 = offset4 + (angle2 + (angle5 + angle8))
     v84 = offset4 + (angle2 + (angle9 - angle5))
-    v85 = (
-        v81 - (whole_turn if half_turn < v81 else 0.0) + (whole_turn if v81 <= -half_turn else 0.0)
-    )
-    v86 = (
-        v82 - (whole_turn if half_turn < v82 else 0.0) + (whole_turn if v82 <= -half_turn else 0.0)
-    )
-    v87 = (
-        (whole_turn if -v83 <= -half_turn else 0.0) - (v83 + (whole_turn if half_turn < -v83 else
-        0.0))
-    )
-    v88 = (
-        (whole_turn if -v84 <= -half_turn else 0.0) - (v84 + (whole_turn if half_turn < -v84 else
-        0.0))
-    )
+    v85 = v81 + (whole_turn if v81 <= -half_turn else (-whole_turn if half_turn < v81 else 0.0))
+    v86 = v82 + (whole_turn if v82 <= -half_turn else (-whole_turn if half_turn < v82 else 0.0))
+    v87 = (whole_turn if -v83 <= -half_turn else (-whole_turn if half_turn < -v83 else 0.0)) - v83
+    v88 = (whole_turn if -v84 <= -half_turn else (-whole_turn if half_turn < -v84 else 0.0)) - v84
     v94 = angle1 + v22
     v95 = v23 + (angle1 - math.copysign(half_turn, v3))
     q1_pp = v90 + v94
@@ -1433,20 +1423,20 @@ def _in_tiles(T, q, status):
             v83 = offset4 + (angle2 + (angle5 + angle8))
             v84 = offset4 + (angle2 + (angle9 - angle5))
             v85 = (
-                v81 - (whole_turn if half_turn < v81 else 0.0) + (whole_turn if v81 <= -half_turn
-                else 0.0)
+                v81 + (whole_turn if v81 <= -half_turn else (-whole_turn if half_turn < v81 else
+                0.0))
             )
             v86 = (
-                v82 - (whole_turn if half_turn < v82 else 0.0) + (whole_turn if v82 <= -half_turn
-                else 0.0)
+                v82 + (whole_turn if v82 <= -half_turn else (-whole_turn if half_turn < v82 else
+                0.0))
             )
             v87 = (
-                (whole_turn if -v83 <= -half_turn else 0.0) - (v83 + (whole_turn if half_turn < -v83
-                else 0.0))
+                (whole_turn if -v83 <= -half_turn else (-whole_turn if half_turn < -v83 else 0.0)) -
+                v83
             )
             v88 = (
-                (whole_turn if -v84 <= -half_turn else 0.0) - (v84 + (whole_turn if half_turn < -v84
-                else 0.0))
+                (whole_turn if -v84 <= -half_turn else (-whole_turn if half_turn < -v84 else 0.0)) -
+                v84
             )
             v94 = angle1 + v22
             v95 = v23 + (angle1 - math.copysign(half_turn, v3))

@@ -3257,12 +3257,13 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double a1 = 0.3; /* link length 1 [m] */
-static const double a2 = 1.0; /* link length 2 [m] */
-static const double ca2 = 0.9998476951563913; /* cosine of twist 2 */
-static const double sa2 = 0.01745240643728351; /* sine of twist 2 */
-static const double d3 = 0.2; /* joint offset 3 [m] */
-static const double a4 = 1.5; /* link length 4 [m] */
+static const double
+    a1 = 0.3, /* link length 1 [m] */
+    a2 = 1.0, /* link length 2 [m] */
+    ca2 = 0.9998476951563913, /* cosine of twist 2 */
+    sa2 = 0.01745240643728351, /* sine of twist 2 */
+    d3 = 0.2, /* joint offset 3 [m] */
+    a4 = 1.5; /* link length 4 [m] */
 
 const char *const manseur_doty_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -293,7 +293,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 5d50321a2815c8af"
+_KEY = "olson_pprrrr 5802efa1f7cdfd11"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -794,20 +794,10 @@ def _regular(pose, q, status):
     v21 = angle2 - angle5
     v22 = angle2 + angle6
     v23 = angle2 + angle7
-    q4_pp = (
-        v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <= -half_turn else 0.0)
-    )
-    q4_pm = (
-        v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <= -half_turn else 0.0)
-    )
-    q4_mp = (
-        (whole_turn if -v22 <= -half_turn else 0.0) - (v22 + (whole_turn if half_turn < -v22 else
-        0.0))
-    )
-    q4_mm = (
-        (whole_turn if -v23 <= -half_turn else 0.0) - (v23 + (whole_turn if half_turn < -v23 else
-        0.0))
-    )
+    q4_pp = v20 + (whole_turn if v20 <= -half_turn else (-whole_turn if half_turn < v20 else 0.0))
+    q4_pm = v21 + (whole_turn if v21 <= -half_turn else (-whole_turn if half_turn < v21 else 0.0))
+    q4_mp = (whole_turn if -v22 <= -half_turn else (-whole_turn if half_turn < -v22 else 0.0)) - v22
+    q4_mm = (whole_turn if -v23 <= -half_turn else (-whole_turn if half_turn < -v23 else 0.0)) - v23
     q3_pp = angle1 + v6
     q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))
     q6_pp = angle3 + v6
@@ -1141,20 +1131,20 @@ def _in_tiles(T, q, status):
             v22 = angle2 + angle6
             v23 = angle2 + angle7
             q4_pp = (
-                v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <= -half_turn
-                else 0.0)
+                v20 + (whole_turn if v20 <= -half_turn else (-whole_turn if half_turn < v20 else
+                0.0))
             )
             q4_pm = (
-                v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <= -half_turn
-                else 0.0)
+                v21 + (whole_turn if v21 <= -half_turn else (-whole_turn if half_turn < v21 else
+                0.0))
             )
             q4_mp = (
-                (whole_turn if -v22 <= -half_turn else 0.0) - (v22 + (whole_turn if half_turn < -v22
-                else 0.0))
+                (whole_turn if -v22 <= -half_turn else (-whole_turn if half_turn < -v22 else 0.0)) -
+                v22
             )
             q4_mm = (
-                (whole_turn if -v23 <= -half_turn else 0.0) - (v23 + (whole_turn if half_turn < -v23
-                else 0.0))
+                (whole_turn if -v23 <= -half_turn else (-whole_turn if half_turn < -v23 else 0.0)) -
+                v23
             )
             q3_pp = angle1 + v6
             q3_mp = v6 + (angle1 - math.copysign(half_turn, -T13))

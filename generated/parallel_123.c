@@ -405,69 +405,61 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     }
 }
 
-static const double a1 = 0.3; /* link length 1 [m] */
-static const double a2 = 0.25; /* link length 2 [m] */
-static const double a3 = 0.1; /* link length 3 [m] */
-static const double d4 = 0.2; /* joint offset 4 [m] */
-static const double a4 = 0.1; /* link length 4 [m] */
-static const double sqrt3 = 1.7320508075688772; /* square root of 3 */
-static const double d5 = 0.15; /* joint offset 5 [m] */
-static const double a5 = 0.12; /* link length 5 [m] */
-static const double ca5 = 0.17364817766693041; /* cosine of twist 5 */
-static const double sa5 = 0.984807753012208; /* sine of twist 5 */
-static const double d6 = 0.1; /* joint offset 6 [m] */
-static const double a6 = 0.05; /* link length 6 [m] */
-static const double free_limit2 = 2.5599999999999996e-12; /* a length that fixes no angle [m^2] */
-static const double square_rounding = 1e-15; /* squares are rounded by this */
-static const double near_limit = 0.001; /* a length whose direction is good to few digits */
-/* a polynomial's value at a root, relative to its coefficients */
-static const double double_root = 1e-13;
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-/* square of a length whose direction is good to few digits */
-static const double near_limit_squared = 1e-06;
-static const double longest2 = 0.30250000000000005; /* square of the longest reach [m^2] */
-static const double shortest2 = 0.0024999999999999988; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest2_reach = 0.30251760025600005;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest2_reach = 0.0024984002559999986;
-/* the longest, where branches merge [m^2] */
-static const double longest2_apart = 0.30249999999998245;
-/* the shortest, where branches merge [m^2] */
-static const double shortest2_apart = 0.002500000000001599;
-/* the longest, where blurred branches do [m^2] */
-static const double longest2_clear = 0.30249999998240007;
-/* the shortest, where blurred branches do [m^2] */
-static const double shortest2_clear = 0.002500000001599999;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 2.5599999999999994e-24;
-/* square of a length whose direction is good to few digits [m^2] */
-static const double near_limit_squared2 = 2.5599999999999996e-06;
-static const double k1 = 0.5; /* 1 / 2 */
-static const double k2 = 0.8660254037844386; /* sqrt3 * 1 / 2 */
-static const double k3 = 0.12604722665003956; /* d5 * ca5 + d6 [m] */
-static const double k4 = 0.23; /* d1 + (d2 + d3) [m] */
-static const double k5 = 0.1477211629518312; /* sa5 * d5 [m] */
-static const double k6 = 0.08660254037844387; /* sqrt3 * 1 / 2 * a4 [m] */
-static const double k7 = 0.0075; /* (sqrt3 * 1 / 2 * a4)^2 [m^2] */
-static const double k8 = 0.8528685319524432; /* sa5 * sqrt3 * 1 / 2 */
-static const double k9 = 1.1906015685221298; /* 1 / (sa5 * sqrt3 * 1 / 2 * sa5) */
-static const double k10 = 0.008682408883346522; /* a6 * ca5 [m] */
-static const double k11 = 0.0984807753012208; /* d6 * sa5 [m] */
-static const double k12 = 0.2; /* 2 * a4 [m] */
-static const double k13 = 0.0492403876506104; /* a6 * sa5 [m] */
-static const double k14 = 0.16736481776669304; /* d5 + d6 * ca5 [m] */
-static const double k15 = 0.567364817766693; /* d4 * 2 + (d5 + d6 * ca5) [m] */
-static const double k16 = 0.1525; /* a1^2 + a2^2 [m^2] */
-static const double k17 = 6.666666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
-static const double k18 = 0.55; /* d4 * 2 + d5 [m] */
-static const double k19 = 0.25980762113533157; /* d5 * sqrt3 [m] */
-static const double f1 = 0.23; /* d1 + d2 + d3 [m] */
-static const double f2 = 0.5; /* 1 / 2 */
-static const double f3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double g1 = 0.23; /* d1 + d2 + d3 [m] */
-static const double g2 = 0.5; /* 1 / 2 */
-static const double g3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
+static const double
+    a1 = 0.3, /* link length 1 [m] */
+    a2 = 0.25, /* link length 2 [m] */
+    a3 = 0.1, /* link length 3 [m] */
+    d4 = 0.2, /* joint offset 4 [m] */
+    a4 = 0.1, /* link length 4 [m] */
+    sqrt3 = 1.7320508075688772, /* square root of 3 */
+    d5 = 0.15, /* joint offset 5 [m] */
+    a5 = 0.12, /* link length 5 [m] */
+    ca5 = 0.17364817766693041, /* cosine of twist 5 */
+    sa5 = 0.984807753012208, /* sine of twist 5 */
+    d6 = 0.1, /* joint offset 6 [m] */
+    a6 = 0.05, /* link length 6 [m] */
+    free_limit2 = 2.5599999999999996e-12, /* a length that fixes no angle [m^2] */
+    square_rounding = 1e-15, /* squares are rounded by this */
+    near_limit = 0.001, /* a length whose direction is good to few digits */
+    double_root = 1e-13, /* a polynomial's value at a root, relative to its coefficients */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    near_limit_squared = 1e-06, /* square of a length whose direction is good to few digits */
+    longest2 = 0.30250000000000005, /* square of the longest reach [m^2] */
+    shortest2 = 0.0024999999999999988, /* square of the shortest reach [m^2] */
+    longest2_reach = 0.30251760025600005, /* the longest, with what rounding adds [m^2] */
+    shortest2_reach = 0.0024984002559999986, /* the shortest, with what rounding adds [m^2] */
+    longest2_apart = 0.30249999999998245, /* the longest, where branches merge [m^2] */
+    shortest2_apart = 0.002500000000001599, /* the shortest, where branches merge [m^2] */
+    longest2_clear = 0.30249999998240007, /* the longest, where blurred branches do [m^2] */
+    shortest2_clear = 0.002500000001599999, /* the shortest, where blurred branches do [m^2] */
+    free_limit_squared2 = 2.5599999999999994e-24, /* square of a length that fixes no angle [m^2] */
+    /* square of a length whose direction is good to few digits [m^2] */
+    near_limit_squared2 = 2.5599999999999996e-06,
+    k1 = 0.5, /* 1 / 2 */
+    k2 = 0.8660254037844386, /* sqrt3 * 1 / 2 */
+    k3 = 0.12604722665003956, /* d5 * ca5 + d6 [m] */
+    k4 = 0.23, /* d1 + (d2 + d3) [m] */
+    k5 = 0.1477211629518312, /* sa5 * d5 [m] */
+    k6 = 0.0075, /* (sqrt3 * 1 / 2 * a4)^2 [m^2] */
+    k7 = -11.547005383792515, /* -1 / (sqrt3 * 1 / 2 * a4) [m^-1] */
+    k8 = 0.8528685319524432, /* sa5 * sqrt3 * 1 / 2 */
+    k9 = 1.1906015685221298, /* 1 / (sa5 * sqrt3 * 1 / 2 * sa5) */
+    k10 = 0.008682408883346522, /* a6 * ca5 [m] */
+    k11 = 0.0984807753012208, /* d6 * sa5 [m] */
+    k12 = 0.2, /* 2 * a4 [m] */
+    k13 = 0.0492403876506104, /* a6 * sa5 [m] */
+    k14 = 0.16736481776669304, /* d5 + d6 * ca5 [m] */
+    k15 = 0.567364817766693, /* d4 * 2 + (d5 + d6 * ca5) [m] */
+    k16 = 0.1525, /* a1^2 + a2^2 [m^2] */
+    k17 = 6.666666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
+    k18 = 0.55, /* d4 * 2 + d5 [m] */
+    k19 = 0.25980762113533157, /* d5 * sqrt3 [m] */
+    f1 = 0.23, /* d1 + d2 + d3 [m] */
+    f2 = 0.5, /* 1 / 2 */
+    f3 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    g1 = 0.23, /* d1 + d2 + d3 [m] */
+    g2 = 0.5, /* 1 / 2 */
+    g3 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
 
 const char *const parallel_123_branches[8] = {
     "root1-down", "root1-up", "root2-down", "root2-up", "root3-down", "root3-up", "root4-down",
@@ -628,10 +620,10 @@ static void solve(
         v12 = 2.0 * v4, v13 = v8 * v8, v14 = v9 * v9, v15 = 2.0 * v7,
         v16 = v4 * v4 + k1 * (v10 + v11) + (v7 * v7 + k1 * (v13 + v14)), v17 = v5 * v12 + v8 * v15,
         v18 = v6 * v12 + v9 * v15, v19 = k1 * (v10 - v11) + k1 * (v13 - v14),
-        v20 = v5 * v6 + v8 * v9, v21 = v16 - k7,
+        v20 = v5 * v6 + v8 * v9, v21 = v16 - k6,
         v22 = fabs(v21) + fabs(v17) + fabs(v18) + fabs(v19) + fabs(v20);
     const int free6 = v22 <= free_limit2;
-    const double v23 = square_rounding * (v16 + k7);
+    const double v23 = square_rounding * (v16 + k6);
     double x6_roots[4];
     int x6_close[4];
     circle_roots(free6 ? 1.0 : v21, free6 ? -1.0 : v17, free6 ? 0.0 : v18, free6 ? 0.0 : v19, free6
@@ -674,8 +666,8 @@ static void solve(
         const double c6 = cos(q6), s6 = sin(q6);
 
         /* theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3] */
-        const double s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) / -k6,
-            c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) / -k6;
+        const double s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) * k7,
+            c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) * k7;
         const double q4 = atan2(s4, c4);
 
         /* theta123 */

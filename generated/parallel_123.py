@@ -125,8 +125,8 @@ k2 = 0.8660254037844386  # sqrt3 * 1 / 2
 k3 = 0.12604722665003956  # d5 * ca5 + d6 [m]
 k4 = 0.23  # d1 + (d2 + d3) [m]
 k5 = 0.1477211629518312  # sa5 * d5 [m]
-k6 = 0.08660254037844387  # sqrt3 * 1 / 2 * a4 [m]
-k7 = 0.0075  # (sqrt3 * 1 / 2 * a4)^2 [m^2]
+k6 = 0.0075  # (sqrt3 * 1 / 2 * a4)^2 [m^2]
+k7 = -11.547005383792515  # -1 / (sqrt3 * 1 / 2 * a4) [m^-1]
 k8 = 0.8528685319524432  # sa5 * sqrt3 * 1 / 2
 k9 = 1.1906015685221298  # 1 / (sa5 * sqrt3 * 1 / 2 * sa5)
 k10 = 0.008682408883346522  # a6 * ca5 [m]
@@ -520,7 +520,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 7a0d6430a4a6d49b"
+_KEY = "parallel_123 892c6708ef7ed192"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -932,10 +932,10 @@ def _solve(pose, seed, moved, q, status):
     v18 = v6 * v12 + v9 * v15
     v19 = k1 * (v10 - v11) + k1 * (v13 - v14)
     v20 = v5 * v6 + v8 * v9
-    v21 = v16 - k7
+    v21 = v16 - k6
     v22 = abs(v21) + abs(v17) + abs(v18) + abs(v19) + abs(v20)
     free6 = v22 <= free_limit2
-    v23 = square_rounding * (v16 + k7)
+    v23 = square_rounding * (v16 + k6)
     x6_roots, x6_close = _circle_roots(1.0 if free6 else v21, -1.0 if free6 else v17, 0.0 if free6
         else v18, 0.0 if free6 else v19, 0.0 if free6 else v20, v23, moved)
     v26 = math.cos(seed[5]) * math.cos(seed[5]) - math.sin(seed[5]) * math.sin(seed[5])
@@ -992,8 +992,8 @@ def _solve(pose, seed, moved, q, status):
         s6 = math.sin(q6)
 
         # theta4, type 3: U0 (A5 A6)^-1 [3, 4] and U0 (A5 A6)^-1 [3, 3]
-        s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) / -k6
-        c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) / -k6
+        s4 = k2 * (R1_6 + (R1c6 * c6 + R1s6 * s6)) * k7
+        c4 = a4 * (v1 + (v2 * c6 + v3 * s6)) * k7
         q4 = _atan2(s4, c4)
 
         # theta123

@@ -301,7 +301,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "phantomx 8a79f8c29587c417"
+_KEY = "phantomx f143cdd5ec75568b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1218,12 +1218,12 @@ def _regular(pose, q, status):
     q3_p = angle2 + v31
     q3_m = v32 - angle2
     q4_p = (
-        v31 + (v28 - (whole_turn if half_turn < v28 else 0.0) + (whole_turn if v28 <= -half_turn
-        else 0.0))
+        v31 + (v28 + (whole_turn if v28 <= -half_turn else (-whole_turn if half_turn < v28 else
+        0.0)))
     )
     q4_m = (
-        v32 + (v29 - (whole_turn if half_turn < v29 else 0.0) + (whole_turn if v29 <= -half_turn
-        else 0.0))
+        v32 + (v29 + (whole_turn if v29 <= -half_turn else (-whole_turn if half_turn < v29 else
+        0.0)))
     )
 
     # a joint is free, or branches meet
@@ -1532,12 +1532,12 @@ def _in_tiles(T, q, status):
             q3_p = angle2 + v31
             q3_m = v32 - angle2
             q4_p = (
-                v31 + (v28 - (whole_turn if half_turn < v28 else 0.0) + (whole_turn if v28 <=
-                -half_turn else 0.0))
+                v31 + (v28 + (whole_turn if v28 <= -half_turn else (-whole_turn if half_turn < v28
+                else 0.0)))
             )
             q4_m = (
-                v32 + (v29 - (whole_turn if half_turn < v29 else 0.0) + (whole_turn if v29 <=
-                -half_turn else 0.0))
+                v32 + (v29 + (whole_turn if v29 <= -half_turn else (-whole_turn if half_turn < v29
+                else 0.0)))
             )
             _496 = q1_p
             work[496 + k] = _496

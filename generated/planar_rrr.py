@@ -259,7 +259,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr c5671b961c16a42f"
+_KEY = "planar_rrr 502046640f1b3d2c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -732,12 +732,12 @@ def _regular(pose, q, status):
     q2_p = angle2 + v23
     q2_m = v24 - angle2
     q3_p = (
-        v23 + (v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <= -half_turn
-        else 0.0))
+        v23 + (v20 + (whole_turn if v20 <= -half_turn else (-whole_turn if half_turn < v20 else
+        0.0)))
     )
     q3_m = (
-        v24 + (v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <= -half_turn
-        else 0.0))
+        v24 + (v21 + (whole_turn if v21 <= -half_turn else (-whole_turn if half_turn < v21 else
+        0.0)))
     )
 
     # a joint is free, or branches meet
@@ -1027,12 +1027,12 @@ def _in_tiles(T, q, status):
             q2_p = angle2 + v23
             q2_m = v24 - angle2
             q3_p = (
-                v23 + (v20 - (whole_turn if half_turn < v20 else 0.0) + (whole_turn if v20 <=
-                -half_turn else 0.0))
+                v23 + (v20 + (whole_turn if v20 <= -half_turn else (-whole_turn if half_turn < v20
+                else 0.0)))
             )
             q3_m = (
-                v24 + (v21 - (whole_turn if half_turn < v21 else 0.0) + (whole_turn if v21 <=
-                -half_turn else 0.0))
+                v24 + (v21 + (whole_turn if v21 <= -half_turn else (-whole_turn if half_turn < v21
+                else 0.0)))
             )
             _448 = q1_p
             work[448 + k] = _448

@@ -252,7 +252,8 @@ static void all_joints(
         q[0][solved[j]] = unit[j] * u[j];
 }
 
-static const double a = 0.25; /* link length 1 [m] */
+static const double
+    a = 0.25; /* link length 1 [m] */
 
 const char *const planar_rrrr_branches[1] = {
     "nearest",

@@ -45,29 +45,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -93,6 +97,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -107,6 +112,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -121,6 +127,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -146,24 +153,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -185,11 +192,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -204,33 +211,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -242,37 +252,33 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)PUMA_UNREACHABLE \
         : (outside) ? (int)PUMA_OUT_OF_LIMITS : 0)
 #endif
-static const double L2 = 0.4318; /* z of axis 3 [m] */
-static const double D3 = 0.15005; /* x of axis 4 [m] */
-static const double D4 = 0.4318; /* z of axis 5 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.0274863225e-24;
-static const double longest3 = 0.7458049600000001; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.0; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.7458049600001752;
-static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [m^2] */
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.7458049599999826;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 1.0274863225e-28;
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double k1 = 0.8636; /* L2 + D4 [m] */
-static const double k2 = 0.022515002499999996; /* D3^2 [m^2] */
-static const double k3 = 3.041963650001027e-14; /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
-static const double k4 = 3.041963650000102e-15; /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
-static const double k5 = 0.37290248000000004; /* 2 * D4 * L2 [m^2] */
-static const double k6 = 2.681666262986505; /* 1 / (2 * D4 * L2) [m^-2] */
-static const double f1 = 0.8636; /* L2 + D4 [m] */
-static const double g1 = 0.8636; /* L2 + D4 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.0274863225e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.1579434923575729; /* a coefficient of v5 */
-static const double m2 = 1.055728142924574e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double m3 = 3.105217997900075; /* a coefficient of c23 */
-static const double m4 = 2.3158869847151458; /* a coefficient of s23 */
-static const double m5 = 1e-06; /* doubt_limit^2 */
+static const double
+    L2 = 0.4318, /* z of axis 3 [m] */
+    D3 = 0.15005, /* x of axis 4 [m] */
+    D4 = 0.4318, /* z of axis 5 [m] */
+    free_limit_squared2 = 1.0274863225e-24, /* square of a length that fixes no angle [m^2] */
+    longest3 = 0.7458049600000001, /* square of the longest reach [m^2] */
+    shortest3 = 0.0, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.7458049600001752, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.7458049599999826, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 1.0274863225e-28, /* the shortest, where branches merge [m^2] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    k1 = 0.8636, /* L2 + D4 [m] */
+    k2 = 0.022515002499999996, /* D3^2 [m^2] */
+    k3 = 3.041963650001027e-14, /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
+    k4 = 3.041963650000102e-15, /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
+    k5 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
+    k6 = 2.681666262986505, /* 1 / (2 * D4 * L2) [m^-2] */
+    f1 = 0.8636, /* L2 + D4 [m] */
+    g1 = 0.8636, /* L2 + D4 [m] */
+    doubt_limit_squared2 = 1.0274863225e-06, /* square of a length that fixes no angle [m^2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    m1 = 1.1579434923575729, /* a coefficient of v5 */
+    m2 = 1.055728142924574e-12, /* doubt_limit_squared2^2 [m^4] */
+    m3 = 3.105217997900075, /* a coefficient of c23 */
+    m4 = 2.3158869847151458, /* a coefficient of s23 */
+    m5 = 1e-06; /* doubt_limit^2 */
 
 const char *const puma_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -549,13 +555,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = (fabs(D1) <= k3) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (N1 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(-v7, C2), angle3 = atan2_four(-v17, factor2 * -X4),
-        angle4 = atan2_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16)),
-        angle5 = atan2_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24)),
-        packed5 = atan2_four(__builtin_shufflevector(s1, all_four(w3), 0, 5, 2, 3),
-            __builtin_shufflevector(c1, all_four(N3 - k5), 0, 5, 2, 3)),
-        angle6 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(w3), 0, 5, 2, 3), shuffle(c1,
+        all_four(N3 - k5), 0, 5, 2, 3)), ratio2 = ratio_four(-v7, C2),
+        ratio3 = ratio_four(v25, -X4 * v23 - v17 * (T31 * s23 - c23 * v24)),
+        ratio4 = ratio_four(-v17, factor2 * -X4),
+        ratio5 = ratio_four(-sqrt_four(v19), factor2 * (T33 * c23 + s23 * v16));
+    const four packed1 = angle_four(ratio1), angle6 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
+        angle5 = angle_four(ratio3), angle3 = angle_four(ratio4), angle4 = angle_four(ratio5);
     const four q4_m = angle3 - v20, q6_m = angle5 - signed_four(half_turn, v25), q1_p = v4 + angle6,
         q3_p = v1 + e2 * angle1;
 
@@ -595,9 +602,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -45,29 +45,33 @@ static const float odd[11] = {
     -0.050853834f, 0.039229743f, -0.019174544f,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0f; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421357f; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853982f), none = all_##v(0.0f); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707964f - eighth, eighth); \
-    const v known = pick_##v(left, 3.1415927f - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421357f, 1.0f); \
+    const v ahead = all_##v(0.7853982f), half = all_##v(1.5707964f); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0f * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 #define LANES 1
@@ -78,6 +82,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
 #define signed_wide copysignf
+#define negated_wide(x, where) ((x) * copysignf(1.0f, where))
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
 #define maximum_wide maximum_double
@@ -103,43 +108,39 @@ HELPER wide irregularity_wide(const wide T[16])
 #define kind_of(x, outside) \
     ((x) != (x) ? (int)PUMA560_F32_UNREACHABLE \
         : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
-static const float d1 = 0.67183f; /* joint offset 1 [m] */
-static const float a2 = 0.4318f; /* link length 2 [m] */
-static const float d3 = 0.15005f; /* joint offset 3 [m] */
-static const float a3 = 0.0203f; /* link length 3 [m] */
-static const float d4 = 0.4318f; /* joint offset 4 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const float free_limit_squared2 = 1.1638741e-09f;
-static const float longest3 = 0.74662894f; /* square of the longest reach [m^2] */
-static const float shortest3 = 2.2744655e-07f; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const float longest3_reach = 0.7466407f;
-/* the shortest, with what rounding adds [m^2] */
-static const float shortest3_reach = 2.2098503e-07f;
-/* the longest, where branches merge [m^2] */
-static const float longest3_apart = 0.74662864f;
-/* the shortest, where branches merge [m^2] */
-static const float shortest3_apart = 2.2760928e-07f;
-static const float free_limit = 2e-05f; /* a length that fixes no angle */
-static const float k1 = 0.022515003f; /* d3^2 [m^2] */
-static const float k2 = 2.0476648e-06f; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
-static const float k3 = 5.1190487e-08f; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-static const float k4 = 0.37290248f; /* 2 * d4 * a2 [m^2] */
-static const float k5 = 0.01753108f; /* 2 * a3 * a2 [m^2] */
-static const float k6 = 0.37331456f; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-static const float k7 = 7.175475f; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const float doubt_limit_squared2 = 2.9096855e-06f;
-static const float turn1 = 1.5238184f; /* a constant angle [rad] */
-static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float whole_turn = 6.2831855f; /* 2 pi [rad] */
-static const float m1 = 0.12579383f; /* a coefficient of s3 */
-static const float m2 = 0.9988974f; /* a coefficient of s3 */
-static const float m3 = 2.6757524f; /* a coefficient of s3 */
-static const float m4 = 0.046960667f; /* a coefficient of c3 */
-static const float m5 = 1.1579435f; /* a coefficient of X1_2 */
-static const float m6 = 0.00047717695f; /* a coefficient of X1_2 */
-static const float m7 = 1e-06f; /* doubt_limit^2 */
+static const float
+    d1 = 0.67183f, /* joint offset 1 [m] */
+    a2 = 0.4318f, /* link length 2 [m] */
+    d3 = 0.15005f, /* joint offset 3 [m] */
+    a3 = 0.0203f, /* link length 3 [m] */
+    d4 = 0.4318f, /* joint offset 4 [m] */
+    free_limit_squared2 = 1.1638741e-09f, /* square of a length that fixes no angle [m^2] */
+    longest3 = 0.74662894f, /* square of the longest reach [m^2] */
+    shortest3 = 2.2744655e-07f, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.7466407f, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 2.2098503e-07f, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.74662864f, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 2.2760928e-07f, /* the shortest, where branches merge [m^2] */
+    free_limit = 2e-05f, /* a length that fixes no angle */
+    k1 = 0.022515003f, /* d3^2 [m^2] */
+    k2 = 2.0476648e-06f, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
+    k3 = 5.1190487e-08f, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
+    k4 = 0.37290248f, /* 2 * d4 * a2 [m^2] */
+    k5 = 0.01753108f, /* 2 * a3 * a2 [m^2] */
+    k6 = 0.37331456f, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+    k7 = 7.175475f, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 2.9096855e-06f,
+    turn1 = 1.5238184f, /* a constant angle [rad] */
+    half_turn = 3.1415927f, /* pi [rad] */
+    whole_turn = 6.2831855f, /* 2 pi [rad] */
+    m1 = 0.12579383f, /* a coefficient of s3 */
+    m2 = 0.9988974f, /* a coefficient of s3 */
+    m3 = 2.6757524f, /* a coefficient of s3 */
+    m4 = 0.046960667f, /* a coefficient of c3 */
+    m5 = 1.1579435f, /* a coefficient of X1_2 */
+    m6 = 0.00047717695f, /* a coefficient of X1_2 */
+    m7 = 1e-06f; /* doubt_limit^2 */
 static const float low1 = -2.7925289f, high1 = 2.7925289f, low2 =
     -1.9198642f,
 high2 = 1.9198642f, low3 = -2.3561964f, high3 = 2.3561964f,

@@ -29,29 +29,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -77,6 +81,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -91,6 +96,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -105,6 +111,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -126,12 +133,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -167,33 +174,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -205,37 +215,32 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)PUMA_ARM_UNREACHABLE \
         : (outside) ? (int)PUMA_ARM_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.67183; /* joint offset 1 [m] */
-static const double a2 = 0.4318; /* link length 2 [m] */
-static const double d3 = 0.15005; /* joint offset 3 [m] */
-static const double a3 = 0.0203; /* link length 3 [m] */
-static const double d4 = 0.4318; /* z of the tool frame [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 2.9096854084e-24;
-static const double longest3 = 0.7466289125534531; /* square of the longest reach [m^2] */
-static const double shortest3 = 2.274465470660925e-07; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.7466289125537477;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 2.2744654690339056e-07;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.7466289125534236;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 2.2744654708236271e-07;
-static const double k1 = 0.022515002499999996; /* d3^2 [m^2] */
-static const double k2 = 5.11904578000291e-14; /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
-static const double k3 = 5.1190457800002905e-15; /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
-static const double k4 = 0.37290248000000004; /* 2 * d4 * a2 [m^2] */
-static const double k5 = 0.01753108; /* 2 * a3 * a2 [m^2] */
-static const double k6 = 0.37331457; /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-static const double k7 = 7.175474885806929; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 2.9096854084e-06;
-static const double turn1 = 1.5238184104468135; /* a constant angle [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double m1 = 1.1579434923575729; /* a coefficient of X1_2 */
-static const double m2 = 0.000477176933765627; /* a coefficient of X1_2 */
+static const double
+    d1 = 0.67183, /* joint offset 1 [m] */
+    a2 = 0.4318, /* link length 2 [m] */
+    d3 = 0.15005, /* joint offset 3 [m] */
+    a3 = 0.0203, /* link length 3 [m] */
+    d4 = 0.4318, /* z of the tool frame [m] */
+    free_limit_squared2 = 2.9096854084e-24, /* square of a length that fixes no angle [m^2] */
+    longest3 = 0.7466289125534531, /* square of the longest reach [m^2] */
+    shortest3 = 2.274465470660925e-07, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.7466289125537477, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 2.2744654690339056e-07, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.7466289125534236, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 2.2744654708236271e-07, /* the shortest, where branches merge [m^2] */
+    k1 = 0.022515002499999996, /* d3^2 [m^2] */
+    k2 = 5.11904578000291e-14, /* reach_slack1 * (2 * d3 + reach_slack1) [m^2] */
+    k3 = 5.1190457800002905e-15, /* merge_slack1 * (2 * d3 + merge_slack1) [m^2] */
+    k4 = 0.37290248000000004, /* 2 * d4 * a2 [m^2] */
+    k5 = 0.01753108, /* 2 * a3 * a2 [m^2] */
+    k6 = 0.37331457, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
+    k7 = 7.175474885806929, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    doubt_limit_squared2 = 2.9096854084e-06, /* square of a length that fixes no angle [m^2] */
+    turn1 = 1.5238184104468135, /* a constant angle [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    m1 = 1.1579434923575729, /* a coefficient of X1_2 */
+    m2 = 0.000477176933765627; /* a coefficient of X1_2 */
 
 const char *const puma_arm_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -367,11 +372,11 @@ HELPER int solve_regular(const double T[16], double q[4][3], unsigned char statu
         doubt_limit_squared2) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
         (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0));
 
-    const four angle2 = atan2_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9),
-        packed2 = atan2_four(__builtin_shufflevector(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3),
-            __builtin_shufflevector(e1 * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3)),
-        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(v2 + e1 * v5, all_four(w3), 0, 5, 2, 3), shuffle(e1
+        * v4 - v3, all_four(N3 - k6), 0, 5, 2, 3)),
+        ratio2 = ratio_four(v7 - w3 * (m1 * (w1 * (e1 * e2))), v8 + v9);
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2);
     const four q3_ = e2 * angle1 - turn1, q1 = v6 + angle3,
         q3 = v1 + (q3_ + only_four(q3_ <= -half_turn, whole_turn));
 
@@ -408,9 +413,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 4; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 4; i++)
-            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 4 * k, &word, 4);
+    }
     return bits_wide(left);
 }
 #else

@@ -263,7 +263,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 98e77a36d915f30e"
+_KEY = "scara d8d4666daa54e84c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -810,10 +810,8 @@ def _regular(pose, q, status):
     # joint values
     v9 = angle1 - (angle2 + angle3)
     v10 = angle1 - (angle4 - angle2)
-    q4_p = v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else 0.0)
-    q4_m = (
-        v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn else 0.0)
-    )
+    q4_p = v9 + (whole_turn if v9 <= -half_turn else (-whole_turn if half_turn < v9 else 0.0))
+    q4_m = v10 + (whole_turn if v10 <= -half_turn else (-whole_turn if half_turn < v10 else 0.0))
     outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
     outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
@@ -1087,12 +1085,11 @@ def _in_tiles(T, q, status):
             v9 = angle1 - (angle2 + angle3)
             v10 = angle1 - (angle4 - angle2)
             q4_p = (
-                v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else
-                0.0)
+                v9 + (whole_turn if v9 <= -half_turn else (-whole_turn if half_turn < v9 else 0.0))
             )
             q4_m = (
-                v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn
-                else 0.0)
+                v10 + (whole_turn if v10 <= -half_turn else (-whole_turn if half_turn < v10 else
+                0.0))
             )
             outside_p = v11 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
             outside_m = v11 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2

@@ -51,29 +51,33 @@ static const float odd[11] = {
     -0.050853834f, 0.039229743f, -0.019174544f,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0f; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421357f; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853982f), none = all_##v(0.0f); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707964f - eighth, eighth); \
-    const v known = pick_##v(left, 3.1415927f - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421357f, 1.0f); \
+    const v ahead = all_##v(0.7853982f), half = all_##v(1.5707964f); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0f * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 #define LANES 1
@@ -84,6 +88,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
 #define signed_wide copysignf
+#define negated_wide(x, where) ((x) * copysignf(1.0f, where))
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
 #define maximum_wide maximum_double
@@ -109,35 +114,29 @@ HELPER wide irregularity_wide(const wide T[16])
 #define kind_of(x, outside) \
     ((x) != (x) ? (int)SCARA_F32_UNREACHABLE \
         : (outside) ? (int)SCARA_F32_OUT_OF_LIMITS : 0)
-static const float L1 = 0.4f; /* link length 1 [m] */
-static const float L2 = 0.3f; /* link length 2 [m] */
-static const float L4 = 0.1f; /* x of the tool frame [m] */
-/* square of a length that fixes no angle */
-static const float free_limit_squared = 4e-10f;
-static const float longest2 = 0.49f; /* square of the longest reach [m^2] */
-static const float shortest2 = 0.01f; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const float longest2_reach = 0.49000448f;
-/* the shortest, with what rounding adds [m^2] */
-static const float shortest2_reach = 0.00999936f;
-/* the longest, where branches merge [m^2] */
-static const float longest2_apart = 0.4899999f;
-/* the shortest, where branches merge [m^2] */
-static const float shortest2_apart = 0.010000016f;
-/* square of a length that fixes no angle [m^2] */
-static const float free_limit_squared2 = 2.56e-10f;
-static const float pose_slack = 1e-05f; /* a pose may be rounded by this */
-static const float pose_slack1 = 8e-06f; /* a pose may be rounded by this [m] */
-static const float k1 = 0.25f; /* L1^2 + L2^2 [m^2] */
-static const float k2 = 4.1666665f; /* 1 / (2 * L2 * L1) [m^-2] */
-/* square of a length that fixes no angle [m^2] */
-static const float doubt_limit_squared2 = 6.4e-07f;
-static const float whole_turn = 6.2831855f; /* 2 pi [rad] */
-static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float m1 = 1e-12f; /* doubt_limit_squared^2 */
-static const float m2 = 1.25f; /* a coefficient of S1 */
-static const float m3 = 0.0875f; /* a coefficient of S1 */
-static const float m4 = 1e-10f; /* pose_slack^2 */
+static const float
+    L1 = 0.4f, /* link length 1 [m] */
+    L2 = 0.3f, /* link length 2 [m] */
+    L4 = 0.1f, /* x of the tool frame [m] */
+    free_limit_squared = 4e-10f, /* square of a length that fixes no angle */
+    longest2 = 0.49f, /* square of the longest reach [m^2] */
+    shortest2 = 0.01f, /* square of the shortest reach [m^2] */
+    longest2_reach = 0.49000448f, /* the longest, with what rounding adds [m^2] */
+    shortest2_reach = 0.00999936f, /* the shortest, with what rounding adds [m^2] */
+    longest2_apart = 0.4899999f, /* the longest, where branches merge [m^2] */
+    shortest2_apart = 0.010000016f, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 2.56e-10f, /* square of a length that fixes no angle [m^2] */
+    pose_slack = 1e-05f, /* a pose may be rounded by this */
+    pose_slack1 = 8e-06f, /* a pose may be rounded by this [m] */
+    k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
+    k2 = 4.1666665f, /* 1 / (2 * L2 * L1) [m^-2] */
+    doubt_limit_squared2 = 6.4e-07f, /* square of a length that fixes no angle [m^2] */
+    whole_turn = 6.2831855f, /* 2 pi [rad] */
+    half_turn = 3.1415927f, /* pi [rad] */
+    m1 = 1e-12f, /* doubt_limit_squared^2 */
+    m2 = 1.25f, /* a coefficient of S1 */
+    m3 = 0.0875f, /* a coefficient of S1 */
+    m4 = 1e-10f; /* pose_slack^2 */
 static const float low1 = -2.26893f, high1 = 2.26893f,
 low2 = -2.5307295f, high2 = 2.5307295f, low3 = -0.200002f, high3 = 2e-06f;
 
@@ -285,10 +284,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (T23 * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 - only_wide(half_turn < v9, whole_turn) + only_wide(v9 <= -half_turn, whole_turn);
+    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v9,
+        -whole_turn));
     kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 - only_wide(half_turn < v10, whole_turn) + only_wide(v10 <= -half_turn, whole_turn);
+    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v10,
+        -whole_turn));
     kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);

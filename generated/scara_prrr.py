@@ -445,12 +445,8 @@ def _regular(pose, q, status):
     # joint values
     v11 = angle1 - (angle2 + angle3)
     v12 = angle1 - (angle4 - angle2)
-    q4_p = (
-        v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn else 0.0)
-    )
-    q4_m = (
-        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
-    )
+    q4_p = v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else 0.0))
+    q4_m = v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -718,12 +714,12 @@ def _in_tiles(T, q, status):
             v11 = angle1 - (angle2 + angle3)
             v12 = angle1 - (angle4 - angle2)
             q4_p = (
-                v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn
-                else 0.0)
+                v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else
+                0.0))
             )
             q4_m = (
-                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
-                else 0.0)
+                v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else
+                0.0))
             )
             _432 = q1_p
             work[432 + k] = _432

@@ -526,16 +526,10 @@ def _regular(pose, q, status):
     v10 = v6 - v8
     v11 = v7 - angle6
     v12 = v7 - v8
-    q4_pp = v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else 0.0)
-    q4_pm = (
-        v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn else 0.0)
-    )
-    q4_mp = (
-        v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn else 0.0)
-    )
-    q4_mm = (
-        v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn else 0.0)
-    )
+    q4_pp = v9 + (whole_turn if v9 <= -half_turn else (-whole_turn if half_turn < v9 else 0.0))
+    q4_pm = v10 + (whole_turn if v10 <= -half_turn else (-whole_turn if half_turn < v10 else 0.0))
+    q4_mp = v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else 0.0))
+    q4_mm = v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else 0.0))
     q5_pp = v1 + angle4
     q5_pm = v1 - angle4
     q6_pp = v1 + angle5
@@ -841,20 +835,19 @@ def _in_tiles(T, q, status):
             v11 = v7 - angle6
             v12 = v7 - v8
             q4_pp = (
-                v9 - (whole_turn if half_turn < v9 else 0.0) + (whole_turn if v9 <= -half_turn else
-                0.0)
+                v9 + (whole_turn if v9 <= -half_turn else (-whole_turn if half_turn < v9 else 0.0))
             )
             q4_pm = (
-                v10 - (whole_turn if half_turn < v10 else 0.0) + (whole_turn if v10 <= -half_turn
-                else 0.0)
+                v10 + (whole_turn if v10 <= -half_turn else (-whole_turn if half_turn < v10 else
+                0.0))
             )
             q4_mp = (
-                v11 - (whole_turn if half_turn < v11 else 0.0) + (whole_turn if v11 <= -half_turn
-                else 0.0)
+                v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else
+                0.0))
             )
             q4_mm = (
-                v12 - (whole_turn if half_turn < v12 else 0.0) + (whole_turn if v12 <= -half_turn
-                else 0.0)
+                v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else
+                0.0))
             )
             q5_pp = v1 + angle4
             q5_pm = v1 - angle4

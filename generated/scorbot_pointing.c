@@ -36,29 +36,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -85,6 +89,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -99,6 +104,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -113,6 +119,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -136,14 +143,14 @@ HELPER wide irregularity_wide(const wide T[16], const wide free_joints[1])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -180,33 +187,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -481,41 +491,38 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
     }
 }
 
-static const double d1 = 0.349; /* joint offset 1 [m] */
-static const double a1 = 0.016; /* link length 1 [m] */
-static const double a2 = 0.221; /* link length 2 [m] */
-static const double a3 = 0.221; /* link length 3 [m] */
-static const double d5 = 0.145; /* joint offset 5 [m] */
-static const double second_weight = 0.952; /* lengths count in arm sizes [m] */
-static const double free_limit1 = 9.52e-13; /* a length that fixes no angle [m] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double offset4 = 1.5707963267948966; /* offset of joint 4 [rad] */
-static const double longest3 = 0.195364; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.0; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.1953724157706304;
-static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [m^2] */
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.1953639999999916;
-static const double shortest3_apart = 9.06304e-29; /* the shortest, where branches merge [m^2] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 9.063039999999997e-25;
-/* a row may miss the pose by this before it is tightened */
-static const double doubtful_slack = 0.01;
-/* a row may miss the pose by this before it is tightened [m] */
-static const double doubtful_slack1 = 0.009519999999999999;
-static const double k1 = 0.097682; /* 2 * a3 * a2 [m^2] */
-static const double k2 = 10.237300628570258; /* 1 / (2 * a3 * a2) [m^-2] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 9.063039999999999e-07; /* doubt_limit1^2 [m^2] */
-static const double m3 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 4.524886877828054; /* a coefficient of Y1_2 */
-static const double m5 = 2.262443438914027; /* a coefficient of Y1_2 */
-static const double m6 = 8.213869404159994e-13; /* doubt_limit_squared2^2 [m^4] */
-static const double m7 = 1e-24; /* exact_slack^2 */
-static const double m8 = 9.063039999999996e-25; /* exact_slack1^2 [m^2] */
-static const double m9 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double
+    d1 = 0.349, /* joint offset 1 [m] */
+    a1 = 0.016, /* link length 1 [m] */
+    a2 = 0.221, /* link length 2 [m] */
+    a3 = 0.221, /* link length 3 [m] */
+    d5 = 0.145, /* joint offset 5 [m] */
+    second_weight = 0.952, /* lengths count in arm sizes [m] */
+    free_limit1 = 9.52e-13, /* a length that fixes no angle [m] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
+    longest3 = 0.195364, /* square of the longest reach [m^2] */
+    shortest3 = 0.0, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.1953724157706304, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.1953639999999916, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 9.06304e-29, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 9.063039999999997e-25, /* square of a length that fixes no angle [m^2] */
+    doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
+    /* a row may miss the pose by this before it is tightened [m] */
+    doubtful_slack1 = 0.009519999999999999,
+    k1 = 0.097682, /* 2 * a3 * a2 [m^2] */
+    k2 = 10.237300628570258, /* 1 / (2 * a3 * a2) [m^-2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 9.063039999999999e-07, /* doubt_limit1^2 [m^2] */
+    m3 = 1e-12, /* doubt_limit_squared^2 */
+    m4 = 4.524886877828054, /* a coefficient of Y1_2 */
+    m5 = 2.262443438914027, /* a coefficient of Y1_2 */
+    m6 = 8.213869404159994e-13, /* doubt_limit_squared2^2 [m^4] */
+    m7 = 1e-24, /* exact_slack^2 */
+    m8 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
+    m9 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
 
 const char *const scorbot_pointing_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -675,14 +682,14 @@ HELPER wide_mask solve_wide(
     const wide v76 = angle2 - (angle3 + angle5) - offset4,
         v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
         v79 = offset4 + (angle2 + (angle8 - angle4)),
-        v80 = v76 - only_wide(half_turn < v76, whole_turn) + only_wide(v76 <= -half_turn,
-            whole_turn),
-        v81 = v77 - only_wide(half_turn < v77, whole_turn) + only_wide(v77 <= -half_turn,
-            whole_turn),
-        v82 = only_wide(-v78 <= -half_turn, whole_turn) - (v78 + only_wide(half_turn < -v78,
-            whole_turn)),
-        v83 = only_wide(-v79 <= -half_turn, whole_turn) - (v79 + only_wide(half_turn < -v79,
-            whole_turn));
+        v80 = v76 + pick_wide(v76 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v76,
+            -whole_turn)),
+        v81 = v77 + pick_wide(v77 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v77,
+            -whole_turn)),
+        v82 = pick_wide(-v78 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v78,
+            -whole_turn)) - v78,
+        v83 = pick_wide(-v79 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v79,
+            -whole_turn)) - v79;
     const double v84 = NAN;
     const wide v85 = only_wide((v72 <= m8) == 0, v84), v86 = only_wide((v73 <= m8) == 0, v84),
         v87 = only_wide((v74 <= m8) == 0, v84), v88 = only_wide((v75 <= m8) == 0, v84),
@@ -712,7 +719,8 @@ HELPER wide_mask solve_wide(
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -769,17 +777,15 @@ HELPER int solve_regular(
     const four_mask doubt3 = (v32 <= m6) | ((m8 < v43) & (v43 <= m9));
     const int doubt1 = (v10 <= m3) | (m7 < v39 * v39 + (v37 * v37 + v38 * v38)) | (v4 <= m1);
 
-    const four angle4 = atan2_four(-v29, C2),
-        packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3, all_four(-v3), 0,
-            5, 2, 3), all_four(-v9), 0, 1, 2, 7),
-            __builtin_shufflevector(__builtin_shufflevector(K3, all_four(-v2), 0, 5, 2, 3),
-            all_four(T33), 0, 1, 2, 7)),
-        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
-        angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3);
+    const four_ratio ratio1 = ratio_four(shuffle(shuffle(w3, all_four(-v3), 0, 5, 2, 3),
+        all_four(-v9), 0, 1, 2, 7), shuffle(shuffle(K3, all_four(-v2), 0, 5, 2, 3), all_four(T33),
+        0, 1, 2, 7)), ratio2 = ratio_four(-v29, C2);
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = shuffle(packed1, packed1, 1, 1, 1, 1),
+        angle2 = shuffle(packed1, packed1, 3, 3, 3, 3), angle4 = angle_four(ratio2);
     const four v44 = e2 * angle3, v45 = e1 * angle2, v46 = v45 - (angle4 + v44) - offset4,
-        v47 = v46 - only_four(half_turn < v46, whole_turn) + only_four(v46 <= -half_turn,
-            whole_turn), v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50,
+        v47 = v46 + pick_four(v46 <= -half_turn, all_four(whole_turn), only_four(half_turn < v46,
+            -whole_turn)), v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50,
         q2 = angle4 + v49, q3 = v44 + v49,
         q4 = v49 + (v47 + only_four(v47 <= -half_turn, whole_turn));
 
@@ -822,9 +828,10 @@ HELPER unsigned solve_tile(
     }
     for (int i = 1; i < 4; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 4; i++)
-            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 4 * k, &word, 4);
+    }
     return bits_wide(left);
 }
 #else

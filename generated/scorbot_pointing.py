@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 741963fdd25f35a0"
+_KEY = "scorbot_pointing 58c02c5d36ab9066"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1323,20 +1323,10 @@ def _regular(pose, q_free, q, status):
     v77 = angle2 - (angle6 - angle3) - offset4
     v78 = offset4 + (angle2 + (angle4 + angle7))
     v79 = offset4 + (angle2 + (angle8 - angle4))
-    v80 = (
-        v76 - (whole_turn if half_turn < v76 else 0.0) + (whole_turn if v76 <= -half_turn else 0.0)
-    )
-    v81 = (
-        v77 - (whole_turn if half_turn < v77 else 0.0) + (whole_turn if v77 <= -half_turn else 0.0)
-    )
-    v82 = (
-        (whole_turn if -v78 <= -half_turn else 0.0) - (v78 + (whole_turn if half_turn < -v78 else
-        0.0))
-    )
-    v83 = (
-        (whole_turn if -v79 <= -half_turn else 0.0) - (v79 + (whole_turn if half_turn < -v79 else
-        0.0))
-    )
+    v80 = v76 + (whole_turn if v76 <= -half_turn else (-whole_turn if half_turn < v76 else 0.0))
+    v81 = v77 + (whole_turn if v77 <= -half_turn else (-whole_turn if half_turn < v77 else 0.0))
+    v82 = (whole_turn if -v78 <= -half_turn else (-whole_turn if half_turn < -v78 else 0.0)) - v78
+    v83 = (whole_turn if -v79 <= -half_turn else (-whole_turn if half_turn < -v79 else 0.0)) - v79
     v89 = angle1 + v24
     v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
     q1_pp = v85 + v89
@@ -1786,20 +1776,20 @@ def _in_tiles(T, q_free, q, status):
             v78 = offset4 + (angle2 + (angle4 + angle7))
             v79 = offset4 + (angle2 + (angle8 - angle4))
             v80 = (
-                v76 - (whole_turn if half_turn < v76 else 0.0) + (whole_turn if v76 <= -half_turn
-                else 0.0)
+                v76 + (whole_turn if v76 <= -half_turn else (-whole_turn if half_turn < v76 else
+                0.0))
             )
             v81 = (
-                v77 - (whole_turn if half_turn < v77 else 0.0) + (whole_turn if v77 <= -half_turn
-                else 0.0)
+                v77 + (whole_turn if v77 <= -half_turn else (-whole_turn if half_turn < v77 else
+                0.0))
             )
             v82 = (
-                (whole_turn if -v78 <= -half_turn else 0.0) - (v78 + (whole_turn if half_turn < -v78
-                else 0.0))
+                (whole_turn if -v78 <= -half_turn else (-whole_turn if half_turn < -v78 else 0.0)) -
+                v78
             )
             v83 = (
-                (whole_turn if -v79 <= -half_turn else 0.0) - (v79 + (whole_turn if half_turn < -v79
-                else 0.0))
+                (whole_turn if -v79 <= -half_turn else (-whole_turn if half_turn < -v79 else 0.0)) -
+                v79
             )
             v89 = angle1 + v24
             v90 = v25 + (angle1 - math.copysign(half_turn, -v3))

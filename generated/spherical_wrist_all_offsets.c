@@ -47,29 +47,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -96,6 +100,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -110,6 +115,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -124,6 +130,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -149,24 +156,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -188,11 +195,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -207,33 +214,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -245,49 +255,43 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE \
         : (outside) ? (int)SPHERICAL_WRIST_ALL_OFFSETS_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.5; /* joint offset 1 [m] */
-static const double a1 = 0.12; /* link length 1 [m] */
-static const double d2 = 0.13; /* joint offset 2 [m] */
-static const double a2 = 0.43; /* link length 2 [m] */
-static const double d3 = 0.06; /* joint offset 3 [m] */
-static const double a3 = 0.09; /* link length 3 [m] */
-static const double d4 = 0.38; /* joint offset 4 [m] */
-static const double d6 = 0.07; /* joint offset 6 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 3.1684000000000017e-24;
-static const double longest3 = 0.6732407360639862; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.0015592639360138612; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.6732407360642781;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.0015592639359998035;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.673240736063957;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.001559263936015267;
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double k1 = 0.07; /* d2 - d3 [m] */
-static const double k2 = 0.004900000000000001; /* (d2 - d3)^2 [m^2] */
-/* reach_slack1 * (2 * (d2 - d3) + reach_slack1) [m^2] */
-static const double k3 = 2.4920000000031693e-14;
-/* merge_slack1 * (2 * (d2 - d3) + merge_slack1) [m^2] */
-static const double k4 = 2.4920000000003178e-15;
-static const double k5 = 0.3268; /* 2 * d4 * a2 [m^2] */
-static const double k6 = 0.0774; /* 2 * a3 * a2 [m^2] */
-static const double k7 = 0.3374; /* a2^2 + (a3^2 + d4^2) [m^2] */
-static const double k8 = 8.866112830151877; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 3.1684000000000017e-06;
-static const double turn1 = -1.3382393849899876; /* a constant angle [rad] */
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1.1627906976744187; /* a coefficient of Y1_2 */
-static const double m2 = 0.03767441860465117; /* a coefficient of Y1_2 */
-static const double m3 = 0.29508196721311475; /* a coefficient of c23 */
-static const double m4 = 1.2459016393442623; /* a coefficient of c23 */
-static const double m5 = 0.04036721311475411; /* a coefficient of c23 */
-static const double m6 = 0.00956065573770492; /* a coefficient of c23 */
-static const double m7 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.5, /* joint offset 1 [m] */
+    a1 = 0.12, /* link length 1 [m] */
+    d2 = 0.13, /* joint offset 2 [m] */
+    a2 = 0.43, /* link length 2 [m] */
+    d3 = 0.06, /* joint offset 3 [m] */
+    a3 = 0.09, /* link length 3 [m] */
+    d4 = 0.38, /* joint offset 4 [m] */
+    d6 = 0.07, /* joint offset 6 [m] */
+    free_limit_squared2 = 3.1684000000000017e-24, /* square of a length that fixes no angle [m^2] */
+    longest3 = 0.6732407360639862, /* square of the longest reach [m^2] */
+    shortest3 = 0.0015592639360138612, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.6732407360642781, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0015592639359998035, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.673240736063957, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.001559263936015267, /* the shortest, where branches merge [m^2] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    k1 = 0.07, /* d2 - d3 [m] */
+    k2 = 0.004900000000000001, /* (d2 - d3)^2 [m^2] */
+    k3 = 2.4920000000031693e-14, /* reach_slack1 * (2 * (d2 - d3) + reach_slack1) [m^2] */
+    k4 = 2.4920000000003178e-15, /* merge_slack1 * (2 * (d2 - d3) + merge_slack1) [m^2] */
+    k5 = 0.3268, /* 2 * d4 * a2 [m^2] */
+    k6 = 0.0774, /* 2 * a3 * a2 [m^2] */
+    k7 = 0.3374, /* a2^2 + (a3^2 + d4^2) [m^2] */
+    k8 = 8.866112830151877, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 3.1684000000000017e-06,
+    turn1 = -1.3382393849899876, /* a constant angle [rad] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1.1627906976744187, /* a coefficient of Y1_2 */
+    m2 = 0.03767441860465117, /* a coefficient of Y1_2 */
+    m3 = 0.29508196721311475, /* a coefficient of c23 */
+    m4 = 1.2459016393442623, /* a coefficient of c23 */
+    m5 = 0.04036721311475411, /* a coefficient of c23 */
+    m6 = 0.00956065573770492, /* a coefficient of c23 */
+    m7 = 1e-06; /* doubt_limit^2 */
 
 const char *const spherical_wrist_all_offsets_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -485,10 +489,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             + Y4_m * (c23_mm * v42 - s23_mm * T32)));
 
     /* joint values */
-    const wide q3_ppp = q3__pp - only_wide(half_turn < q3__pp, whole_turn),
-        q3_mpp = q3__mp - only_wide(half_turn < q3__mp, whole_turn),
-        angle19 = atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
-        angle20 = atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
+    const wide q3_ppp = q3__pp + only_wide(half_turn < q3__pp, -whole_turn),
+        q3_pmp = only_wide(half_turn < -v8, -whole_turn) - v8,
+        q3_mpp = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
+        q3_mmp = only_wide(half_turn < -v9, -whole_turn) - v9, angle19 = atan2_wide(s1_p, -v2),
+        q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
+        q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
         longest3_reach) & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0)) | (N3_p <=
         doubt_limit_squared2) | ((shortest3_reach <= N3_p) & (N3_p <= longest3_reach) &
@@ -501,11 +507,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[11] = angle15 - signed_wide(half_turn, -(-X4_pp * v43 + Y4_p * (c23_pp * v45 - s23_pp *
         T31)));
     kind[1] = kind_of(q[6], 0);
-    q[12] = q1_ppp; q[13] = angle4; q[14] = -(v8 + only_wide(half_turn < -v8, whole_turn));
-    q[15] = angle8; q[16] = angle12; q[17] = angle16;
+    q[12] = q1_ppp; q[13] = angle4; q[14] = q3_pmp; q[15] = angle8; q[16] = angle12;
+    q[17] = angle16;
     kind[2] = kind_of(q[12], 0);
-    q[18] = q1_ppp; q[19] = angle4; q[20] = -(v8 + only_wide(half_turn < -v8, whole_turn));
-    q[21] = angle8 - v37; q[22] = -angle12;
+    q[18] = q1_ppp; q[19] = angle4; q[20] = q3_pmp; q[21] = angle8 - v37; q[22] = -angle12;
     q[23] = angle16 - signed_wide(half_turn, -(-X4_pm * v43 + Y4_p * (c23_pm * v45 - s23_pm *
         T31)));
     kind[3] = kind_of(q[18], 0);
@@ -516,11 +521,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     q[35] = angle17 - signed_wide(half_turn, -(-X4_mp * v44 + Y4_m * (c23_mp * v46 - s23_mp *
         T31)));
     kind[5] = kind_of(q[30], 0);
-    q[36] = q1_mpp; q[37] = angle6; q[38] = -(v9 + only_wide(half_turn < -v9, whole_turn));
-    q[39] = angle10; q[40] = angle14; q[41] = angle18;
+    q[36] = q1_mpp; q[37] = angle6; q[38] = q3_mmp; q[39] = angle10; q[40] = angle14;
+    q[41] = angle18;
     kind[6] = kind_of(q[36], 0);
-    q[42] = q1_mpp; q[43] = angle6; q[44] = -(v9 + only_wide(half_turn < -v9, whole_turn));
-    q[45] = angle10 - v38; q[46] = -angle14;
+    q[42] = q1_mpp; q[43] = angle6; q[44] = q3_mmp; q[45] = angle10 - v38; q[46] = -angle14;
     q[47] = angle18 - signed_wide(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
         T31)));
     kind[7] = kind_of(q[42], 0);
@@ -577,17 +581,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle2 = atan2_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7
-        * factor2)))), angle3 = atan2_four(Y4, -X4),
-        angle4 = atan2_four(-sqrt_four(v19), T33 * c23 + s23 * v17),
-        angle5 = atan2_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 * (c23 *
-            v22 - s23 * T32))),
-        packed5 = atan2_four(__builtin_shufflevector(w3, s1, 0, 5, 2, 7), __builtin_shufflevector(N3
-            - k7, -v2, 0, 5, 2, 7)), angle1 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four_ratio ratio1 = ratio_four(shuffle(w3, s1, 0, 5, 2, 7), shuffle(N3 - k7, -v2, 0, 5, 2,
+        7)),
+        ratio2 = ratio_four(-(factor2 * (v6 - w3 * (m1 * (e2 * v4)))), -(v8 + w3 * (m1 * (v7 *
+            factor2)))), ratio3 = ratio_four(Y4, -X4),
+        ratio4 = ratio_four(-(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31)), -(-X4 * v21 + Y4 * (c23 *
+            v22 - s23 * T32))), ratio5 = ratio_four(-sqrt_four(v19), T33 * c23 + s23 * v17);
+    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle6 = shuffle(packed1, packed1, 1, 1, 3, 3), angle2 = angle_four(ratio2),
+        angle3 = angle_four(ratio3), angle5 = angle_four(ratio4), angle4 = angle_four(ratio5);
     const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v20,
         q6_m = angle5 - signed_four(half_turn, -(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31))),
-        q3_p = q3_ - only_four(half_turn < q3_, whole_turn), q1_p = angle6 + (w3 - w3);
+        q3_p = q3_ + only_four(half_turn < q3_, -whole_turn), q1_p = angle6 + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -625,9 +630,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -746,8 +746,10 @@ def _regular(pose, q, status):
     )
 
     # joint values
-    q3_ppp = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
-    q3_mpp = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
+    q3_ppp = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
+    q3_pmp = (-whole_turn if half_turn < -v8 else 0.0) - v8
+    q3_mpp = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
+    q3_mmp = (-whole_turn if half_turn < -v9 else 0.0) - v9
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
 
@@ -770,14 +772,14 @@ def _regular(pose, q, status):
     status[1] = UNREACHABLE if q[1, 0] != q[1, 0] else OK
     q[2, 0] = q1_ppp
     q[2, 1] = angle4
-    q[2, 2] = -(v8 + (whole_turn if half_turn < -v8 else 0.0))
+    q[2, 2] = q3_pmp
     q[2, 3] = angle8
     q[2, 4] = angle12
     q[2, 5] = angle16
     status[2] = UNREACHABLE if q[2, 0] != q[2, 0] else OK
     q[3, 0] = q1_ppp
     q[3, 1] = angle4
-    q[3, 2] = -(v8 + (whole_turn if half_turn < -v8 else 0.0))
+    q[3, 2] = q3_pmp
     q[3, 3] = q4_pmm
     q[3, 4] = -angle12
     q[3, 5] = q6_pmm
@@ -798,14 +800,14 @@ def _regular(pose, q, status):
     status[5] = UNREACHABLE if q[5, 0] != q[5, 0] else OK
     q[6, 0] = q1_mpp
     q[6, 1] = angle6
-    q[6, 2] = -(v9 + (whole_turn if half_turn < -v9 else 0.0))
+    q[6, 2] = q3_mmp
     q[6, 3] = angle10
     q[6, 4] = angle14
     q[6, 5] = angle18
     status[6] = UNREACHABLE if q[6, 0] != q[6, 0] else OK
     q[7, 0] = q1_mpp
     q[7, 1] = angle6
-    q[7, 2] = -(v9 + (whole_turn if half_turn < -v9 else 0.0))
+    q[7, 2] = q3_mmp
     q[7, 3] = q4_mmm
     q[7, 4] = -angle14
     q[7, 5] = q6_mmm
@@ -1244,8 +1246,10 @@ def _in_tiles(T, q, status):
                 angle18 - math.copysign(half_turn, -(-X4_mm * v44 + Y4_m * (c23_mm * v46 - s23_mm *
                 T31)))
             )
-            q3_ppp = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
-            q3_mpp = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
+            q3_ppp = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
+            q3_pmp = (-whole_turn if half_turn < -v8 else 0.0) - v8
+            q3_mpp = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
+            q3_mmp = (-whole_turn if half_turn < -v9 else 0.0) - v9
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
             _1280 = q1_ppp
@@ -1268,7 +1272,7 @@ def _in_tiles(T, q, status):
             work[1408 + k] = _1408
             _1424 = angle4
             work[1424 + k] = _1424
-            _1440 = -(v8 + (whole_turn if half_turn < -v8 else 0.0))
+            _1440 = q3_pmp
             work[1440 + k] = _1440
             _1456 = angle8
             work[1456 + k] = _1456
@@ -1302,7 +1306,7 @@ def _in_tiles(T, q, status):
             work[1680 + k] = _1680
             _1696 = angle6
             work[1696 + k] = _1696
-            _1712 = -(v9 + (whole_turn if half_turn < -v9 else 0.0))
+            _1712 = q3_mmp
             work[1712 + k] = _1712
             _1728 = angle10
             work[1728 + k] = _1728

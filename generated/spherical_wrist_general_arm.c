@@ -403,60 +403,59 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     }
 }
 
-static const double d1 = 0.3; /* joint offset 1 [m] */
-static const double a1 = 0.15; /* link length 1 [m] */
-static const double ca1 = 0.3420201433256688; /* cosine of twist 1 */
-static const double sa1 = 0.9396926207859083; /* sine of twist 1 */
-static const double d2 = 0.12; /* joint offset 2 [m] */
-static const double a2 = 0.42; /* link length 2 [m] */
-static const double ca2 = 0.8191520442889918; /* cosine of twist 2 */
-static const double sa2 = 0.573576436351046; /* sine of twist 2 */
-static const double d3 = 0.08; /* joint offset 3 [m] */
-static const double a3 = 0.11; /* link length 3 [m] */
-static const double ca3 = 0.6427876096865394; /* cosine of twist 3 */
-static const double sa3 = 0.766044443118978; /* sine of twist 3 */
-static const double d4 = 0.37; /* joint offset 4 [m] */
-static const double d6 = 0.09; /* joint offset 6 [m] */
-static const double free_limit6 = 1.9456426971135993e-11; /* a length that fixes no angle [m^6] */
-static const double square_rounding = 1e-15; /* squares are rounded by this */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 2.6895999999999994e-24;
-/* square of a length whose direction is good to few digits [m^2] */
-static const double near_limit_squared2 = 2.6895999999999996e-06;
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-/* square of a length whose direction is good to few digits */
-static const double near_limit_squared = 1e-06;
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double k1 = 0.43938504177070503; /* sa3 * sa2 */
-static const double k2 = 0.16257246545516085; /* d4 * sa3 * sa2 [m] */
-static const double k3 = 0.1314173917092386; /* 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) [m^2] */
-static const double k4 = 0.06309340799861507; /* a3 * sa2 [m] */
-static const double k5 = -0.22294419500171073; /* 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) [m^2] */
-static const double k6 = 0.4829582968126144; /* d1 * ca1 + (d2 + ca2 * (d3 + d4 * ca3)) [m] */
-static const double k7 = 0.6; /* 2 * d1 [m] */
-/* d1^2 + (a1^2 - (d2 * (d2 + 2 * ca2 * (d3 + d4 * ca3)) + (a2^2 + (d3 * (d3 + 2 * d4 * ca3) + (a3^2
- * + d4^2))))) [m^2] */
-static const double k8 = -0.33423756740902244;
-static const double k9 = 0.5; /* 1 / 2 */
-/* (d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) - a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3
- * * a2))^2 [m^6] */
-static const double k10 = 0.001983469418708643;
-/* 1 / (a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) - d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 *
- * sa3 * a2)) [m^-3] */
-static const double k11 = 22.453665346937772;
-static const double k12 = 0.28343644395402184; /* d4 * sa3 [m] */
-static const double k13 = 0.6275068715971331; /* sa3 * ca2 */
-static const double k14 = 0.23217754249093925; /* d4 * sa3 * ca2 [m] */
-static const double k15 = 0.0901067248717891; /* a3 * ca2 [m] */
-static const double k16 = 0.18230061071109027; /* sa2 * (d3 + d4 * ca3) [m] */
-static const double k17 = 0.3686878264946124; /* ca3 * sa2 */
-static const double k18 = 0.5265407845183633; /* ca3 * ca2 */
-static const double f1 = 0.04104241719908026; /* d2 * ca1 [m] */
-static const double f2 = 0.19617469496901113; /* sa2 * ca1 */
-static const double f3 = 0.2801664995932356; /* ca2 * ca1 */
-static const double g1 = 0.04104241719908026; /* d2 * ca1 [m] */
-static const double g2 = 0.19617469496901113; /* sa2 * ca1 */
-static const double g3 = 0.2801664995932356; /* ca2 * ca1 */
+static const double
+    d1 = 0.3, /* joint offset 1 [m] */
+    a1 = 0.15, /* link length 1 [m] */
+    ca1 = 0.3420201433256688, /* cosine of twist 1 */
+    sa1 = 0.9396926207859083, /* sine of twist 1 */
+    d2 = 0.12, /* joint offset 2 [m] */
+    a2 = 0.42, /* link length 2 [m] */
+    ca2 = 0.8191520442889918, /* cosine of twist 2 */
+    sa2 = 0.573576436351046, /* sine of twist 2 */
+    d3 = 0.08, /* joint offset 3 [m] */
+    a3 = 0.11, /* link length 3 [m] */
+    ca3 = 0.6427876096865394, /* cosine of twist 3 */
+    sa3 = 0.766044443118978, /* sine of twist 3 */
+    d4 = 0.37, /* joint offset 4 [m] */
+    d6 = 0.09, /* joint offset 6 [m] */
+    free_limit6 = 1.9456426971135993e-11, /* a length that fixes no angle [m^6] */
+    square_rounding = 1e-15, /* squares are rounded by this */
+    free_limit_squared2 = 2.6895999999999994e-24, /* square of a length that fixes no angle [m^2] */
+    /* square of a length whose direction is good to few digits [m^2] */
+    near_limit_squared2 = 2.6895999999999996e-06,
+    free_limit = 1e-12, /* a length that fixes no angle */
+    near_limit_squared = 1e-06, /* square of a length whose direction is good to few digits */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    k1 = 0.43938504177070503, /* sa3 * sa2 */
+    k2 = 0.16257246545516085, /* d4 * sa3 * sa2 [m] */
+    k3 = 0.1314173917092386, /* 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) [m^2] */
+    k4 = 0.06309340799861507, /* a3 * sa2 [m] */
+    k5 = -0.22294419500171073, /* 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) [m^2] */
+    k6 = 0.4829582968126144, /* d1 * ca1 + (d2 + ca2 * (d3 + d4 * ca3)) [m] */
+    k7 = 0.6, /* 2 * d1 [m] */
+    /* d1^2 + (a1^2 - (d2 * (d2 + 2 * ca2 * (d3 + d4 * ca3)) + (a2^2 + (d3 * (d3 + 2 * d4 * ca3) +
+     * (a3^2 + d4^2))))) [m^2] */
+    k8 = -0.33423756740902244,
+    k9 = 0.5, /* 1 / 2 */
+    /* (d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 - d4 * sa3 * a2) - a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 +
+     * a3 * a2))^2 [m^6] */
+    k10 = 0.001983469418708643,
+    /* 1 / (a3 * sa2 * 2 * (d2 * d4 * sa3 * sa2 + a3 * a2) - d4 * sa3 * sa2 * 2 * (d2 * a3 * sa2 -
+     * d4 * sa3 * a2)) [m^-3] */
+    k11 = 22.453665346937772,
+    k12 = 0.28343644395402184, /* d4 * sa3 [m] */
+    k13 = 0.6275068715971331, /* sa3 * ca2 */
+    k14 = 0.23217754249093925, /* d4 * sa3 * ca2 [m] */
+    k15 = 0.0901067248717891, /* a3 * ca2 [m] */
+    k16 = 0.18230061071109027, /* sa2 * (d3 + d4 * ca3) [m] */
+    k17 = 0.3686878264946124, /* ca3 * sa2 */
+    k18 = 0.5265407845183633, /* ca3 * ca2 */
+    f1 = 0.04104241719908026, /* d2 * ca1 [m] */
+    f2 = 0.19617469496901113, /* sa2 * ca1 */
+    f3 = 0.2801664995932356, /* ca2 * ca1 */
+    g1 = 0.04104241719908026, /* d2 * ca1 [m] */
+    g2 = 0.19617469496901113, /* sa2 * ca1 */
+    g3 = 0.2801664995932356; /* ca2 * ca1 */
 
 const char *const spherical_wrist_general_arm_branches[8] = {
     "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",

@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -101,6 +105,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -115,6 +120,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -129,6 +135,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -154,24 +161,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -193,11 +200,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -212,33 +219,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -250,42 +260,39 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)STAUBLI_TX2_90_UNREACHABLE \
         : (outside) ? (int)STAUBLI_TX2_90_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.478; /* joint offset 1 [m] */
-static const double a1 = 0.05; /* link length 1 [m] */
-static const double d2 = 0.05; /* joint offset 2 [m] */
-static const double a2 = 0.425; /* link length 2 [m] */
-static const double d4 = 0.425; /* joint offset 4 [m] */
-static const double d6 = 0.1; /* z of the tool frame [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 2.3347840000000007e-24;
-static const double longest3 = 0.7224999999999999; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.0; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.7225000000002597;
-static const double shortest3_reach = 0.0; /* the shortest, with what rounding adds [m^2] */
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.7224999999999739;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 2.334784000000001e-28;
-static const double offset2 = -1.5707963267948966; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset3 = 1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double k1 = 0.0025000000000000005; /* d2^2 [m^2] */
-static const double k2 = 1.5280000000023352e-14; /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
-static const double k3 = 1.5280000000002339e-15; /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
-static const double k4 = 0.36124999999999996; /* 2 * d4 * a2 [m^2] */
-static const double k5 = 7.662743501634321; /* 1 / ((2 * d4 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 2.3347840000000005e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 0.2768166089965398; /* a coefficient of s3 */
-static const double m2 = 2.768166089965398; /* a coefficient of s3 */
-static const double m3 = 1.1764705882352942; /* a coefficient of Y1_2 */
-static const double m4 = 5.4512163266560024e-12; /* doubt_limit_squared2^2 [m^4] */
-static const double m5 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.478, /* joint offset 1 [m] */
+    a1 = 0.05, /* link length 1 [m] */
+    d2 = 0.05, /* joint offset 2 [m] */
+    a2 = 0.425, /* link length 2 [m] */
+    d4 = 0.425, /* joint offset 4 [m] */
+    d6 = 0.1, /* z of the tool frame [m] */
+    free_limit_squared2 = 2.3347840000000007e-24, /* square of a length that fixes no angle [m^2] */
+    longest3 = 0.7224999999999999, /* square of the longest reach [m^2] */
+    shortest3 = 0.0, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.7225000000002597, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.7224999999999739, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 2.334784000000001e-28, /* the shortest, where branches merge [m^2] */
+    offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    k1 = 0.0025000000000000005, /* d2^2 [m^2] */
+    k2 = 1.5280000000023352e-14, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
+    k3 = 1.5280000000002339e-15, /* merge_slack1 * (2 * d2 + merge_slack1) [m^2] */
+    k4 = 0.36124999999999996, /* 2 * d4 * a2 [m^2] */
+    k5 = 7.662743501634321, /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 2.3347840000000005e-06,
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 0.2768166089965398, /* a coefficient of s3 */
+    m2 = 2.768166089965398, /* a coefficient of s3 */
+    m3 = 1.1764705882352942, /* a coefficient of Y1_2 */
+    m4 = 5.4512163266560024e-12, /* doubt_limit_squared2^2 [m^4] */
+    m5 = 1e-06; /* doubt_limit^2 */
 static const double low2 = -2.2689280285926285, high2 = 2.5743606476916363,
 low3 = -2.530727416391778, high3 = 2.530727416391778, low5 = -2.007128640793479,
 high5 = 2.4434609537920613;
@@ -504,10 +511,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle5 = atan2_wide(S2_pp, -v20), v54 = angle5 - offset2,
         angle6 = atan2_wide(-v15, -v21), v55 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v22),
         v56 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v23), v57 = angle8 - offset2,
-        q2_ppp = v54 - only_wide(half_turn < v54, whole_turn),
-        q2_pmp = v55 - only_wide(half_turn < v55, whole_turn),
-        q2_mpp = v56 - only_wide(half_turn < v56, whole_turn),
-        q2_mmp = v57 - only_wide(half_turn < v57, whole_turn), angle9 = atan2_wide(s3_p, -v10),
+        q2_ppp = v54 + only_wide(half_turn < v54, -whole_turn),
+        q2_pmp = v55 + only_wide(half_turn < v55, -whole_turn),
+        q2_mpp = v56 + only_wide(half_turn < v56, -whole_turn),
+        q2_mmp = v57 + only_wide(half_turn < v57, -whole_turn), angle9 = atan2_wide(s3_p, -v10),
         angle10 = atan2_wide(s3_m, -v11), v58 = angle9 - offset3,
         v59 = signed_wide(half_turn, s3_p) - angle9 - offset3, v60 = angle10 - offset3,
         v61 = signed_wide(half_turn, s3_m) - angle10 - offset3,
@@ -581,7 +588,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m6 = 0.5; /* 1 / 2 */
+static const double
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -630,24 +638,25 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= k2);
     const four_mask doubt3 = (v12 <= m4) | (v18 <= m5);
 
-    const four angle1 = atan2_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 *
-        (v13 * v20 - v14 * T32)), angle2 = atan2_four(S2, -v11),
-        angle4 = atan2_four(-v16, factor2 * -X4),
-        angle5 = atan2_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15)),
-        packed5 = atan2_four(__builtin_shufflevector(s3, s1, 0, 5, 2, 7),
-            __builtin_shufflevector(-v7, -v2, 0, 5, 2, 7)),
-        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle6 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four_ratio ratio1 = ratio_four(S2, -v11),
+        ratio2 = ratio_four(shuffle(s3, s1, 0, 5, 2, 7), shuffle(-v7, -v2, 0, 5, 2, 7)),
+        ratio3 = ratio_four(-(v21 * -X4 + v16 * (v13 * v22 - v14 * T33)), v19 * -X4 + v16 * (v13 *
+            v20 - v14 * T32)), ratio4 = ratio_four(-v16, factor2 * -X4),
+        ratio5 = ratio_four(sqrt_four(v18), factor2 * (T31 * v13 + v14 * v15));
+    const four angle2 = angle_four(ratio1), packed2 = angle_four(ratio2),
+        angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle6 = shuffle(packed2, packed2, 1, 1, 3, 3), angle1 = angle_four(ratio3),
+        angle4 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, -(v21 * -X4 + v16 * (v13 * v22 - v14 * T33))),
-        v23 = angle2 - offset2, q2_p = v23 - only_four(half_turn < v23, whole_turn),
+        v23 = angle2 - offset2, q2_p = v23 + only_four(half_turn < v23, -whole_turn),
         v26 = e2 * angle3 + v24 * v25 - offset3,
         q3_p = v26 + only_four(v26 <= -half_turn, whole_turn), v28 = angle4 - offset4,
         v29 = angle4 - v27 - offset4, q4_p = v28 + only_four(v28 <= -half_turn, whole_turn),
         q4_m = v29 + only_four(v29 <= -half_turn, whole_turn), v30 = angle5 - offset5,
         v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, whole_turn),
         q5_m = only_four(-v31 <= -half_turn, whole_turn) - v31, q1_p = angle6 + (w3 - w3);
-    const four_mask v32 = beyond(q2_p, 2) | beyond(q3_p, 3), outside_p = v32 | beyond(q5_p, 5),
-        outside_m = v32 | beyond(q5_m, 5);
+    const four_mask v32 = beyond_four(q2_p, 2) | beyond_four(q3_p, 3),
+        outside_p = v32 | beyond_four(q5_p, 5), outside_m = v32 | beyond_four(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -688,9 +697,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -376,7 +376,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 9cf2e67962520473"
+_KEY = "staubli_tx2_90 4c074cc5611966ad"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1096,10 +1096,10 @@ def _regular(pose, q, status):
     v55 = angle6 - offset2
     v56 = angle7 - offset2
     v57 = angle8 - offset2
-    q2_ppp = v54 - (whole_turn if half_turn < v54 else 0.0)
-    q2_pmp = v55 - (whole_turn if half_turn < v55 else 0.0)
-    q2_mpp = v56 - (whole_turn if half_turn < v56 else 0.0)
-    q2_mmp = v57 - (whole_turn if half_turn < v57 else 0.0)
+    q2_ppp = v54 + (-whole_turn if half_turn < v54 else 0.0)
+    q2_pmp = v55 + (-whole_turn if half_turn < v55 else 0.0)
+    q2_mpp = v56 + (-whole_turn if half_turn < v56 else 0.0)
+    q2_mmp = v57 + (-whole_turn if half_turn < v57 else 0.0)
     v58 = angle9 - offset3
     v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
     v60 = angle10 - offset3
@@ -1654,10 +1654,10 @@ def _in_tiles(T, q, status):
             v55 = angle6 - offset2
             v56 = angle7 - offset2
             v57 = angle8 - offset2
-            q2_ppp = v54 - (whole_turn if half_turn < v54 else 0.0)
-            q2_pmp = v55 - (whole_turn if half_turn < v55 else 0.0)
-            q2_mpp = v56 - (whole_turn if half_turn < v56 else 0.0)
-            q2_mmp = v57 - (whole_turn if half_turn < v57 else 0.0)
+            q2_ppp = v54 + (-whole_turn if half_turn < v54 else 0.0)
+            q2_pmp = v55 + (-whole_turn if half_turn < v55 else 0.0)
+            q2_mpp = v56 + (-whole_turn if half_turn < v56 else 0.0)
+            q2_mmp = v57 + (-whole_turn if half_turn < v57 else 0.0)
             v58 = angle9 - offset3
             v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
             v60 = angle10 - offset3

@@ -376,7 +376,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 c89ddee8c22026d8"
+_KEY = "techman_tm5_900 bd1d4fc9b44f61e8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1200,30 +1200,14 @@ def _regular(pose, q, status):
     v59 = angle6 - (angle16 - angle9) - offset4
     v60 = theta234_mm - (angle10 + angle17) - offset4
     v61 = theta234_mm - (angle18 - angle10) - offset4
-    v62 = (
-        v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn else 0.0)
-    )
-    v63 = (
-        v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn else 0.0)
-    )
-    v64 = (
-        v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn else 0.0)
-    )
-    v65 = (
-        v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn else 0.0)
-    )
-    v66 = (
-        v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn else 0.0)
-    )
-    v67 = (
-        v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn else 0.0)
-    )
-    v68 = (
-        v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn else 0.0)
-    )
-    v69 = (
-        v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn else 0.0)
-    )
+    v62 = v54 + (whole_turn if v54 <= -half_turn else (-whole_turn if half_turn < v54 else 0.0))
+    v63 = v55 + (whole_turn if v55 <= -half_turn else (-whole_turn if half_turn < v55 else 0.0))
+    v64 = v56 + (whole_turn if v56 <= -half_turn else (-whole_turn if half_turn < v56 else 0.0))
+    v65 = v57 + (whole_turn if v57 <= -half_turn else (-whole_turn if half_turn < v57 else 0.0))
+    v66 = v58 + (whole_turn if v58 <= -half_turn else (-whole_turn if half_turn < v58 else 0.0))
+    v67 = v59 + (whole_turn if v59 <= -half_turn else (-whole_turn if half_turn < v59 else 0.0))
+    v68 = v60 + (whole_turn if v60 <= -half_turn else (-whole_turn if half_turn < v60 else 0.0))
+    v69 = v61 + (whole_turn if v61 <= -half_turn else (-whole_turn if half_turn < v61 else 0.0))
     q4_ppp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
     q4_ppm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
     q4_pmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
@@ -1736,36 +1720,36 @@ def _in_tiles(T, q, status):
             v60 = theta234_mm - (angle10 + angle17) - offset4
             v61 = theta234_mm - (angle18 - angle10) - offset4
             v62 = (
-                v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn
-                else 0.0)
+                v54 + (whole_turn if v54 <= -half_turn else (-whole_turn if half_turn < v54 else
+                0.0))
             )
             v63 = (
-                v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn
-                else 0.0)
+                v55 + (whole_turn if v55 <= -half_turn else (-whole_turn if half_turn < v55 else
+                0.0))
             )
             v64 = (
-                v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn
-                else 0.0)
+                v56 + (whole_turn if v56 <= -half_turn else (-whole_turn if half_turn < v56 else
+                0.0))
             )
             v65 = (
-                v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn
-                else 0.0)
+                v57 + (whole_turn if v57 <= -half_turn else (-whole_turn if half_turn < v57 else
+                0.0))
             )
             v66 = (
-                v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn
-                else 0.0)
+                v58 + (whole_turn if v58 <= -half_turn else (-whole_turn if half_turn < v58 else
+                0.0))
             )
             v67 = (
-                v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn
-                else 0.0)
+                v59 + (whole_turn if v59 <= -half_turn else (-whole_turn if half_turn < v59 else
+                0.0))
             )
             v68 = (
-                v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn
-                else 0.0)
+                v60 + (whole_turn if v60 <= -half_turn else (-whole_turn if half_turn < v60 else
+                0.0))
             )
             v69 = (
-                v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn
-                else 0.0)
+                v61 + (whole_turn if v61 <= -half_turn else (-whole_turn if half_turn < v61 else
+                0.0))
             )
             q4_ppp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
             q4_ppm = v63 + (whole_turn if v63 <= -half_turn else 0.0)

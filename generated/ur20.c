@@ -51,29 +51,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -99,6 +103,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -113,6 +118,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -127,6 +133,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -152,24 +159,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -191,11 +198,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -210,33 +217,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -248,42 +258,36 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)UR20_UNREACHABLE \
         : (outside) ? (int)UR20_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.2363; /* joint offset 1 [m] */
-static const double a2 = -0.862; /* link length 2 [m] */
-static const double a3 = -0.7287; /* link length 3 [m] */
-static const double d4 = 0.201; /* joint offset 4 [m] */
-static const double d5 = 0.1593; /* joint offset 5 [m] */
-static const double d6 = 0.1543; /* joint offset 6 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 5.48309056e-24;
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double near_limit = 0.001; /* a length whose direction is good to few digits */
-static const double longest3 = 2.53032649; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.017768889999999992; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 2.5303264900007454;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.017768889999937563;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 2.530326489999926;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.017768890000006237;
-/* the longest, where blurred branches do [m^2] */
-static const double longest3_clear = 2.5303264899255047;
-/* the shortest, where blurred branches do [m^2] */
-static const double shortest3_clear = 0.017768890006242696;
-static const double k1 = 0.040401000000000006; /* d4^2 [m^2] */
-static const double k2 = 9.413232000005485e-14; /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
-static const double k3 = 9.413232000000549e-15; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
-static const double k4 = 1.27404769; /* a2^2 + a3^2 [m^2] */
-static const double k5 = 0.796001651862628; /* 1 / (2 * a3 * a2) [m^-2] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 5.4830905600000006e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1e-06; /* doubt_limit^2 */
-static const double m3 = 0.580046403712297; /* a coefficient of S2 */
-static const double m4 = 0.1229932192575406; /* a coefficient of S2 */
+static const double
+    d1 = 0.2363, /* joint offset 1 [m] */
+    a2 = -0.862, /* link length 2 [m] */
+    a3 = -0.7287, /* link length 3 [m] */
+    d4 = 0.201, /* joint offset 4 [m] */
+    d5 = 0.1593, /* joint offset 5 [m] */
+    d6 = 0.1543, /* joint offset 6 [m] */
+    free_limit_squared2 = 5.48309056e-24, /* square of a length that fixes no angle [m^2] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    near_limit = 0.001, /* a length whose direction is good to few digits */
+    longest3 = 2.53032649, /* square of the longest reach [m^2] */
+    shortest3 = 0.017768889999999992, /* square of the shortest reach [m^2] */
+    longest3_reach = 2.5303264900007454, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.017768889999937563, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 2.530326489999926, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.017768890000006237, /* the shortest, where branches merge [m^2] */
+    longest3_clear = 2.5303264899255047, /* the longest, where blurred branches do [m^2] */
+    shortest3_clear = 0.017768890006242696, /* the shortest, where blurred branches do [m^2] */
+    k1 = 0.040401000000000006, /* d4^2 [m^2] */
+    k2 = 9.413232000005485e-14, /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
+    k3 = 9.413232000000549e-15, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
+    k4 = 1.27404769, /* a2^2 + a3^2 [m^2] */
+    k5 = 0.796001651862628, /* 1 / (2 * a3 * a2) [m^-2] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 5.4830905600000006e-06,
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1e-06, /* doubt_limit^2 */
+    m3 = 0.580046403712297, /* a coefficient of S2 */
+    m4 = 0.1229932192575406; /* a coefficient of S2 */
 
 const char *const ur20_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -515,35 +519,43 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 - only_wide(half_turn < v54, whole_turn) + only_wide(v54 <= -half_turn, whole_turn);
+    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v54,
+        -whole_turn));
     q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 - only_wide(half_turn < v55, whole_turn) + only_wide(v55 <= -half_turn, whole_turn);
+    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v55,
+        -whole_turn));
     q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 - only_wide(half_turn < v56, whole_turn) + only_wide(v56 <= -half_turn, whole_turn);
+    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v56,
+        -whole_turn));
     q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 - only_wide(half_turn < v57, whole_turn) + only_wide(v57 <= -half_turn, whole_turn);
+    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v57,
+        -whole_turn));
     q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 - only_wide(half_turn < v58, whole_turn) + only_wide(v58 <= -half_turn, whole_turn);
+    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v58,
+        -whole_turn));
     q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 - only_wide(half_turn < v59, whole_turn) + only_wide(v59 <= -half_turn, whole_turn);
+    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v59,
+        -whole_turn));
     q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 - only_wide(half_turn < v60, whole_turn) + only_wide(v60 <= -half_turn, whole_turn);
+    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v60,
+        -whole_turn));
     q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 - only_wide(half_turn < v61, whole_turn) + only_wide(v61 <= -half_turn, whole_turn);
+    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v61,
+        -whole_turn));
     q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -551,7 +563,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -601,22 +614,21 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt3 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle5 = atan2_four(w3, N3 - k4), angle6 = atan2_four(v24 - v22, -(v23 + v25)),
-        angle7 = atan2_four(-(v22 + v24), v25 - v23),
-        packed4 = atan2_four(__builtin_shufflevector(s1, -v5, 0, 5, 2, 7),
-            __builtin_shufflevector(-v2, v4, 0, 5, 2, 7)),
-        angle1 = __builtin_shufflevector(packed4, packed4, 0, 0, 2, 2),
-        angle2 = __builtin_shufflevector(packed4, packed4, 1, 1, 3, 3),
-        packed5 = atan2_four(__builtin_shufflevector(w6, v11, 0, 5, 2, 7),
-            __builtin_shufflevector(c5, v10, 0, 5, 2, 7)),
-        angle3 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle4 = __builtin_shufflevector(packed5, packed5, 1, 1, 3, 3);
+    const four_ratio ratio1 = ratio_four(shuffle(s1, -v5, 0, 5, 2, 7), shuffle(-v2, v4, 0, 5, 2,
+        7)), ratio2 = ratio_four(shuffle(w6, v11, 0, 5, 2, 7), shuffle(c5, v10, 0, 5, 2, 7)),
+        ratio3 = ratio_four(w3, N3 - k4), ratio4 = ratio_four(v24 - v22, -(v23 + v25)),
+        ratio5 = ratio_four(-(v22 + v24), v25 - v23);
+    const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle2 = shuffle(packed1, packed1, 1, 1, 3, 3), packed2 = angle_four(ratio2),
+        angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle4 = shuffle(packed2, packed2, 1, 1, 3, 3), angle5 = angle_four(ratio3),
+        angle6 = angle_four(ratio4), angle7 = angle_four(ratio5);
     const four theta234 = angle4 + v9 * v12, v26 = theta234 - (angle5 + angle6),
         v27 = theta234 - (angle7 - angle5),
-        q4_p = v26 - only_four(half_turn < v26, whole_turn) + only_four(v26 <= -half_turn,
-            whole_turn),
-        q4_m = v27 - only_four(half_turn < v27, whole_turn) + only_four(v27 <= -half_turn,
-            whole_turn), q1_p = angle1 + v20, q5_p = v20 + e2 * angle3,
+        q4_p = v26 + pick_four(v26 <= -half_turn, all_four(whole_turn), only_four(half_turn < v26,
+            -whole_turn)),
+        q4_m = v27 + pick_four(v27 <= -half_turn, all_four(whole_turn), only_four(half_turn < v27,
+            -whole_turn)), q1_p = angle1 + v20, q5_p = v20 + e2 * angle3,
         q6_p = v20 + (angle2 + v8 * v9);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
@@ -655,9 +667,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -51,29 +51,33 @@ static const float odd[11] = {
     -0.050853834f, 0.039229743f, -0.019174544f,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0f; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421357f; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853982f), none = all_##v(0.0f); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707964f - eighth, eighth); \
-    const v known = pick_##v(left, 3.1415927f - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421357f, 1.0f); \
+    const v ahead = all_##v(0.7853982f), half = all_##v(1.5707964f); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0f * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 #define LANES 1
@@ -84,6 +88,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
 #define signed_wide copysignf
+#define negated_wide(x, where) ((x) * copysignf(1.0f, where))
 #define abs_wide fabsf
 #define sqrt_wide sqrtf
 #define maximum_wide maximum_double
@@ -109,42 +114,36 @@ HELPER wide irregularity_wide(const wide T[16])
 #define kind_of(x, outside) \
     ((x) != (x) ? (int)UR5_F32_UNREACHABLE \
         : (outside) ? (int)UR5_F32_OUT_OF_LIMITS : 0)
-static const float d1 = 0.089159f; /* joint offset 1 [m] */
-static const float a2 = -0.425f; /* link length 2 [m] */
-static const float a3 = -0.39225f; /* link length 3 [m] */
-static const float d4 = 0.10915f; /* joint offset 4 [m] */
-static const float d5 = 0.09465f; /* joint offset 5 [m] */
-static const float d6 = 0.0823f; /* joint offset 6 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const float free_limit_squared2 = 5.688311e-10f;
-static const float free_limit = 2e-05f; /* a length that fixes no angle */
-static const float near_limit = 0.001f; /* a length whose direction is good to few digits */
-static const float longest3 = 0.6678976f; /* square of the longest reach [m^2] */
-static const float shortest3 = 0.0010725625f; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const float longest3_reach = 0.66790533f;
-/* the shortest, with what rounding adds [m^2] */
-static const float shortest3_reach = 0.0010722501f;
-/* the longest, where branches merge [m^2] */
-static const float longest3_apart = 0.66789734f;
-/* the shortest, where branches merge [m^2] */
-static const float shortest3_apart = 0.0010725703f;
-/* the longest, where blurred branches do [m^2] */
-static const float longest3_clear = 0.6678781f;
-/* the shortest, where blurred branches do [m^2] */
-static const float shortest3_clear = 0.0010733437f;
-static const float k1 = 0.011913722f; /* d4^2 [m^2] */
-static const float k2 = 1.0413216e-06f; /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
-static const float k3 = 2.6032486e-08f; /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
-static const float k4 = 0.33448505f; /* a2^2 + a3^2 [m^2] */
-static const float k5 = 2.9992876f; /* 1 / (2 * a3 * a2) [m^-2] */
-/* square of a length that fixes no angle [m^2] */
-static const float doubt_limit_squared2 = 1.4220777e-06f;
-static const float half_turn = 3.1415927f; /* pi [rad] */
-static const float whole_turn = 6.2831855f; /* 2 pi [rad] */
-static const float m1 = 1e-06f; /* doubt_limit^2 */
-static const float m3 = 1.1764706f; /* a coefficient of S2 */
-static const float m4 = 0.03148816f; /* a coefficient of S2 */
+static const float
+    d1 = 0.089159f, /* joint offset 1 [m] */
+    a2 = -0.425f, /* link length 2 [m] */
+    a3 = -0.39225f, /* link length 3 [m] */
+    d4 = 0.10915f, /* joint offset 4 [m] */
+    d5 = 0.09465f, /* joint offset 5 [m] */
+    d6 = 0.0823f, /* joint offset 6 [m] */
+    free_limit_squared2 = 5.688311e-10f, /* square of a length that fixes no angle [m^2] */
+    free_limit = 2e-05f, /* a length that fixes no angle */
+    near_limit = 0.001f, /* a length whose direction is good to few digits */
+    longest3 = 0.6678976f, /* square of the longest reach [m^2] */
+    shortest3 = 0.0010725625f, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.66790533f, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.0010722501f, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.66789734f, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.0010725703f, /* the shortest, where branches merge [m^2] */
+    longest3_clear = 0.6678781f, /* the longest, where blurred branches do [m^2] */
+    shortest3_clear = 0.0010733437f, /* the shortest, where blurred branches do [m^2] */
+    k1 = 0.011913722f, /* d4^2 [m^2] */
+    k2 = 1.0413216e-06f, /* reach_slack1 * (2 * d4 + reach_slack1) [m^2] */
+    k3 = 2.6032486e-08f, /* merge_slack1 * (2 * d4 + merge_slack1) [m^2] */
+    k4 = 0.33448505f, /* a2^2 + a3^2 [m^2] */
+    k5 = 2.9992876f, /* 1 / (2 * a3 * a2) [m^-2] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.4220777e-06f,
+    half_turn = 3.1415927f, /* pi [rad] */
+    whole_turn = 6.2831855f, /* 2 pi [rad] */
+    m1 = 1e-06f, /* doubt_limit^2 */
+    m3 = 1.1764706f, /* a coefficient of S2 */
+    m4 = 0.03148816f; /* a coefficient of S2 */
 
 const char *const ur5_f32_branches[8] = {
     "left-noflip-down", "left-noflip-up", "left-flip-down", "left-flip-up", "right-noflip-down",
@@ -376,35 +375,43 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 - only_wide(half_turn < v54, whole_turn) + only_wide(v54 <= -half_turn, whole_turn);
+    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v54,
+        -whole_turn));
     q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 - only_wide(half_turn < v55, whole_turn) + only_wide(v55 <= -half_turn, whole_turn);
+    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v55,
+        -whole_turn));
     q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 - only_wide(half_turn < v56, whole_turn) + only_wide(v56 <= -half_turn, whole_turn);
+    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v56,
+        -whole_turn));
     q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 - only_wide(half_turn < v57, whole_turn) + only_wide(v57 <= -half_turn, whole_turn);
+    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v57,
+        -whole_turn));
     q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 - only_wide(half_turn < v58, whole_turn) + only_wide(v58 <= -half_turn, whole_turn);
+    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v58,
+        -whole_turn));
     q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 - only_wide(half_turn < v59, whole_turn) + only_wide(v59 <= -half_turn, whole_turn);
+    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v59,
+        -whole_turn));
     q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 - only_wide(half_turn < v60, whole_turn) + only_wide(v60 <= -half_turn, whole_turn);
+    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v60,
+        -whole_turn));
     q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 - only_wide(half_turn < v61, whole_turn) + only_wide(v61 <= -half_turn, whole_turn);
+    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v61,
+        -whole_turn));
     q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;

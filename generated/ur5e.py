@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5e 5ae746e5af44a068"
+_KEY = "ur5e 0b4e9d87ebf1c4f1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1164,30 +1164,14 @@ def _regular(pose, q, status):
     v59 = angle8 - (angle18 - angle11)
     v60 = theta234_mm - (angle12 + angle19)
     v61 = theta234_mm - (angle20 - angle12)
-    q4_ppp = (
-        v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn else 0.0)
-    )
-    q4_ppm = (
-        v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn else 0.0)
-    )
-    q4_pmp = (
-        v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn else 0.0)
-    )
-    q4_pmm = (
-        v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn else 0.0)
-    )
-    q4_mpp = (
-        v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn else 0.0)
-    )
-    q4_mpm = (
-        v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn else 0.0)
-    )
-    q4_mmp = (
-        v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn else 0.0)
-    )
-    q4_mmm = (
-        v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn else 0.0)
-    )
+    q4_ppp = v54 + (whole_turn if v54 <= -half_turn else (-whole_turn if half_turn < v54 else 0.0))
+    q4_ppm = v55 + (whole_turn if v55 <= -half_turn else (-whole_turn if half_turn < v55 else 0.0))
+    q4_pmp = v56 + (whole_turn if v56 <= -half_turn else (-whole_turn if half_turn < v56 else 0.0))
+    q4_pmm = v57 + (whole_turn if v57 <= -half_turn else (-whole_turn if half_turn < v57 else 0.0))
+    q4_mpp = v58 + (whole_turn if v58 <= -half_turn else (-whole_turn if half_turn < v58 else 0.0))
+    q4_mpm = v59 + (whole_turn if v59 <= -half_turn else (-whole_turn if half_turn < v59 else 0.0))
+    q4_mmp = v60 + (whole_turn if v60 <= -half_turn else (-whole_turn if half_turn < v60 else 0.0))
+    q4_mmm = v61 + (whole_turn if v61 <= -half_turn else (-whole_turn if half_turn < v61 else 0.0))
     q1_ppp = angle1 + v30
     q1_pmp = angle1 + v31
     q1_mpp = angle2 + v32
@@ -1668,36 +1652,36 @@ def _in_tiles(T, q, status):
             v60 = theta234_mm - (angle12 + angle19)
             v61 = theta234_mm - (angle20 - angle12)
             q4_ppp = (
-                v54 - (whole_turn if half_turn < v54 else 0.0) + (whole_turn if v54 <= -half_turn
-                else 0.0)
+                v54 + (whole_turn if v54 <= -half_turn else (-whole_turn if half_turn < v54 else
+                0.0))
             )
             q4_ppm = (
-                v55 - (whole_turn if half_turn < v55 else 0.0) + (whole_turn if v55 <= -half_turn
-                else 0.0)
+                v55 + (whole_turn if v55 <= -half_turn else (-whole_turn if half_turn < v55 else
+                0.0))
             )
             q4_pmp = (
-                v56 - (whole_turn if half_turn < v56 else 0.0) + (whole_turn if v56 <= -half_turn
-                else 0.0)
+                v56 + (whole_turn if v56 <= -half_turn else (-whole_turn if half_turn < v56 else
+                0.0))
             )
             q4_pmm = (
-                v57 - (whole_turn if half_turn < v57 else 0.0) + (whole_turn if v57 <= -half_turn
-                else 0.0)
+                v57 + (whole_turn if v57 <= -half_turn else (-whole_turn if half_turn < v57 else
+                0.0))
             )
             q4_mpp = (
-                v58 - (whole_turn if half_turn < v58 else 0.0) + (whole_turn if v58 <= -half_turn
-                else 0.0)
+                v58 + (whole_turn if v58 <= -half_turn else (-whole_turn if half_turn < v58 else
+                0.0))
             )
             q4_mpm = (
-                v59 - (whole_turn if half_turn < v59 else 0.0) + (whole_turn if v59 <= -half_turn
-                else 0.0)
+                v59 + (whole_turn if v59 <= -half_turn else (-whole_turn if half_turn < v59 else
+                0.0))
             )
             q4_mmp = (
-                v60 - (whole_turn if half_turn < v60 else 0.0) + (whole_turn if v60 <= -half_turn
-                else 0.0)
+                v60 + (whole_turn if v60 <= -half_turn else (-whole_turn if half_turn < v60 else
+                0.0))
             )
             q4_mmm = (
-                v61 - (whole_turn if half_turn < v61 else 0.0) + (whole_turn if v61 <= -half_turn
-                else 0.0)
+                v61 + (whole_turn if v61 <= -half_turn else (-whole_turn if half_turn < v61 else
+                0.0))
             )
             q1_ppp = angle1 + v30
             q1_pmp = angle1 + v31

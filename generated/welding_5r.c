@@ -3261,14 +3261,15 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.3; /* joint offset 1 [m] */
-static const double a1 = 0.08; /* link length 1 [m] */
-static const double L2 = 0.5; /* link length 2 [m] */
-static const double L3 = 0.45; /* link length 3 [m] */
-static const double d4 = 0.03; /* joint offset 4 [m] */
-static const double d5 = 0.12; /* joint offset 5 [m] */
-static const double ex = 0.02; /* x of the tool frame [m] */
-static const double ez = 0.1; /* z of the tool frame [m] */
+static const double
+    d1 = 0.3, /* joint offset 1 [m] */
+    a1 = 0.08, /* link length 1 [m] */
+    L2 = 0.5, /* link length 2 [m] */
+    L3 = 0.45, /* link length 3 [m] */
+    d4 = 0.03, /* joint offset 4 [m] */
+    d5 = 0.12, /* joint offset 5 [m] */
+    ex = 0.02, /* x of the tool frame [m] */
+    ez = 0.1; /* z of the tool frame [m] */
 
 const char *const welding_5r_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -46,29 +46,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -94,6 +98,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -108,6 +113,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -122,6 +128,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -146,12 +153,12 @@ HELPER wide irregularity_wide(const wide T[16])
 /* Writes joint values of four rows. */
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -181,11 +188,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -200,33 +207,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -238,40 +248,39 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)WRIST_OBLIQUE_UNREACHABLE \
         : (outside) ? (int)WRIST_OBLIQUE_OUT_OF_LIMITS : 0)
 #endif
-static const double sqrt3 = 1.7320508075688772; /* square root of 3 */
-static const double ca2 = 0.6427876096865394; /* cosine of twist 2 */
-static const double sa2 = 0.766044443118978; /* sine of twist 2 */
-static const double d3 = 0.1; /* joint offset 3 [m] */
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.0000000000000002e-26;
-/* rounding at the boundary of the workspace [m] */
-static const double reach_slack1 = 1.0000000000000002e-14;
-static const double merge_slack1 = 1e-15; /* nearer to that boundary two branches are one [m] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 1.0000000000000002e-06; /* a pose may be rounded by this [m] */
-static const double k1 = 0.5; /* 1 / 2 */
-static const double k2 = 0.12855752193730788; /* 2 * d3 * ca2 [m] */
-static const double k3 = 1.3268278963378768; /* sa2 * sqrt3 */
-static const double k4 = 0.6634139481689384; /* sa2 * sqrt3 / 2 */
-static const double k5 = 0.8660254037844386; /* sqrt3 / 2 */
-static const double k6 = 0.5745333323392334; /* sqrt3 / 2 * sa2 * sqrt3 / 2 */
-static const double f1 = 0.5; /* 1 / 2 */
-static const double f2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double f3 = 0.383022221559489; /* sa2 * 1 / 2 */
-static const double f4 = 0.3213938048432697; /* ca2 * 1 / 2 */
-static const double g1 = 0.5; /* 1 / 2 */
-static const double g2 = 0.8660254037844386; /* 1 / 2 * sqrt3 */
-static const double g3 = 0.3213938048432697; /* ca2 * 1 / 2 */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.0000000000000002e-08;
-static const double m1 = 0.383022221559489; /* a coefficient of S3 */
-static const double m2 = 1e-12; /* doubt_limit_squared^2 */
-static const double m3 = 0.6634139481689384; /* a coefficient of v11 */
-static const double m4 = 1.0000000000000004e-12; /* pose_slack1^2 [m^2] */
-static const double m5 = 3.000000000000001e-12; /* 3 * pose_slack1^2 [m^2] */
-static const double m6 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m7 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
+static const double
+    sqrt3 = 1.7320508075688772, /* square root of 3 */
+    ca2 = 0.6427876096865394, /* cosine of twist 2 */
+    sa2 = 0.766044443118978, /* sine of twist 2 */
+    d3 = 0.1, /* joint offset 3 [m] */
+    free_limit_squared2 = 1.0000000000000002e-26, /* square of a length that fixes no angle [m^2] */
+    reach_slack1 = 1.0000000000000002e-14, /* rounding at the boundary of the workspace [m] */
+    merge_slack1 = 1e-15, /* nearer to that boundary two branches are one [m] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 1.0000000000000002e-06, /* a pose may be rounded by this [m] */
+    k1 = 0.5, /* 1 / 2 */
+    k2 = 0.12855752193730788, /* 2 * d3 * ca2 [m] */
+    k3 = 1.3268278963378768, /* sa2 * sqrt3 */
+    k4 = 0.6634139481689384, /* sa2 * sqrt3 / 2 */
+    k5 = 0.8660254037844386, /* sqrt3 / 2 */
+    k6 = 0.5745333323392334, /* sqrt3 / 2 * sa2 * sqrt3 / 2 */
+    f1 = 0.5, /* 1 / 2 */
+    f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    f3 = 0.383022221559489, /* sa2 * 1 / 2 */
+    f4 = 0.3213938048432697, /* ca2 * 1 / 2 */
+    g1 = 0.5, /* 1 / 2 */
+    g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
+    g3 = 0.3213938048432697, /* ca2 * 1 / 2 */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.0000000000000002e-08,
+    m1 = 0.383022221559489, /* a coefficient of S3 */
+    m2 = 1e-12, /* doubt_limit_squared^2 */
+    m3 = 0.6634139481689384, /* a coefficient of v11 */
+    m4 = 1.0000000000000004e-12, /* pose_slack1^2 [m^2] */
+    m5 = 3.000000000000001e-12, /* 3 * pose_slack1^2 [m^2] */
+    m6 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m7 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 
 const char *const wrist_oblique_branches[2] = {
     "left", "right",
@@ -495,12 +504,11 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four_mask doubt2 = (v23 <= m2) | (v14 <= m2) | ((m6 < v43) & (v43 <= m7)) | ((m4 < v42) &
         (v42 <= m5));
 
-    const four packed1 = atan2_four(__builtin_shufflevector(s1, -v25, 0, 1, 6, 7),
-        __builtin_shufflevector(c1, -v24, 0, 1, 6, 7)),
-        angle1 = __builtin_shufflevector(packed1, packed1, 0, 1, 0, 1),
-        angle2 = __builtin_shufflevector(packed1, packed1, 2, 3, 2, 3),
-        packed2 = atan2_four(-S3, -C3),
-        angle3 = __builtin_shufflevector(packed2, packed2, 0, 1, 0, 1);
+    const four_ratio ratio1 = ratio_four(-S3, -C3),
+        ratio2 = ratio_four(shuffle(s1, -v25, 0, 1, 6, 7), shuffle(c1, -v24, 0, 1, 6, 7));
+    const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
+        packed2 = angle_four(ratio2), angle1 = shuffle(packed2, packed2, 0, 1, 0, 1),
+        angle2 = shuffle(packed2, packed2, 2, 3, 2, 3);
     const four q1 = v45 + angle1, q2 = v45 + angle2, q3 = v45 + angle3;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -531,9 +539,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
             q[6 * k + i] = found[i][k];
     for (int i = 1; i < 2; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 2; i++)
-            status[2 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 2 * k, &word, 2);
+    }
     return bits_wide(left);
 }
 #else

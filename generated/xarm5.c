@@ -51,29 +51,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -99,6 +103,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -113,6 +118,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -127,6 +133,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -152,14 +159,14 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
@@ -189,11 +196,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -208,33 +215,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -246,49 +256,45 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)XARM5_UNREACHABLE \
         : (outside) ? (int)XARM5_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.267; /* joint offset 1 [m] */
-static const double a2 = 0.2894866145437471; /* link length 2 [m] */
-static const double a3 = 0.35116; /* link length 3 [m] */
-static const double a4 = 0.076; /* link length 4 [m] */
-static const double d5 = 0.097; /* joint offset 5 [m] */
-static const double second_weight = 1.080646614543747; /* lengths count in arm sizes [m] */
-static const double free_limit1 = 1.080646614543747e-12; /* a length that fixes no angle [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double free_limit_squared = 1e-24; /* square of a length that fixes no angle */
-static const double offset2 = 1.7566747807196037; /* offset of joint 2 [rad] */
-static const double offset3 = 2.733184269115749; /* offset of joint 3 [rad] */
-static const double offset4 = -1.3482663962455592; /* offset of joint 4 [rad] */
-static const double longest3 = 0.4104280847263644; /* square of the longest reach [m^2] */
-static const double shortest3 = 0.003803606473635553; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.41042808472650283;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 0.003803606473622223;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.4104280847263506;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 0.0038036064736368855;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.1677971055248617e-24;
-static const double pose_slack = 1e-05; /* a pose may be rounded by this */
-static const double pose_slack1 = 1.080646614543747e-05; /* a pose may be rounded by this [m] */
-static const double k1 = 0.20711584560000001; /* a2^2 + a3^2 [m^2] */
-static const double k2 = 4.918543046385274; /* 1 / (2 * a3 * a2) [m^-2] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.1677971055248617e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1.1677971055248613e-06; /* doubt_limit1^2 [m^2] */
-static const double m2 = 1e-12; /* doubt_limit_squared^2 */
-static const double m4 = 0.076; /* a coefficient of v9 */
-static const double m5 = 0.097; /* a coefficient of v11 */
-static const double m6 = 1.727195576168653; /* a coefficient of S2 */
-static const double m7 = 0.06824295773100271; /* a coefficient of S2 */
-static const double m8 = 1.4238523749857612; /* a coefficient of c23 */
-static const double m9 = 0.05625761134525573; /* a coefficient of c23 */
-static const double m10 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double m11 = 1.167797105524862e-10; /* pose_slack1^2 [m^2] */
-static const double m12 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
+static const double
+    d1 = 0.267, /* joint offset 1 [m] */
+    a2 = 0.2894866145437471, /* link length 2 [m] */
+    a3 = 0.35116, /* link length 3 [m] */
+    a4 = 0.076, /* link length 4 [m] */
+    d5 = 0.097, /* joint offset 5 [m] */
+    second_weight = 1.080646614543747, /* lengths count in arm sizes [m] */
+    free_limit1 = 1.080646614543747e-12, /* a length that fixes no angle [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
+    offset2 = 1.7566747807196037, /* offset of joint 2 [rad] */
+    offset3 = 2.733184269115749, /* offset of joint 3 [rad] */
+    offset4 = -1.3482663962455592, /* offset of joint 4 [rad] */
+    longest3 = 0.4104280847263644, /* square of the longest reach [m^2] */
+    shortest3 = 0.003803606473635553, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.41042808472650283, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.003803606473622223, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.4104280847263506, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.0038036064736368855, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 1.1677971055248617e-24, /* square of a length that fixes no angle [m^2] */
+    pose_slack = 1e-05, /* a pose may be rounded by this */
+    pose_slack1 = 1.080646614543747e-05, /* a pose may be rounded by this [m] */
+    k1 = 0.20711584560000001, /* a2^2 + a3^2 [m^2] */
+    k2 = 4.918543046385274, /* 1 / (2 * a3 * a2) [m^-2] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 1.1677971055248617e-06,
+    half_turn = 3.141592653589793, /* pi [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1.1677971055248613e-06, /* doubt_limit1^2 [m^2] */
+    m2 = 1e-12, /* doubt_limit_squared^2 */
+    m4 = 0.076, /* a coefficient of v9 */
+    m5 = 0.097, /* a coefficient of v11 */
+    m6 = 1.727195576168653, /* a coefficient of S2 */
+    m7 = 0.06824295773100271, /* a coefficient of S2 */
+    m8 = 1.4238523749857612, /* a coefficient of c23 */
+    m9 = 0.05625761134525573, /* a coefficient of c23 */
+    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m11 = 1.167797105524862e-10, /* pose_slack1^2 [m^2] */
+    m12 = 3.5033913165745856e-10; /* 3 * pose_slack1^2 [m^2] */
 
 const char *const xarm5_branches[4] = {
     "left-down", "left-up", "right-down", "right-up",
@@ -471,14 +477,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
         v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
         v74 = offset4 + (angle1 + (angle8 - angle4)),
-        v75 = v71 - only_wide(half_turn < v71, whole_turn) + only_wide(v71 <= -half_turn,
-            whole_turn),
-        v76 = v72 - only_wide(half_turn < v72, whole_turn) + only_wide(v72 <= -half_turn,
-            whole_turn),
-        v77 = only_wide(-v73 <= -half_turn, whole_turn) - (v73 + only_wide(half_turn < -v73,
-            whole_turn)),
-        v78 = only_wide(-v74 <= -half_turn, whole_turn) - (v74 + only_wide(half_turn < -v74,
-            whole_turn));
+        v75 = v71 + pick_wide(v71 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v71,
+            -whole_turn)),
+        v76 = v72 + pick_wide(v72 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v72,
+            -whole_turn)),
+        v77 = pick_wide(-v73 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v73,
+            -whole_turn)) - v73,
+        v78 = pick_wide(-v74 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v74,
+            -whole_turn)) - v74;
     const double v79 = NAN;
     const wide v80 = only_wide((v57 <= m11) == 0, v79), v81 = only_wide((v58 <= m11) == 0, v79),
         v82 = only_wide((v59 <= m11) == 0, v79), v83 = only_wide((v60 <= m11) == 0, v79),
@@ -495,26 +501,27 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
 
     q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, whole_turn));
     q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, whole_turn));
-    q[3] = v80 + (v75 - only_wide(half_turn < v75, whole_turn)); q[4] = v80 + v86;
+    q[3] = v80 + (v75 + only_wide(half_turn < v75, -whole_turn)); q[4] = v80 + v86;
     kind[0] = kind_of(q[0], 0);
     q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, whole_turn));
     q[7] = v81 + (only_wide(-v68 <= -half_turn, whole_turn) - v68);
-    q[8] = v81 + (v76 - only_wide(half_turn < v76, whole_turn)); q[9] = v81 + v86;
+    q[8] = v81 + (v76 + only_wide(half_turn < v76, -whole_turn)); q[9] = v81 + v86;
     kind[1] = kind_of(q[5], 0);
     q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, whole_turn));
     q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, whole_turn));
-    q[13] = v82 + (v77 - only_wide(half_turn < v77, whole_turn)); q[14] = v82 + v87;
+    q[13] = v82 + (v77 + only_wide(half_turn < v77, -whole_turn)); q[14] = v82 + v87;
     kind[2] = kind_of(q[10], 0);
     q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, whole_turn));
     q[17] = v83 + (only_wide(-v70 <= -half_turn, whole_turn) - v70);
-    q[18] = v83 + (v78 - only_wide(half_turn < v78, whole_turn)); q[19] = v83 + v87;
+    q[18] = v83 + (v78 + only_wide(half_turn < v78, -whole_turn)); q[19] = v83 + v87;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
 
 #if LANES > 1
-static const double m3 = 0.5; /* 1 / 2 */
+static const double
+    m3 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -575,24 +582,22 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
     const int doubt1 = (v7 <= m2) | (v4 <= m1) | (m10 < v34 * v34 + (v33 * v33 + (v32 * v32 + (v31 *
         v31 + (v29 * v29 + v30 * v30))))) | (v8 <= m2);
 
-    const four angle4 = atan2_four(S2, v25 + w3 * (m6 * (e2 * Z1_3))),
-        packed2 = atan2_four(__builtin_shufflevector(__builtin_shufflevector(w3, all_four(-Z2_234),
-            0, 5, 2, 3), all_four(-Z2_5), 0, 1, 2, 7),
-            __builtin_shufflevector(__builtin_shufflevector(N3 - k1, all_four(T33), 0, 5, 2, 3),
-            all_four(-Z1_5), 0, 1, 2, 7)),
-        angle3 = __builtin_shufflevector(packed2, packed2, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed2, packed2, 1, 1, 1, 1),
-        angle2 = __builtin_shufflevector(packed2, packed2, 3, 3, 3, 3),
-        packed3 = atan2_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),
-        angle5 = __builtin_shufflevector(packed3, packed3, 0, 0, 0, 0);
+    const four_ratio ratio1 = ratio_four((four){ v3, v3, v3, v3 }, (four){ v2, v2, v2, v2 }),
+        ratio2 = ratio_four(shuffle(shuffle(w3, all_four(-Z2_234), 0, 5, 2, 3), all_four(-Z2_5), 0,
+            1, 2, 7), shuffle(shuffle(N3 - k1, all_four(T33), 0, 5, 2, 3), all_four(-Z1_5), 0, 1, 2,
+            7)), ratio3 = ratio_four(S2, v25 + w3 * (m6 * (e2 * Z1_3)));
+    const four packed1 = angle_four(ratio1), angle5 = shuffle(packed1, packed1, 0, 0, 0, 0),
+        packed2 = angle_four(ratio2), angle3 = shuffle(packed2, packed2, 0, 0, 2, 2),
+        angle1 = shuffle(packed2, packed2, 1, 1, 1, 1),
+        angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = angle_four(ratio3);
     const four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
         v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
-        v48 = v47 - only_four(half_turn < v47, whole_turn) + only_four(v47 <= -half_turn,
-            whole_turn), v51 = v21 + (v42 + only_four(v42 <= -half_turn, whole_turn)),
+        v48 = v47 + pick_four(v47 <= -half_turn, all_four(whole_turn), only_four(half_turn < v47,
+            -whole_turn)), v51 = v21 + (v42 + only_four(v42 <= -half_turn, whole_turn)),
         q1 = v50 + v51, q2 = v50 + (v43 + only_four(v43 <= -half_turn, whole_turn)),
         q3 = v50 + (v45 + only_four(v45 <= -half_turn, whole_turn)),
-        q4 = v50 + (v48 - only_four(half_turn < v48, whole_turn)), v52 = v21 + (angle2 + v12 * v13),
-        q5 = v50 + v52;
+        q4 = v50 + (v48 + only_four(half_turn < v48, -whole_turn)),
+        v52 = v21 + (angle2 + v12 * v13), q5 = v50 + v52;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -627,9 +632,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 4; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 4; i++)
-            status[4 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 4 * k, &word, 4);
+    }
     return bits_wide(left);
 }
 #else

@@ -349,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 a1aadde5bf106d41"
+_KEY = "xarm5 69f2366ae5ba7bcc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -956,20 +956,10 @@ def _regular(pose, q, status):
     v72 = angle1 - (angle6 - angle3) - offset4
     v73 = offset4 + (angle1 + (angle4 + angle7))
     v74 = offset4 + (angle1 + (angle8 - angle4))
-    v75 = (
-        v71 - (whole_turn if half_turn < v71 else 0.0) + (whole_turn if v71 <= -half_turn else 0.0)
-    )
-    v76 = (
-        v72 - (whole_turn if half_turn < v72 else 0.0) + (whole_turn if v72 <= -half_turn else 0.0)
-    )
-    v77 = (
-        (whole_turn if -v73 <= -half_turn else 0.0) - (v73 + (whole_turn if half_turn < -v73 else
-        0.0))
-    )
-    v78 = (
-        (whole_turn if -v74 <= -half_turn else 0.0) - (v74 + (whole_turn if half_turn < -v74 else
-        0.0))
-    )
+    v75 = v71 + (whole_turn if v71 <= -half_turn else (-whole_turn if half_turn < v71 else 0.0))
+    v76 = v72 + (whole_turn if v72 <= -half_turn else (-whole_turn if half_turn < v72 else 0.0))
+    v77 = (whole_turn if -v73 <= -half_turn else (-whole_turn if half_turn < -v73 else 0.0)) - v73
+    v78 = (whole_turn if -v74 <= -half_turn else (-whole_turn if half_turn < -v74 else 0.0)) - v74
     v84 = v23 + (v61 + (whole_turn if v61 <= -half_turn else 0.0))
     v85 = v24 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
     q1_pp = v80 + v84
@@ -984,10 +974,10 @@ def _regular(pose, q, status):
     q3_pm = v81 + ((whole_turn if -v68 <= -half_turn else 0.0) - v68)
     q3_mp = v82 + (v69 + (whole_turn if v69 <= -half_turn else 0.0))
     q3_mm = v83 + ((whole_turn if -v70 <= -half_turn else 0.0) - v70)
-    q4_pp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
-    q4_pm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
-    q4_mp = v82 + (v77 - (whole_turn if half_turn < v77 else 0.0))
-    q4_mm = v83 + (v78 - (whole_turn if half_turn < v78 else 0.0))
+    q4_pp = v80 + (v75 + (-whole_turn if half_turn < v75 else 0.0))
+    q4_pm = v81 + (v76 + (-whole_turn if half_turn < v76 else 0.0))
+    q4_mp = v82 + (v77 + (-whole_turn if half_turn < v77 else 0.0))
+    q4_mm = v83 + (v78 + (-whole_turn if half_turn < v78 else 0.0))
     v86 = angle2 + v23
     v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
     q5_pp = v80 + v86
@@ -1401,20 +1391,20 @@ def _in_tiles(T, q, status):
             v73 = offset4 + (angle1 + (angle4 + angle7))
             v74 = offset4 + (angle1 + (angle8 - angle4))
             v75 = (
-                v71 - (whole_turn if half_turn < v71 else 0.0) + (whole_turn if v71 <= -half_turn
-                else 0.0)
+                v71 + (whole_turn if v71 <= -half_turn else (-whole_turn if half_turn < v71 else
+                0.0))
             )
             v76 = (
-                v72 - (whole_turn if half_turn < v72 else 0.0) + (whole_turn if v72 <= -half_turn
-                else 0.0)
+                v72 + (whole_turn if v72 <= -half_turn else (-whole_turn if half_turn < v72 else
+                0.0))
             )
             v77 = (
-                (whole_turn if -v73 <= -half_turn else 0.0) - (v73 + (whole_turn if half_turn < -v73
-                else 0.0))
+                (whole_turn if -v73 <= -half_turn else (-whole_turn if half_turn < -v73 else 0.0)) -
+                v73
             )
             v78 = (
-                (whole_turn if -v74 <= -half_turn else 0.0) - (v74 + (whole_turn if half_turn < -v74
-                else 0.0))
+                (whole_turn if -v74 <= -half_turn else (-whole_turn if half_turn < -v74 else 0.0)) -
+                v74
             )
             v84 = v23 + (v61 + (whole_turn if v61 <= -half_turn else 0.0))
             v85 = v24 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
@@ -1430,10 +1420,10 @@ def _in_tiles(T, q, status):
             q3_pm = v81 + ((whole_turn if -v68 <= -half_turn else 0.0) - v68)
             q3_mp = v82 + (v69 + (whole_turn if v69 <= -half_turn else 0.0))
             q3_mm = v83 + ((whole_turn if -v70 <= -half_turn else 0.0) - v70)
-            q4_pp = v80 + (v75 - (whole_turn if half_turn < v75 else 0.0))
-            q4_pm = v81 + (v76 - (whole_turn if half_turn < v76 else 0.0))
-            q4_mp = v82 + (v77 - (whole_turn if half_turn < v77 else 0.0))
-            q4_mm = v83 + (v78 - (whole_turn if half_turn < v78 else 0.0))
+            q4_pp = v80 + (v75 + (-whole_turn if half_turn < v75 else 0.0))
+            q4_pm = v81 + (v76 + (-whole_turn if half_turn < v76 else 0.0))
+            q4_mp = v82 + (v77 + (-whole_turn if half_turn < v77 else 0.0))
+            q4_mm = v83 + (v78 + (-whole_turn if half_turn < v78 else 0.0))
             v86 = angle2 + v23
             v87 = v24 + (angle2 - math.copysign(half_turn, -Z2_5))
             q5_pp = v80 + v86

@@ -3454,13 +3454,14 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.267; /* z of axis 2 [m] */
-static const double b2 = 0.0535; /* x of axis 3 [m] */
-static const double h2 = 0.2845; /* z of axis 3 [m] */
-static const double a3 = 0.0775; /* x of axis 4 [m] */
-static const double d4 = 0.3425; /* z of axis 5 [m] */
-static const double a5 = 0.076; /* x of axis 6 [m] */
-static const double d6 = 0.097; /* z of the home pose [m] */
+static const double
+    d1 = 0.267, /* z of axis 2 [m] */
+    b2 = 0.0535, /* x of axis 3 [m] */
+    h2 = 0.2845, /* z of axis 3 [m] */
+    a3 = 0.0775, /* x of axis 4 [m] */
+    d4 = 0.3425, /* z of axis 5 [m] */
+    a5 = 0.076, /* x of axis 6 [m] */
+    d6 = 0.097; /* z of the home pose [m] */
 
 const char *const xarm6_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

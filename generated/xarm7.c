@@ -3221,15 +3221,16 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.267; /* joint offset 1 [m] */
-static const double d3 = 0.293; /* joint offset 3 [m] */
-static const double a3 = 0.0525; /* link length 3 [m] */
-static const double a4 = 0.0775; /* link length 4 [m] */
-static const double d5 = 0.3425; /* joint offset 5 [m] */
-static const double a6 = 0.076; /* link length 6 [m] */
-static const double d7 = 0.097; /* joint offset 7 [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
+static const double
+    d1 = 0.267, /* joint offset 1 [m] */
+    d3 = 0.293, /* joint offset 3 [m] */
+    a3 = 0.0525, /* link length 3 [m] */
+    a4 = 0.0775, /* link length 4 [m] */
+    d5 = 0.3425, /* joint offset 5 [m] */
+    a6 = 0.076, /* link length 6 [m] */
+    d7 = 0.097, /* joint offset 7 [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 3.141592653589793; /* offset of joint 2 [rad] */
 
 const char *const xarm7_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -52,29 +52,33 @@ static const double odd[11] = {
     -0.050853834915688644, 0.039229744582632814, -0.01917454359469326,
 };
 
-/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: a polynomial in
- * a ratio of at most tan(pi/8), and multiples of pi/4, which are known before the ratio is. */
+/* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
+ * the ratios of several angles are known before the first polynomial asks for one. */
 #define ARCTANGENT(v) \
-HELPER v atan2_##v(v y, v x) \
+typedef struct { v r, known, y; } v##_ratio; \
+HELPER v##_ratio ratio_##v(v y, v x) \
 { \
     const v ax = abs_##v(x), ay = abs_##v(y); \
-    const v##_mask steep = ay > ax, left = x < 0.0; \
+    const v##_mask steep = ay > ax; \
     const v most = maximum_##v(ay, ax), least = minimum_##v(ax, ay); \
-    const v##_mask turned = least > most * 0.41421356237309515; \
-    const v rest = pick_##v(turned, least - most, least); \
-    const v up = pick_##v(steep ^ left, -rest, rest); \
-    const v down = pick_##v(turned, least + most, most); \
-    const v part = all_##v(0.7853981633974483), none = all_##v(0.0); \
-    const v eighth = pick_##v(turned, part, none); \
-    const v near = pick_##v(steep, 1.5707963267948966 - eighth, eighth); \
-    const v known = pick_##v(left, 3.141592653589793 - near, near); \
-    const v r = up / down, u = r * r, u2 = u * u, u4 = u2 * u2; \
+    const v turned = only_##v(least > most * 0.41421356237309515, 1.0); \
+    const v ahead = all_##v(0.7853981633974483), half = all_##v(1.5707963267948966); \
+    const v part = negated_##v(pick_##v(steep, -ahead, ahead), x); \
+    const v whole = pick_##v(steep, half, half - 2.0 * part); \
+    const v r = negated_##v(least - turned * most, part) / (most + turned * least); \
+    return (v##_ratio){ r, whole + turned * part, y }; \
+} \
+HELPER v angle_##v(v##_ratio of) \
+{ \
+    const v r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2; \
     const v p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2; \
     const v p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2; \
     const v p8 = (odd[8] + odd[9] * u) + odd[10] * u2; \
     const v p = p0 + (p4 + p8 * u4) * u4; \
-    return copysign_##v((known + r) + r * u * p, y); \
-}
+    return negated_##v((of.known + r) + r * u * p, of.y); \
+} \
+HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #endif
 
 /* Lanes: GNU vectors where compiler and machine have them, plain doubles otherwise and with
@@ -100,6 +104,7 @@ HELPER v atan2_##v(v y, v x) \
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
+#define shuffle __builtin_shufflevector
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +119,7 @@ HELPER v copysign_##v(v x, v y) \
     return (v)((sign & (v##_mask)y) | (~sign & (v##_mask)x)); \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
+HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -128,6 +134,7 @@ typedef int wide_mask;
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
 #define signed_wide copysign
+#define negated_wide(x, where) ((x) * copysign(1.0, where))
 #define abs_wide fabs
 #define sqrt_wide sqrt
 #define maximum_wide maximum_double
@@ -153,24 +160,24 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const four cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const four cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    *(four_at *)r0 = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    *(four_at *)r1 = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    *(four_at *)r2 = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    *(four_at *)r3 = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
-    const four first = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const four second = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = __builtin_shufflevector(first, first, 0, 1);
-    *(two_at *)r1 = __builtin_shufflevector(second, second, 0, 1);
-    *(two_at *)r2 = __builtin_shufflevector(first, first, 2, 3);
-    *(two_at *)r3 = __builtin_shufflevector(second, second, 2, 3);
+    const four first = shuffle(a, b, 0, 4, 2, 6);
+    const four second = shuffle(a, b, 1, 5, 3, 7);
+    *(two_at *)r0 = shuffle(first, first, 0, 1);
+    *(two_at *)r1 = shuffle(second, second, 0, 1);
+    *(two_at *)r2 = shuffle(first, first, 2, 3);
+    *(two_at *)r3 = shuffle(second, second, 2, 3);
 }
 
 HELPER unsigned bits_four(four_mask m)
@@ -192,11 +199,11 @@ HELPER four irregularity_four(const double T[16])
     const four x = *(const four_at *)(T + 0);
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
-    const four x1 = __builtin_shufflevector(x, x, 1, 2, 0, 3);
-    const four y1 = __builtin_shufflevector(y, y, 1, 2, 0, 3);
-    const four z1 = __builtin_shufflevector(z, z, 1, 2, 0, 3);
-    const four x2 = __builtin_shufflevector(x, x, 2, 0, 1, 3);
-    const four y2 = __builtin_shufflevector(y, y, 2, 0, 1, 3);
+    const four x1 = shuffle(x, x, 1, 2, 0, 3);
+    const four y1 = shuffle(y, y, 1, 2, 0, 3);
+    const four z1 = shuffle(z, z, 1, 2, 0, 3);
+    const four x2 = shuffle(x, x, 2, 0, 1, 3);
+    const four y2 = shuffle(y, y, 2, 0, 1, 3);
     const four lengths = x * x + y * y + z * z - 1.0;
     const four angles = x * x1 + y * y1 + z * z1;
     const four mirror = x1 * y2 - x2 * y1 - z;
@@ -211,33 +218,36 @@ HELPER void transpose(wide x[LANES])
     wide y[LANES];
 #if LANES == 8
     for (int k = 0; k < 8; k += 2) {
-        y[k] = __builtin_shufflevector(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        y[k + 1] = __builtin_shufflevector(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+        y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
     }
     for (int i = 0; i < 4; i++) {
         const int k = i + (i & 2); /* 0, 1, 4, 5 */
-        x[k] = __builtin_shufflevector(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-        x[k + 2] = __builtin_shufflevector(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+        x[k] = shuffle(y[k], y[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+        x[k + 2] = shuffle(y[k], y[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
     }
     for (int k = 0; k < 4; k++) {
         y[k] = x[k];
-        x[k] = __builtin_shufflevector(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        x[k + 4] = __builtin_shufflevector(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        x[k] = shuffle(y[k], x[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = __builtin_shufflevector(x[0], x[1], 0, 4, 2, 6);
-    y[1] = __builtin_shufflevector(x[0], x[1], 1, 5, 3, 7);
-    y[2] = __builtin_shufflevector(x[2], x[3], 0, 4, 2, 6);
-    y[3] = __builtin_shufflevector(x[2], x[3], 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(y[0], y[2], 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(y[1], y[3], 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(y[0], y[2], 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(y[1], y[3], 2, 3, 6, 7);
+    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
+    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
+    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
+    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
+    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
+    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
+    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
+    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
 #endif
 }
 #endif
 
 #define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
+#define beyond_four(x, joint) \
+    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #if LANES > 1
@@ -249,46 +259,41 @@ HELPER void transpose(wide x[LANES])
     ((x) != (x) ? (int)YASKAWA_GP7_UNREACHABLE \
         : (outside) ? (int)YASKAWA_GP7_OUT_OF_LIMITS : 0)
 #endif
-static const double d1 = 0.33; /* joint offset 1 [m] */
-static const double a1 = 0.04; /* link length 1 [m] */
-static const double a2 = 0.445; /* link length 2 [m] */
-static const double a3 = 0.04; /* link length 3 [m] */
-static const double d4 = 0.44; /* joint offset 4 [m] */
-static const double d6 = 0.08; /* joint offset 6 [m] */
-static const double free_limit1 = 1.3749999999999999e-12; /* a length that fixes no angle [m] */
-static const double longest3 = 0.7864398522118666; /* square of the longest reach [m^2] */
-static const double shortest3 = 1.0147788133516498e-05; /* square of the shortest reach [m^2] */
-/* the longest, with what rounding adds [m^2] */
-static const double longest3_reach = 0.7864398522121103;
-/* the shortest, with what rounding adds [m^2] */
-static const double shortest3_reach = 1.0147788132640469e-05;
-/* the longest, where branches merge [m^2] */
-static const double longest3_apart = 0.7864398522118422;
-/* the shortest, where branches merge [m^2] */
-static const double shortest3_apart = 1.01477881336041e-05;
-/* square of a length that fixes no angle [m^2] */
-static const double free_limit_squared2 = 1.890625e-24;
-static const double offset2 = -1.5707963267948966; /* offset of joint 2 [rad] */
-static const double free_limit = 1e-12; /* a length that fixes no angle */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
-static const double k1 = 0.3916; /* 2 * d4 * a2 [m^2] */
-static const double k2 = 0.0356; /* 2 * a3 * a2 [m^2] */
-static const double k3 = 0.393225; /* a2^2 + (a3^2 + d4^2) [m^2] */
-static const double k4 = 6.467555636500607; /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
-/* square of a length that fixes no angle [m^2] */
-static const double doubt_limit_squared2 = 1.890625e-06;
-static const double half_turn = 3.141592653589793; /* pi [rad] */
-static const double turn1 = -1.4801364395941514; /* a constant angle [rad] */
-static const double whole_turn = 6.283185307179586; /* 2 pi [rad] */
-static const double m1 = 1.8906249999999998e-06; /* doubt_limit1^2 [m^2] */
-static const double m3 = 1.1235955056179774; /* a coefficient of Y1_2 */
-static const double m4 = 0.003174157303370838; /* a coefficient of Y1_2 */
-static const double m5 = 0.10245901639344261; /* a coefficient of c2m3 */
-static const double m6 = 1.1270491803278688; /* a coefficient of c2m3 */
-static const double m7 = 0.0031839139344262803; /* a coefficient of c2m3 */
-static const double m8 = 0.00028944672131148006; /* a coefficient of c2m3 */
-static const double m9 = 1e-06; /* doubt_limit^2 */
+static const double
+    d1 = 0.33, /* joint offset 1 [m] */
+    a1 = 0.04, /* link length 1 [m] */
+    a2 = 0.445, /* link length 2 [m] */
+    a3 = 0.04, /* link length 3 [m] */
+    d4 = 0.44, /* joint offset 4 [m] */
+    d6 = 0.08, /* joint offset 6 [m] */
+    free_limit1 = 1.3749999999999999e-12, /* a length that fixes no angle [m] */
+    longest3 = 0.7864398522118666, /* square of the longest reach [m^2] */
+    shortest3 = 1.0147788133516498e-05, /* square of the shortest reach [m^2] */
+    longest3_reach = 0.7864398522121103, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 1.0147788132640469e-05, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 0.7864398522118422, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 1.01477881336041e-05, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 1.890625e-24, /* square of a length that fixes no angle [m^2] */
+    offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
+    free_limit = 1e-12, /* a length that fixes no angle */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
+    k1 = 0.3916, /* 2 * d4 * a2 [m^2] */
+    k2 = 0.0356, /* 2 * a3 * a2 [m^2] */
+    k3 = 0.393225, /* a2^2 + (a3^2 + d4^2) [m^2] */
+    k4 = 6.467555636500607, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    doubt_limit_squared2 = 1.890625e-06, /* square of a length that fixes no angle [m^2] */
+    half_turn = 3.141592653589793, /* pi [rad] */
+    turn1 = -1.4801364395941514, /* a constant angle [rad] */
+    whole_turn = 6.283185307179586, /* 2 pi [rad] */
+    m1 = 1.8906249999999998e-06, /* doubt_limit1^2 [m^2] */
+    m3 = 1.1235955056179774, /* a coefficient of Y1_2 */
+    m4 = 0.003174157303370838, /* a coefficient of Y1_2 */
+    m5 = 0.10245901639344261, /* a coefficient of c2m3 */
+    m6 = 1.1270491803278688, /* a coefficient of c2m3 */
+    m7 = 0.0031839139344262803, /* a coefficient of c2m3 */
+    m8 = 0.00028944672131148006, /* a coefficient of c2m3 */
+    m9 = 1e-06; /* doubt_limit^2 */
 static const double low1 = -2.967000001, high1 = 2.967000001, low2 = -1.1344000010000002,
 high2 = 2.530700001, low3 = -1.221700001, high3 = 3.316100001, low5 = -2.356100001,
 high5 = 2.356100001;
@@ -487,10 +492,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle8 - offset2, angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10),
         v43 = angle9 - offset2, angle10 = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11),
         v44 = angle10 - offset2, angle11 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11),
-        v45 = angle11 - offset2, q2_ppp = v42 - only_wide(half_turn < v42, whole_turn),
-        q2_pmp = v43 - only_wide(half_turn < v43, whole_turn),
-        q2_mpp = v44 - only_wide(half_turn < v44, whole_turn),
-        q2_mmp = v45 - only_wide(half_turn < v45, whole_turn),
+        v45 = angle11 - offset2, q2_ppp = v42 + only_wide(half_turn < v42, -whole_turn),
+        q2_pmp = v43 + only_wide(half_turn < v43, -whole_turn),
+        q2_mpp = v44 + only_wide(half_turn < v44, -whole_turn),
+        q2_mmp = v45 + only_wide(half_turn < v45, -whole_turn),
         angle12 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28),
         angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28),
         angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28),
@@ -518,19 +523,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle17 - offset6, v61 = angle17 - signed_wide(half_turn, v55) - offset6,
         v62 = angle18 - offset6, v63 = angle18 - signed_wide(half_turn, v56) - offset6,
         v64 = angle19 - offset6, v65 = angle19 - signed_wide(half_turn, v57) - offset6,
-        v66 = q3__pp - only_wide(half_turn < q3__pp, whole_turn),
-        v67 = v6 + only_wide(half_turn < -v6, whole_turn),
-        v68 = q3__mp - only_wide(half_turn < q3__mp, whole_turn),
-        v69 = v7 + only_wide(half_turn < -v7, whole_turn);
+        v66 = q3__pp + only_wide(half_turn < q3__pp, -whole_turn),
+        v67 = only_wide(half_turn < -v6, -whole_turn) - v6,
+        v68 = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
+        v69 = only_wide(half_turn < -v7, -whole_turn) - v7;
     const wide_mask v70 = beyond(angle1, 1), v71 = beyond(q1__m, 1);
     const wide v72 = v66 + only_wide(v66 < low3, whole_turn),
-        v73 = only_wide(-v67 < low3, whole_turn) - v67,
+        v73 = v67 + only_wide(v67 < low3, whole_turn),
         v74 = v68 + only_wide(v68 < low3, whole_turn),
-        v75 = only_wide(-v69 < low3, whole_turn) - v69;
+        v75 = v69 + only_wide(v69 < low3, whole_turn);
     const wide_mask v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3),
         v79 = beyond(v75, 3);
-    const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, -v67, v73),
-        q3_mpp = pick_wide(v78, v68, v74), q3_mmp = pick_wide(v79, -v69, v75),
+    const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, v67, v73),
+        q3_mpp = pick_wide(v78, v68, v74), q3_mmp = pick_wide(v79, v69, v75),
         q1_ppp = angle1 + (w3_p - w3_p), q1_mpp = q1__m + (w3_m - w3_m);
     const wide_mask v80 = v76 | v70 | beyond(q2_ppp, 2), v81 = v77 | v70 | beyond(q2_pmp, 2),
         v82 = v78 | v71 | beyond(q2_mpp, 2), v83 = v79 | v71 | beyond(q2_mmp, 2),
@@ -569,7 +574,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 }
 
 #if LANES > 1
-static const double m2 = 0.5; /* 1 / 2 */
+static const double
+    m2 = 0.5; /* 1 / 2 */
 /* One regular pose, 2 signs in lanes. Returns how many rows are OK, or -1 if the pose has
  * to be left to `solve`. */
 INLINED
@@ -619,29 +625,30 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
         < N3) & (N3 < longest3_apart)) == 0)) | (N3 <= doubt_limit_squared2);
 
-    const four angle3 = atan2_four(-(e1 * v18), -X4),
-        angle4 = atan2_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7),
-        angle5 = atan2_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17)),
-        angle6 = atan2_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) - -X4 * v22)),
-        packed5 = atan2_four(__builtin_shufflevector(w3, all_four(Y1), 0, 5, 2, 3),
-            __builtin_shufflevector(N3 - k3, all_four(-wx), 0, 5, 2, 3)),
-        angle2 = __builtin_shufflevector(packed5, packed5, 0, 0, 2, 2),
-        angle1 = __builtin_shufflevector(packed5, packed5, 1, 1, 1, 1);
+    const four_ratio ratio1 = ratio_four(shuffle(w3, all_four(Y1), 0, 5, 2, 3), shuffle(N3 - k3,
+        all_four(-wx), 0, 5, 2, 3)),
+        ratio2 = ratio_four(-(v6 + w3 * (m3 * (e2 * v4))), w3 * v8 - v7),
+        ratio3 = ratio_four(-(e1 * v18), -X4),
+        ratio4 = ratio_four(v29, e1 * (v18 * (e1 * (c2m3 * v23) - s2m3 * T32) - -X4 * v22)),
+        ratio5 = ratio_four(-sqrt_four(v20), T33 * c2m3 + e1 * (s2m3 * v17));
+    const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
+        angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
+        angle3 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
         q4_m = angle3 - v21, v26 = angle4 - offset2,
-        q2_p = v26 - only_four(half_turn < v26, whole_turn), v27 = angle5 - offset5,
+        q2_p = v26 + only_four(half_turn < v26, -whole_turn), v27 = angle5 - offset5,
         v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, whole_turn),
         q5_m = only_four(-v28 <= -half_turn, whole_turn) - v28, v30 = angle6 - offset6,
         v31 = angle6 - signed_four(half_turn, v29) - offset6,
         q6_p = v30 + only_four(v30 <= -half_turn, whole_turn),
         q6_m = v31 + only_four(v31 <= -half_turn, whole_turn),
-        v32 = q3_ - only_four(half_turn < q3_, whole_turn);
-    const four_mask v33 = beyond(q1_, 1);
+        v32 = q3_ + only_four(half_turn < q3_, -whole_turn);
+    const four_mask v33 = beyond_four(q1_, 1);
     const four v34 = v32 + only_four(v32 < low3, whole_turn);
-    const four_mask v35 = beyond(v34, 3);
+    const four_mask v35 = beyond_four(v34, 3);
     const four q3_p = pick_four(v35, v32, v34), q1_p = q1_ + (w3 - w3);
-    const four_mask v36 = v35 | v33 | beyond(q2_p, 2), outside_p = v36 | beyond(q5_p, 5),
-        outside_m = v36 | beyond(q5_m, 5);
+    const four_mask v36 = v35 | v33 | beyond_four(q2_p, 2), outside_p = v36 | beyond_four(q5_p, 5),
+        outside_m = v36 | beyond_four(q5_m, 5);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -682,9 +689,10 @@ HELPER unsigned solve_tile(const double *T, double *q, unsigned char *status)
     }
     for (int i = 1; i < 8; i++)
         kind[0] |= kind[i] << 8 * i;
-    for (int k = 0; k < LANES; k++)
-        for (int i = 0; i < 8; i++)
-            status[8 * k + i] = (unsigned char)(kind[0][k] >> 8 * i);
+    for (int k = 0; k < LANES; k++) {
+        const long long word = kind[0][k];
+        __builtin_memcpy(status + 8 * k, &word, 8);
+    }
     return bits_wide(left);
 }
 #else

@@ -386,7 +386,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 98126a9d846007eb"
+_KEY = "yaskawa_gp7 7c9e45403f060e36"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1082,10 +1082,10 @@ def _regular(pose, q, status):
     v43 = angle9 - offset2
     v44 = angle10 - offset2
     v45 = angle11 - offset2
-    q2_ppp = v42 - (whole_turn if half_turn < v42 else 0.0)
-    q2_pmp = v43 - (whole_turn if half_turn < v43 else 0.0)
-    q2_mpp = v44 - (whole_turn if half_turn < v44 else 0.0)
-    q2_mmp = v45 - (whole_turn if half_turn < v45 else 0.0)
+    q2_ppp = v42 + (-whole_turn if half_turn < v42 else 0.0)
+    q2_pmp = v43 + (-whole_turn if half_turn < v43 else 0.0)
+    q2_mpp = v44 + (-whole_turn if half_turn < v44 else 0.0)
+    q2_mmp = v45 + (-whole_turn if half_turn < v45 else 0.0)
     v46 = angle12 - offset5
     v47 = offset5 + angle12
     v48 = angle13 - offset5
@@ -1118,24 +1118,24 @@ def _regular(pose, q, status):
     q6_mpm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
     q6_mmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
     q6_mmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-    v66 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
-    v67 = v6 + (whole_turn if half_turn < -v6 else 0.0)
-    v68 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
-    v69 = v7 + (whole_turn if half_turn < -v7 else 0.0)
+    v66 = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
+    v67 = (-whole_turn if half_turn < -v6 else 0.0) - v6
+    v68 = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
+    v69 = (-whole_turn if half_turn < -v7 else 0.0) - v7
     v70 = angle1 < low1 or high1 < angle1
     v71 = q1__m < low1 or high1 < q1__m
     v72 = v66 + (whole_turn if v66 < low3 else 0.0)
-    v73 = (whole_turn if -v67 < low3 else 0.0) - v67
+    v73 = v67 + (whole_turn if v67 < low3 else 0.0)
     v74 = v68 + (whole_turn if v68 < low3 else 0.0)
-    v75 = (whole_turn if -v69 < low3 else 0.0) - v69
+    v75 = v69 + (whole_turn if v69 < low3 else 0.0)
     v76 = v72 < low3 or high3 < v72
     v77 = v73 < low3 or high3 < v73
     v78 = v74 < low3 or high3 < v74
     v79 = v75 < low3 or high3 < v75
     q3_ppp = v66 if v76 else v72
-    q3_pmp = -v67 if v77 else v73
+    q3_pmp = v67 if v77 else v73
     q3_mpp = v68 if v78 else v74
-    q3_mmp = -v69 if v79 else v75
+    q3_mmp = v69 if v79 else v75
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = q1__m + (w3_m - w3_m)
     v80 = v76 or v70 or q2_ppp < low2 or high2 < q2_ppp
@@ -1597,10 +1597,10 @@ def _in_tiles(T, q, status):
             v43 = angle9 - offset2
             v44 = angle10 - offset2
             v45 = angle11 - offset2
-            q2_ppp = v42 - (whole_turn if half_turn < v42 else 0.0)
-            q2_pmp = v43 - (whole_turn if half_turn < v43 else 0.0)
-            q2_mpp = v44 - (whole_turn if half_turn < v44 else 0.0)
-            q2_mmp = v45 - (whole_turn if half_turn < v45 else 0.0)
+            q2_ppp = v42 + (-whole_turn if half_turn < v42 else 0.0)
+            q2_pmp = v43 + (-whole_turn if half_turn < v43 else 0.0)
+            q2_mpp = v44 + (-whole_turn if half_turn < v44 else 0.0)
+            q2_mmp = v45 + (-whole_turn if half_turn < v45 else 0.0)
             v46 = angle12 - offset5
             v47 = offset5 + angle12
             v48 = angle13 - offset5
@@ -1633,24 +1633,24 @@ def _in_tiles(T, q, status):
             q6_mpm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
             q6_mmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
             q6_mmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-            v66 = q3__pp - (whole_turn if half_turn < q3__pp else 0.0)
-            v67 = v6 + (whole_turn if half_turn < -v6 else 0.0)
-            v68 = q3__mp - (whole_turn if half_turn < q3__mp else 0.0)
-            v69 = v7 + (whole_turn if half_turn < -v7 else 0.0)
+            v66 = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
+            v67 = (-whole_turn if half_turn < -v6 else 0.0) - v6
+            v68 = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
+            v69 = (-whole_turn if half_turn < -v7 else 0.0) - v7
             v70 = angle1 < low1 or high1 < angle1
             v71 = q1__m < low1 or high1 < q1__m
             v72 = v66 + (whole_turn if v66 < low3 else 0.0)
-            v73 = (whole_turn if -v67 < low3 else 0.0) - v67
+            v73 = v67 + (whole_turn if v67 < low3 else 0.0)
             v74 = v68 + (whole_turn if v68 < low3 else 0.0)
-            v75 = (whole_turn if -v69 < low3 else 0.0) - v69
+            v75 = v69 + (whole_turn if v69 < low3 else 0.0)
             v76 = v72 < low3 or high3 < v72
             v77 = v73 < low3 or high3 < v73
             v78 = v74 < low3 or high3 < v74
             v79 = v75 < low3 or high3 < v75
             q3_ppp = v66 if v76 else v72
-            q3_pmp = -v67 if v77 else v73
+            q3_pmp = v67 if v77 else v73
             q3_mpp = v68 if v78 else v74
-            q3_mmp = -v69 if v79 else v75
+            q3_mmp = v69 if v79 else v75
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = q1__m + (w3_m - w3_m)
             v80 = v76 or v70 or q2_ppp < low2 or high2 < q2_ppp

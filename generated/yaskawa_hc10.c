@@ -3558,17 +3558,18 @@ static void all_joints(
     sorted_rows(&d, &kept, q, found, chosen);
 }
 
-static const double d1 = 0.275; /* joint offset 1 [m] */
-static const double a2 = 0.7; /* link length 2 [m] */
-static const double d4 = 0.5; /* joint offset 4 [m] */
-static const double d5 = 0.162; /* joint offset 5 [m] */
-static const double d6 = 0.13; /* joint offset 6 [m] */
-static const double offset1 = 3.141592653589793; /* offset of joint 1 [rad] */
-static const double offset2 = 1.5707963267948966; /* offset of joint 2 [rad] */
-static const double offset3 = 1.5707963267948966; /* offset of joint 3 [rad] */
-static const double offset4 = 3.141592653589793; /* offset of joint 4 [rad] */
-static const double offset5 = 3.141592653589793; /* offset of joint 5 [rad] */
-static const double offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
+static const double
+    d1 = 0.275, /* joint offset 1 [m] */
+    a2 = 0.7, /* link length 2 [m] */
+    d4 = 0.5, /* joint offset 4 [m] */
+    d5 = 0.162, /* joint offset 5 [m] */
+    d6 = 0.13, /* joint offset 6 [m] */
+    offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
+    offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
+    offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
+    offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
+    offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
+    offset6 = 3.141592653589793; /* offset of joint 6 [rad] */
 
 const char *const yaskawa_hc10_branches[16] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8", "root9", "root10",

@@ -1,9 +1,9 @@
 """The arctangent of generated code: a polynomial without branches, the same in every language.
 
 With L the longer and S the shorter of |x| and |y|, r = S / L, or (S - L) / (S + L) where S / L is
-above tan(pi/8), so that |r| <= tan(pi/8) always; then atan r = r + r u p(u), u = r^2, moved by an
-eighth, a quarter, and half a turn, each with one rounding: the error is below 3 units in the last
-place (tests). NaN gives NaN, signed zeros give what C's atan2 gives; infinite
+above tan(pi/8), so that |r| <= tan(pi/8) always; then atan r = r + r u p(u), u = r^2, moved by a
+multiple of an eighth of a turn with few roundings: the error is below 3 units in the last place
+(tests). NaN gives NaN, signed zeros give what C's atan2 gives; infinite
 arguments do not occur.
 """
 

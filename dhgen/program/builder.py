@@ -77,6 +77,8 @@ class Builder(Graph):
         """left / right; a constant divisor becomes a factor."""
         if self._is(left, 0) or self._is(right, 1):
             return left
+        if (inner := self._negated(right)) is not None and self.entries[inner].value is not None:
+            return self.mul(left, self.arithmetic("div", self.integer(-1), inner))
         if self.entries[right].value is not None and self.entries[left].value is None:
             return self.mul(left, self.arithmetic("div", self.integer(1), right))
         if (inner := self._negated(left)) is not None:

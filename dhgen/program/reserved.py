@@ -33,6 +33,8 @@ store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_fou
 cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four abs_wide
 all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide minimum_wide sqrt_wide
 where_wide wrap_wide maximum_double only_four only_wide minimum_double signed_four signed_wide
+angle_four angle_wide beyond_four compare_four four_ratio negated_four negated_wide ratio_four
+ratio_wide shuffle wide_ratio
 """
 
 _PYTHON = """
@@ -46,7 +48,7 @@ _BESIDE_CONSTANTS = """
 ImportError METHOD ModuleType ThreadPoolExecutor ValueError config first hasattr
 normalize_signature os rest sys u v w work x0 x1 x2 y2
 """
-_NUMBERED = re.compile(r"(given|kind|packed)\d+")
+_NUMBERED = re.compile(r"(given|kind|packed|ratio)\d+")
 
 RESERVED = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
 _KEPT_FROM_CONSTANTS = RESERVED | frozenset(_BESIDE_CONSTANTS.split())

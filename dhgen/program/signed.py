@@ -249,10 +249,9 @@ class SignedArithmetic:
         for k in range(max(_turns(high), _turns(-low))):
             above = builder.apply("less", self._pi(), node)
             below = builder.apply("at_most", node, builder.neg(self._pi()))
-            if k < _turns(high):
-                node = builder.sub(node, builder.select(above, turn, zero))
-            if k < _turns(-low):
-                node = builder.add(node, builder.select(below, turn, zero))
+            back = builder.select(above, builder.neg(turn), zero) if k < _turns(high) else zero
+            ahead = builder.select(below, turn, back) if k < _turns(-low) else back
+            node = builder.add(node, ahead)
         return node
 
     def _pi(self) -> Node:

@@ -103,8 +103,11 @@ def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
 
 
 def _constant_lines(constants: list[tuple[str, str, str]]) -> list[str]:
-    """Definitions; those whose names say all stand in one statement."""
-    lines = [line for each in constants if each[2] for line in _constant(*each)]
+    """One definition of those with a comment, one of those whose names say all."""
+    told = [each for each in constants if each[2]]
+    lines = ["static const double"] if told else []
+    for each in told:
+        lines += _constant(*each, ";" if each is told[-1] else ",")
     bare = [f"{name} = {value}" for name, value, comment in constants if not comment]
     if not bare:
         return lines
@@ -196,12 +199,13 @@ def _tightening(module: SolverModule) -> str:
     return "" if kernel is None else c_tightening(kernel, module.name)
 
 
-def _constant(name: str, value: str, comment: str) -> list[str]:
-    line = f"static const double {name} = {value};"
+def _constant(name: str, value: str, comment: str, end: str) -> list[str]:
+    line = f"{INDENT}{name} = {value}{end}"
     if len(line) + len(comment) + 7 <= WIDTH:
         return [f"{line} /* {comment} */"]
     # the end of a comment has to fit, too
-    return [f"/* {paragraph(f'{comment} ##', ' * ').replace(' ##', '').rstrip()} */", line]
+    told = paragraph(f"{comment} ##", f"{INDENT} * ").replace(" ##", "").rstrip()
+    return [f"{INDENT}/* {told} */", line]
 
 
 def _strings(texts: Iterable[str]) -> list[str]:

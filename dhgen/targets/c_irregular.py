@@ -61,7 +61,7 @@ def _plain(module: SolverModule, number: str, result: str) -> list[str]:
 def _side_by_side(module: SolverModule) -> list[str]:
     """The columns in lanes: their lengths and angles, and whether the rows are right-handed."""
     pose = module.chain.task.kind is TaskKind.POSE
-    rotated = "const four {0}{1} = __builtin_shufflevector({0}, {0}, {2}, 3);".format
+    rotated = "const four {0}{1} = shuffle({0}, {0}, {2}, 3);".format
     lines = [f"const four {n} = *(const four_at *)(T + {4 * row});" for row, n in enumerate("xyz")]
     lines += [rotated(name, 1, "1, 2, 0") for name in "xyz"]
     lines += [rotated(name, 2, "2, 0, 1") for name in "xy"]
@@ -79,5 +79,5 @@ def _side_by_side(module: SolverModule) -> list[str]:
         total += f" + 0.0 * ({' + '.join(free)})" if free else ""
     else:
         lines += wrapped(f"const four sum = {total};", "", width=WIDTH - 4)
-        total = "__builtin_shufflevector(sum, all_four(0.0), 0, 1, 2, 7)"
+        total = "shuffle(sum, all_four(0.0), 0, 1, 2, 7)"
     return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]

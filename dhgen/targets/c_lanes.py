@@ -94,7 +94,8 @@ class LaneText:
                 value == again and (joint := limited_joint(low, high))
             ):
                 inside = self.text(value)
-                return Text(f"beyond({inside.text}, {joint})", ATOM, inside.lanes)
+                where = "_four" if inside.lanes and not self._wide else ""
+                return Text(f"beyond{where}({inside.text}, {joint})", ATOM, inside.lanes)
             case Apply(operator, operands):
                 return self._apply(operator, [self.text(operand) for operand in operands])
 

@@ -13,6 +13,8 @@ from dhgen.program.ir import Apply, Let
 from dhgen.targets.c_declared import Declaration
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from dhgen.program.ir import Expression
     from dhgen.targets.c_lanes import LaneText
 
@@ -63,21 +65,32 @@ def packed_angles(lets: list[Let], places: dict[int, int]) -> list[list[Packed]]
     return vectors
 
 
+def in_order(vectors: list[list[Packed]], known: Mapping[str, int]) -> list[list[Packed]]:
+    """The vectors in the order in which their angles can be taken.
+
+    Args:
+        vectors: The vectors.
+        known: When named values are known (`arrivals`).
+    """
+    return sorted(vectors, key=lambda each: max(known[packed.let.name] for packed in each))
+
+
 def angle_declarations(vectors: list[list[Packed]], text: LaneText) -> list[Declaration]:
-    """What computes the angles under their names."""
-    found = []
+    """What computes the angles under their names: all ratios first, then the angles."""
+    ratios, angles = [], []
     for number, vector in enumerate(vectors, start=1):
-        if len(vector) == 1 and len(vector[0].lanes) == LANES:
-            found.append(text.let(vector[0].let))
-            continue
         sine, cosine = (_gathered(vector, operand, text) for operand in (0, 1))
-        found.append(Declaration("four", f"packed{number}", f"atan2_four({sine}, {cosine})"))
+        ratios.append(Declaration("four_ratio", f"ratio{number}", f"ratio_four({sine}, {cosine})"))
+        alone = len(vector) == 1 and len(vector[0].lanes) == LANES
+        name = vector[0].let.name if alone else f"packed{number}"
+        angles.append(Declaration("four", name, f"angle_four(ratio{number})"))
         for packed in vector:
-            spread = ", ".join(map(str, packed.spread))
-            value = f"__builtin_shufflevector(packed{number}, packed{number}, {spread})"
-            found.append(Declaration("four", packed.let.name, value))
             text.declare(packed.let.name, lanes=True)
-    return found
+            if not alone:
+                spread = ", ".join(map(str, packed.spread))
+                value = f"shuffle({name}, {name}, {spread})"
+                angles.append(Declaration("four", packed.let.name, value))
+    return [*ratios, *angles]
 
 
 def _gathered(vector: list[Packed], place: int, text: LaneText) -> str:
@@ -92,7 +105,7 @@ def _gathered(vector: list[Packed], place: int, text: LaneText) -> str:
     gathered = text.vector(operands[0])
     for packed, operand in zip(vector[1:], operands[1:], strict=True):
         lanes = ", ".join(str(k + LANES if k in packed.lanes else k) for k in range(LANES))
-        gathered = f"__builtin_shufflevector({gathered}, {text.vector(operand)}, {lanes})"
+        gathered = f"shuffle({gathered}, {text.vector(operand)}, {lanes})"
     return gathered
 
 

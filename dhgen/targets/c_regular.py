@@ -8,6 +8,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
+from dhgen.program.arrival import arrivals
 from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let, Variable
 from dhgen.program.schedule import names_in
@@ -15,7 +16,7 @@ from dhgen.targets.c_declared import dense
 from dhgen.targets.c_irregular import irregularities
 from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
-from dhgen.targets.c_packing import angle_declarations, packed_angles
+from dhgen.targets.c_packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c_rows import status_lines, store_sizes, stores, words
 from dhgen.targets.layout import call, listed, packed, wrapped
 from dhgen.targets.scalar import pose_entries
@@ -92,7 +93,6 @@ def _arctangent() -> dict[str, object]:
         "tangent": repr(STEEP),
         "quarter": repr(math.pi / 4),
         "half": repr(math.pi / 2),
-        "pi": repr(math.pi),
     }
 
 
@@ -156,7 +156,8 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
             first.append(statement)
     places = {axis: axis + 2 - len(flat.lanes) for axis in range(len(flat.lanes))}
     lines = [*_lets(first, text), ""]
-    lines += dense(angle_declarations(packed_angles(angles, places), text), INDENT)
+    vectors = in_order(packed_angles(angles, places), arrivals(flat.program))
+    lines += dense(angle_declarations(vectors, text), INDENT)
     return [*lines, *_lets(last, text)]
 
 

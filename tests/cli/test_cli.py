@@ -132,8 +132,8 @@ def test_check_sees_a_change(run: Run, written: Path, tmp_path: Path) -> None:
     assert done.returncode == 1
     assert done.stdout == ""
     assert done.stderr.startswith("generated/planar_rr.c: changed\n--- generated/planar_rr.c\n")
-    assert "\n-static const double a1 = 1." in done.stderr
-    assert "\n+static const double a1 = 0." in done.stderr
+    assert "\n-    a1 = 1." in done.stderr
+    assert "\n+    a1 = 0." in done.stderr
     assert done.stderr.endswith("\n  to mend: dhgen robots/planar_rr.yaml\n")
     assert run("robots/planar_rr.yaml", folder=folder).returncode == 0
     assert run("--check", "robots/planar_rr.yaml", folder=folder).returncode == 0

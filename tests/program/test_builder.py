@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from dhgen.program.builder import Builder
+from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Apply, Choice, Failure, Integer, Let, Program, Variable
 from dhgen.program.schedule import Option
@@ -185,6 +187,16 @@ def test_formulas_of_constants_are_readable() -> None:
     program = builder.finish("t", results, [])
     told = [(c.name, c.value, c.meaning, c.power) for c in program.constants]
     assert told == [("k1", 13.0, "a^2 + b^2", 2), ("k2", 1 / 12, "1 / (2 * a * b)", -2)]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_constant_divisor_becomes_a_factor(sign: int) -> None:
+    builder = Builder(set())
+    length = builder.constant("a", 2.0, "a test", 1)
+    divisor = length if sign > 0 else builder.neg(length)
+    program = builder.finish("t", {"q1": builder.div(builder.pose(1, 4), divisor)}, [])
+    assert [(c.name, c.value, c.power) for c in program.constants] == [("k1", sign / 2, -1)]
+    assert count_operations(program).divisions == 0
 
 
 def test_guards_keep_only_choices_that_matter() -> None:

@@ -93,7 +93,7 @@ def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path
 @pytest.mark.parametrize(
     ("right", "wrong", "complaint"),
     [
-        ("= 0.4f;", "= 0.4001f;", "fk is off"),
+        ("= 0.4f,", "= 0.4001f,", "fk is off"),
         ("status[row] = ", "q[row][0] += 0.001f; status[row] = ", "misses the pose"),
         ("if (!(miss <= 1e-09f))", "if (isnan(miss))", "took a pose"),
     ],
