@@ -17,10 +17,17 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from sympy.polys.domains import QQ
 from sympy.polys.rings import PolyElement, PolyRing
 
-from dhgen.robot.expression import Binary, Call, Name, Negate, Number, Pi, evaluate
+from dhgen.kinematics.expressions import (
+    bare_number,
+    has_parameters,
+    is_polynomial,
+    multiple_of_pi,
+)
+from dhgen.robot.expression import Binary, Call, Name, Negate, Number, evaluate
+from dhgen.robot.surds import surd
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Mapping, Sequence
 
     from dhgen.robot.expression import Expression
 
@@ -68,6 +75,28 @@ _COSINES: tuple[tuple[Fraction, Fraction, Fraction, Fraction], ...] = (
 )
 
 
+@dataclass(frozen=True, slots=True)
+class _Cell:
+    """What is read, and the name that its number gets where it has none.
+
+    Attributes:
+        whole: All that the cell says.
+        name: The name.
+        meaning: What the whole is.
+        is_length: Whether it scales with the arm.
+    """
+
+    whole: Expression
+    name: str
+    meaning: str
+    is_length: bool = True
+
+    def meaning_of(self, part: Expression) -> str:
+        """What a part is; the whole but for its sign is the whole."""
+        is_whole = self.whole in (part, Negate(part))
+        return self.meaning if is_whole else f"part of {self.meaning}"
+
+
 def constant_ring(names: Iterable[str]) -> PolyRing:
     """The ring of polynomials over the rationals in these generators (at least one)."""
     return PolyRing(list(names) or ["unit"], QQ)
@@ -76,51 +105,6 @@ def constant_ring(names: Iterable[str]) -> PolyRing:
 def generator(ring: PolyRing, name: str) -> Polynomial:
     """The generator of that name."""
     return ring.gens[[symbol.name for symbol in ring.symbols].index(name)]
-
-
-def multiple_of_pi(expression: Expression) -> Fraction | None:
-    """The rational r with expression = r pi, or None when there is none."""
-    parts = _pi_parts(expression)
-    if parts is None or parts[0] != 0:
-        return None
-    return parts[1]
-
-
-def _pi_parts(expression: Expression) -> tuple[Fraction, Fraction] | None:
-    """Expression as rational + rational * pi."""
-    match expression:
-        case Number(value):
-            return value, Fraction(0)
-        case Pi():
-            return Fraction(0), Fraction(1)
-        case Negate(operand):
-            parts = _pi_parts(operand)
-            return parts and (-parts[0], -parts[1])
-        case Binary(operator, left, right):
-            first, second = _pi_parts(left), _pi_parts(right)
-            if first is None or second is None:
-                return None
-            return _combine_pi_parts(operator, first, second)
-        case _:
-            return None
-
-
-def _combine_pi_parts(
-    operator: str, left: tuple[Fraction, Fraction], right: tuple[Fraction, Fraction]
-) -> tuple[Fraction, Fraction] | None:
-    match operator:
-        case "+":
-            return left[0] + right[0], left[1] + right[1]
-        case "-":
-            return left[0] - right[0], left[1] - right[1]
-        case "*" if left[1] == 0:
-            return left[0] * right[0], left[0] * right[1]
-        case "*" if right[1] == 0:
-            return left[0] * right[0], left[1] * right[0]
-        case "/" if right[1] == 0 and right[0] != 0:
-            return left[0] / right[0], left[1] / right[0]
-        case _:
-            return None
 
 
 class ConstantTable:
@@ -144,16 +128,21 @@ class ConstantTable:
 
     def length(self, expression: Expression, name: str, meaning: str) -> Polynomial:
         """A length cell as a polynomial; a bare number gets `name`, a parameter keeps its own."""
-        if isinstance(expression, Number | Negate) and _bare_number(expression) not in {None, 0}:
-            return self._named(expression, name, meaning)
-        return self._polynomial(expression, name, meaning)
+        cell = _Cell(expression, name, meaning)
+        known = is_polynomial(expression) or has_parameters(expression)
+        if not known or bare_number(expression) not in {None, 0}:
+            return self._named(expression, cell)
+        return self._polynomial(expression, cell)
 
     def scalar(self, expression: Expression, name: str, meaning: str) -> Polynomial:
         """A number without a unit, such as an entry of a rotation matrix."""
-        value = _bare_number(expression)
+        value = bare_number(expression)
         if value is not None and value.denominator == 1:
             return self._number(value)
-        return self._polynomial(expression, name, meaning, is_length=False)
+        cell = _Cell(expression, name, meaning, is_length=False)
+        if not is_polynomial(expression):
+            return self._named(expression, cell)
+        return self._polynomial(expression, cell)
 
     def cosine_sine(
         self, expression: Expression, name: str, meaning: str
@@ -186,7 +175,11 @@ class ConstantTable:
     def _exact_cosine(self, step: int) -> Polynomial:
         step = min(step, 24 - step)
         sign, index = (1, step) if step <= 6 else (-1, 12 - step)
-        rational, root2, root3, root6 = (sign * part for part in _COSINES[index])
+        return self._of_roots([sign * part for part in _COSINES[index]])
+
+    def _of_roots(self, coefficients: Sequence[Fraction]) -> Polynomial:
+        """The sum of multiples of 1, sqrt(2), sqrt(3) and sqrt(6) = sqrt(2) sqrt(3)."""
+        rational, root2, root3, root6 = coefficients
         result = self._number(rational)
         if root2 or root6:
             result = result + self._number(root2) * self._add(SQRT2)
@@ -221,56 +214,40 @@ class ConstantTable:
         c, s = self._add(cosine), self._add(sine)
         return (c if size <= math.pi / 2 else -c), (s if angle >= 0 else -s)
 
-    def _named(
-        self, expression: Expression, name: str, meaning: str, *, is_length: bool = True
-    ) -> Polynomial:
-        key = (expression, name)
+    def _named(self, expression: Expression, cell: _Cell) -> Polynomial:
+        key = (expression, cell.name)
         if key not in self._opaque:
-            unique = name
+            unique = cell.name
             while unique in self.constants or unique in self.parameters:
                 unique += "_"
             self._opaque[key] = unique
-            value = evaluate(expression, self.parameters)
-            self.constants[unique] = Constant(unique, value, meaning, is_length=is_length)
+            value, meaning = evaluate(expression, self.parameters), cell.meaning_of(expression)
+            self.constants[unique] = Constant(unique, value, meaning, is_length=cell.is_length)
         return self._generator(self._opaque[key])
 
-    def _polynomial(
-        self, expression: Expression, name: str, meaning: str, *, is_length: bool = True
-    ) -> Polynomial:
+    def _polynomial(self, expression: Expression, cell: _Cell) -> Polynomial:
         match expression:
             case Number(value):
                 result = self._number(value)
             case Name(parameter):
-                result = self._parameter(parameter, meaning, is_length=is_length)
+                result = self._parameter(parameter, cell.meaning, is_length=cell.is_length)
             case Negate(operand):
-                result = -self._polynomial(operand, name, meaning, is_length=is_length)
+                result = -self._polynomial(operand, cell)
             case Binary("+" | "-" | "*" as operator, left, right):
-                first = self._polynomial(left, name, meaning, is_length=is_length)
-                second = self._polynomial(right, name, meaning, is_length=is_length)
+                first, second = self._polynomial(left, cell), self._polynomial(right, cell)
                 result = _ARITHMETIC[operator](first, second)
             case Binary("/", left, Number(value)) if value != 0:
-                first = self._polynomial(left, name, meaning, is_length=is_length)
-                result = first * self._number(1 / value)
+                result = self._polynomial(left, cell) * self._number(1 / value)
             case Binary("**", left, Number(value)) if value.denominator == 1 and value >= 0:
-                result = self._polynomial(left, name, meaning, is_length=is_length) ** int(value)
-            case Call("sqrt", Number(value)) if value in {2, 3}:
-                result = self._add(SQRT2 if value == 2 else SQRT3)
+                result = self._polynomial(left, cell) ** int(value)
+            case _ if (roots := surd(expression)) is not None:
+                result = self._of_roots(roots.coefficients)
             case Call("cos" | "sin" as function, argument):
-                cosine, sine = self.cosine_sine(argument, name, meaning)
+                cosine, sine = self.cosine_sine(argument, cell.name, cell.meaning)
                 result = cosine if function == "cos" else sine
             case _:
-                result = self._named(expression, name, meaning, is_length=is_length)
+                result = self._named(expression, cell)
         return result
-
-
-def _bare_number(expression: Expression) -> Fraction | None:
-    match expression:
-        case Number(value):
-            return value
-        case Negate(Number(value)):
-            return -value
-        case _:
-            return None
 
 
 class _Any:

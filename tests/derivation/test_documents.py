@@ -177,6 +177,52 @@ def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
     assert "this equation holds for every" not in document("puma560")
 
 
+def made_of(*rows: str, **sections: str) -> str:
+    robot = table(*rows, **sections)
+    derivation = derive(build_chain(robot))
+    return derivation_document(robot, derivation, lower(derivation), "robots/x.yaml")
+
+
+def test_numbers_of_a_frame_are_not_called_its_entries() -> None:
+    rows = "theta: q, a: 0.4", "theta: q, a: 0.3*cos(0.2)"
+    text = made_of(*rows, base="{rpy: [0, 0, 15 deg]}", tool="{rpy: [0, 0, 0.3]}", task="[x, y]")
+    assert not re.search("[ez]_{[0-9]", text)
+    assert r"Z = \begin{bmatrix} \frac{\sqrt{2}}{4} (1 + \sqrt{3})" in text
+    assert "(cosine of an angle in link length 2)" in text
+    assert "(sine of an angle in the tool frame)" in text
+    assert r"E = \begin{bmatrix} \cos \eta_2 & -\sin \eta_2 & 0 & 0 \\" in text
+
+
+def test_where_all_coefficients_vanish_is_said_in_words() -> None:
+    of = story("cuspidal_3r")
+    told = "all coefficients of the equation vanish at once"
+    assert f"\nDegenerate when {told}: every $" in document("cuspidal_3r")
+    assert f"| {told} | — | every $" in document("cuspidal_3r")
+    summary = derivation_summary(of.robot, of.derivation, of.program)
+    assert f"degenerate where {told}: every θ₁ serves" in summary
+
+
+@pytest.mark.parametrize("name", WITH_STEPS + ALL_WHOLE)
+def test_the_reader_is_told_which_documents_are_cited(name: str) -> None:
+    text = document(name)
+    told = re.findall(r"^Documents? ([\d, and]+), cited here by number", text, re.MULTILINE)
+    cited = re.findall(r"document (\d{3})", text)
+    assert len(told) <= 1
+    assert set(re.findall(r"\d{3}", "".join(told))) == set(cited)
+
+
+def test_the_degree_of_a_general_arm_is_that_of_its_solutions() -> None:
+    assert "of degree 16 in tan(φ/2), with at most sixteen roots" in document("general_6r")
+    assert "of degree 8 in tan(φ/2), with at most eight roots" in document("general_4r2p")
+    for name, degree in (("general_6r", "16 in tan(θ6/2)"), ("general_5r1p", "16 in ")):
+        of = story(name)
+        summary = derivation_summary(of.robot, of.derivation, of.program)
+        assert f"a polynomial of degree {degree}" in summary
+    assert "An arm of this kind has" in document("general_6r")
+    assert "a turn behind them are found together" in document("general_5r")
+    assert "Together they have at most sixteen solutions" in document("general_5r")
+
+
 def test_texts_of_the_user_are_escaped() -> None:
     of = story("planar_rr")
     robot = replace(of.robot, title="A *bold* <b>arm</b> | $x$", source="see [here](http://x.y)_")

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhgen.kinematics.constants import ConstantTable, multiple_of_pi
+from dhgen.kinematics.constants import ConstantTable
+from dhgen.kinematics.expressions import multiple_of_pi
 from dhgen.kinematics.normal import normal_form
 from dhgen.robot.expression import Binary, Call, Expression, Name, Negate, Number, Pi
 from tests.kinematics.values import number
@@ -121,6 +122,46 @@ def test_lengths_keep_the_names_of_parameters_and_numbers_get_one() -> None:
     assert table.constants["a3"].value == 0.3
     values = {constant.name: constant.value for constant in table.constants.values()}
     assert number(found[4], values) == pytest.approx(0.5 * math.cos(0.25))
+
+
+def root(value: int) -> Expression:
+    return Call("sqrt", whole(value))
+
+
+def test_roots_are_those_of_two_and_three() -> None:
+    # the entries of a frame that is turned by 15 degrees
+    cell = Binary("/", Binary("+", root(6), root(2)), whole(4))
+    table = ConstantTable({})
+    table.scalar(cell, "z11", "base frame, entry 1,1")
+    assert set(table.constants) == {"sqrt2", "sqrt3"}
+    root2, root3 = table.close().gens
+    assert 4 * table.scalar(cell, "z11", "base frame, entry 1,1") == root2 * root3 + root2
+
+
+@pytest.mark.parametrize(
+    ("cell", "value"),
+    [
+        (Binary("/", root(15), whole(4)), math.sqrt(15) / 4),
+        (Binary("-", whole(1), Binary("/", root(2), root(5))), 1 - math.sqrt(0.4)),
+    ],
+)
+def test_a_name_is_that_of_the_whole_number(cell: Expression, value: float) -> None:
+    table = ConstantTable({})
+    table.scalar(cell, "e11", "tool frame, entry 1,1")
+    table.length(cell, "a2", "link length 2")
+    found = {name: (c.value, c.meaning) for name, c in table.constants.items()}
+    assert set(found) == {"e11", "a2"}
+    assert found["e11"] == (pytest.approx(value), "tool frame, entry 1,1")
+    assert found["a2"] == (pytest.approx(value), "link length 2")
+
+
+def test_a_number_beside_a_parameter_is_called_a_part() -> None:
+    shared = Binary("/", Name("b"), root(3))
+    table = ConstantTable({"a": 0.5, "b": 0.25})
+    table.length(Binary("-", Negate(Name("a")), shared), "d4", "joint offset 4")
+    table.length(Negate(shared), "d5", "joint offset 5")
+    meanings = {name: table.constants[name].meaning for name in ("d4", "d5")}
+    assert meanings == {"d4": "part of joint offset 4", "d5": "joint offset 5"}
 
 
 def test_a_parameter_never_takes_the_name_of_another_generator() -> None:

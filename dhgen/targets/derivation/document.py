@@ -10,6 +10,7 @@ from dhgen.targets.derivation.closing_sections import (
     singular_section,
     solutions_section,
 )
+from dhgen.targets.derivation.documents import cited_documents
 from dhgen.targets.derivation.forward_section import forward_in_short, forward_section
 from dhgen.targets.derivation.general_section import general_section
 from dhgen.targets.derivation.inverse_section import inverse_beginning
@@ -26,16 +27,19 @@ if TYPE_CHECKING:
 
 def document_blocks(story: Story) -> list[Block]:
     """The whole derivation."""
+    beginning, rest = opening(story), _sections(story)
+    return [*beginning, *cited_documents([*beginning, *rest]), *rest]
+
+
+def _sections(story: Story) -> list[Block]:
     whole = story.derivation.whole
     if whole is not None:
-        beginning = [*opening(story), *robot_section(story)]
         if isinstance(whole, GeneralKernel):
             inverse = general_section(whole, story.algebra.chain, story.robot.length_unit)
-            return [*beginning, *forward_section(story), *inverse]
-        return [*beginning, *forward_in_short(story), *numerical_section(whole)]
+            return [*robot_section(story), *forward_section(story), *inverse]
+        return [*robot_section(story), *forward_in_short(story), *numerical_section(whole)]
     steps = [step_blocks(story, number) for number in range(1, len(story.steps) + 1)]
     return [
-        *opening(story),
         *robot_section(story),
         *forward_section(story),
         *inverse_beginning(story),

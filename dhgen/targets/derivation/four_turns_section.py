@@ -117,7 +117,8 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
         ),
         Display((_POLYNOMIAL,)),
         paragraph(
-            "a trigonometric polynomial of degree 4 in φ, the angle of {}: in w g the degrees of U "
+            "a trigonometric polynomial of degree 4 in φ, the angle of {}, and so of degree 8 in "
+            "tan(φ/2), with at most eight roots: in w g the degrees of U "
             "and V are 3 and 2, and w divides the product, of degree 6, as one of the two branches "
             "stays finite where w vanishes. Its coefficients come from its values at 24 angles; "
             "all its real roots are isolated by bounds on the circle.",

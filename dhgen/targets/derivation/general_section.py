@@ -37,7 +37,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
     near = near_structure(chain)
     blocks: list[Block] = [
         Heading(2, say("Inverse")),
-        paragraph(f"{_why(kernel)} An arm of this kind has at most {_most(kernel)} solutions."),
+        paragraph(f"{_why(kernel)} {_most(kernel)}"),
         *([paragraph(POINTING, joint_symbol(kernel, 5))] if kernel.pointing else []),
         *([one_more_turn(kernel)] if kernel.checked else []),
         *(
@@ -79,7 +79,10 @@ def _why(kernel: GeneralKernel) -> str:
 
 
 def _most(kernel: GeneralKernel) -> str:
-    return "sixteen" if kernel.eliminations else "eight"
+    count = "sixteen" if kernel.eliminations else "eight"
+    if kernel.checked:  # the arm itself has fewer as a rule, as `one_more_turn` says
+        return f"Together they have at most {count} solutions."
+    return f"An arm of this kind has at most {count} solutions."
 
 
 def _joints(kernel: GeneralKernel) -> str:
@@ -167,7 +170,8 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
             )
         ),
         paragraph(
-            f"a trigonometric polynomial of degree 8 in φ, the angle {_whose(kernel)} {{}}. Its "
+            f"a trigonometric polynomial of degree 8 in φ, the angle {_whose(kernel)} {{}}, and so "
+            "of degree 16 in tan(φ/2), with at most sixteen roots. Its "
             "coefficients come from its values at 24 angles. Where its roots lie close together on "
             "one side, as near the boundary of reach, these angles do too: a Möbius map of the "
             "circle spreads the roots. All real ones are isolated by bounds on the circle.",

@@ -155,22 +155,30 @@ def constant_symbol(constant: Constant, constants: tuple[Constant, ...]) -> Symb
     if constant.square is not None:
         return Symbol(rf"\sqrt{{{constant.square}}}", f"√{constant.square}", name)
     if constant.cosine is not None:
-        return _of_angle("sin", name)
+        return _of_angle("sin", constant.cosine, name, constants)
     if any(other.cosine == name for other in constants):
-        return _of_angle("cos", name)
+        return _of_angle("cos", name, name, constants)
     made = _MADE.fullmatch(name)
     if made is not None and constant.meaning.split()[0] in {"x", "y", "z", "tool", "base", "home"}:
         return letter(made[1], made[1], made[2], name)
     return parameter(name)
 
 
-def _of_angle(function: str, name: str) -> Symbol:
-    """cos α_2 out of ca2, cos θ_3 out of cat3."""
-    rest = name[2:]
-    if rest.isdigit():
-        angle = letter(r"\alpha", "α", rest)
-    elif rest.startswith("t") and rest[1:].isdigit():
-        angle = letter(r"\theta", "θ", rest[1:])
+def _of_angle(function: str, cosine: str, name: str, constants: tuple[Constant, ...]) -> Symbol:
+    """cos α_2 out of ca2, cos θ_3 out of cat3; any other angle is η, numbered as they appear."""
+    if (index := _angle_index(cosine)) is not None:
+        angle = letter(*index)
     else:
-        angle = parameter(rest)
+        cosines = [c.cosine for c in constants if c.cosine and _angle_index(c.cosine) is None]
+        angle = letter(r"\eta", "η", str(cosines.index(cosine) + 1))
     return Symbol(rf"\{function} {angle.latex}", f"{function} {angle.text}", name)
+
+
+def _angle_index(cosine: str) -> tuple[str, str, str] | None:
+    """The letter and the index of a twist or of the angle of a joint, by its cosine."""
+    rest = cosine[2:].rstrip("_")
+    if rest.isdigit():
+        return r"\alpha", "α", rest
+    if rest.startswith("t") and rest[1:].isdigit():
+        return r"\theta", "θ", rest[1:]
+    return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from dhgen.robot.expression import Negate, Number
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
 
 
+ANGLES = ("twist", "the angle")
 TURNED = ("cosine of", "sine of")
 SIGNS = " Cosines and sines stand without their signs, which the formulas have."
 
@@ -52,7 +54,16 @@ def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Pros
 def _constant(story: Story, constant: Constant) -> Prose:
     unit = say(" {}", Given(story.robot.length_unit)) if constant.is_length else say("")
     symbol = story.letters[constant.name]
-    return say("{}{} ({})", equal(symbol, _number(constant.value)), unit, Given(constant.meaning))
+    return say("{}{} ({})", equal(symbol, _number(constant.value)), unit, Given(_meaning(constant)))
+
+
+def _meaning(constant: Constant) -> str:
+    """What a number is; an angle inside a frame's rotation is not one entry of it."""
+    function, of, what = constant.meaning.partition(" of ")
+    if f"{function}{of}".strip() not in TURNED or what.startswith(ANGLES):
+        return constant.meaning
+    place = re.sub(r"^(.*), entry .*", r"the \1", what)
+    return f"{function} of an angle in {place}"
 
 
 def _number(value: float) -> Symbol:

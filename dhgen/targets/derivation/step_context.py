@@ -29,14 +29,14 @@ class Singularity:
 
     Attributes:
         step: Its number.
-        condition: In terms of the pose or of the step's letters.
+        condition: In terms of the pose or of the step's letters, or in words.
         joints: The same in terms of the joint angles, when that is short.
         meaning: What the arm looks like there.
         effect: What happens.
     """
 
     step: int
-    condition: Formula
+    condition: Formula | Prose
     joints: Formula | None
     meaning: Prose
     effect: Prose

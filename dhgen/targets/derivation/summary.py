@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.general.kernel import GeneralKernel
 from dhgen.paul.refusal import missed_structure
+from dhgen.targets.derivation.blocks import Prose
+from dhgen.targets.derivation.general_loop import joint_symbol
 from dhgen.targets.derivation.names import unknown_symbol
 from dhgen.targets.derivation.plain import words
 from dhgen.targets.derivation.steps import quoted
@@ -42,10 +44,12 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
 def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
     """Of an arm that is solved as a whole."""
     if isinstance(kernel, GeneralKernel):
-        hidden = kernel.numbers[kernel.first.joints[0]]
+        degree = 2 * kernel.degree  # the latter counts cosines and sines
+        joint = joint_symbol(kernel, kernel.first.joints[0]).text
+        hidden = joint if kernel.hides_a_slide else f"tan({joint}/2)"
         return [
             f"no closed form: the {kernel.method} algorithm, up to {kernel.rows} solutions",
-            f"a polynomial of degree {kernel.degree} in θ{hidden}; rows by ascending joint values",
+            f"a polynomial of degree {degree} in {hidden}; rows by ascending joint values",
             *missed_structure(story.algebra.chain),
             *([CHECKED] if kernel.checked else []),
         ]
@@ -67,4 +71,8 @@ def _step(story: Story, number: int) -> tuple[str, str, str, str]:
 
 def _singular(each: Singularity) -> str:
     condition = each.condition if each.joints is None else each.joints
-    return f"degenerate at {show(condition, PLAIN)}: {words(each.meaning)}"
+    if isinstance(condition, Prose):
+        place = f"where {words(condition)}"
+    else:
+        place = f"at {show(condition, PLAIN)}"
+    return f"degenerate {place}: {words(each.meaning)}"

@@ -56,12 +56,12 @@ def print_circle(context: StepContext) -> StepText:
     ]
     free = Singularity(
         context.number,
-        equal(ZERO, ZERO),
+        say("all coefficients of the equation vanish at once"),
         None,
-        say("all coefficients vanish, and every {} serves", theta(kept)),
+        say("every {} serves", theta(kept)),
         free_effect(context),
     )
-    text = "Degenerate when the equation is {}: {}. Then {}."
+    text = "Degenerate when {}: {}. Then {}."
     blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
     return StepText(tuple(blocks), (free,))
 
