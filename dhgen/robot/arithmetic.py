@@ -66,7 +66,7 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
     Raises:
         CellError: The text says something else than arithmetic, or has no finite value.
     """
-    check_tokens(text)
+    check_tokens(text, values)
     body = text.lstrip(" ")
     shift = len(text) - len(body)
     try:

@@ -75,7 +75,7 @@ class _Assembly:
     def _parameters(self) -> tuple[Parameter, ...]:
         plain = self.document.plain(("parameters",)) if self.document.has("parameters") else {}
         entries = plain if isinstance(plain, dict) else {}
-        self.cells.announce(entries)
+        self.cells.announce({name: str(cell) for name, cell in entries.items()})
         parameters = []
         for name, cell in entries.items():
             path = ("parameters", name)
@@ -139,6 +139,8 @@ class _Assembly:
             elif free and number <= free[-1]:
                 self.report.error(path, "free joints stand in ascending order, each once")
             free.append(number)
+        if joints and free == list(range(1, joints + 1)):
+            self.report.error(("free",), "every joint is free: there is nothing to solve")
         return tuple(free)
 
     def _plain_free(self) -> object:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 from dhgen.robot.angles import (
@@ -32,7 +33,7 @@ from dhgen.robot.expression import (
 from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
-from dhgen.robot.tokens import CellError, UnknownNameError
+from dhgen.robot.tokens import CellError, UnknownNameError, circle_through
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -52,11 +53,12 @@ class Cells:
         self.degrees = False
         self._values: dict[str, float] = {INVALID.name: math.nan}
         self._angles: set[str] = set()
-        self._later: set[str] = set()
+        self._later: dict[str, str] = {}
+        self._circles: set[frozenset[str]] = set()
 
-    def announce(self, names: Iterable[str]) -> None:
+    def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""
-        self._later.update(names)
+        self._later.update(parameters)
 
     def define(self, name: str, expression: Expression) -> float:
         """Make a parameter known to all cells that are read from now on."""
@@ -85,13 +87,25 @@ class Cells:
         try:
             return parse(text, {**known, **(more or {})})
         except CellError as error:
-            message = error.message
+            message: str | None = error.message
             if isinstance(error, UnknownNameError) and error.name in self._later:
-                own = path[-1] == error.name
-                place = "by itself" if own else "further down: move it up"
-                message = f"the parameter '{error.name}' is defined {place}"
-            self.report.error(path, message, part=error.span)
+                message = self._too_early(path, error.name)
+            if message is not None:
+                self.report.error(path, message, part=error.span)
             return INVALID
+
+    def _too_early(self, path: Path, name: str) -> str | None:
+        """What a cell is told that uses a parameter before it is known; of a circle once."""
+        if path[-1] == name:
+            return f"the parameter '{name}' is defined by itself"
+        circle = circle_through(str(path[-1]), name, self._later)
+        if not circle:
+            return f"the parameter '{name}' is defined further down: move it up"
+        if frozenset(circle) in self._circles:
+            return None
+        self._circles.add(frozenset(circle))
+        told = ", ".join(f"{a} by {b}" for a, b in pairwise((*circle, circle[0])))
+        return f"these parameters are defined by each other: {told}; give one of them a number"
 
     def length(self, path: Path, text: str) -> Expression:
         """A length; next to nothing is 0."""

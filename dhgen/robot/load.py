@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import codecs
 import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +16,8 @@ from dhgen.robot.source import SourceText, Span
 
 if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
+
+_BINARY = re.compile(rb"[\x00-\x08\x0e-\x1f]")  # what no text in any 8-bit encoding has
 
 
 def load(path: str | os.PathLike[str]) -> Robot:
@@ -42,9 +46,7 @@ def load(path: str | os.PathLike[str]) -> Robot:
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError as error:
-        source = SourceText.of(content.decode("utf-8", "replace"), name)
-        place = Span(len(content[: error.start].decode("utf-8")))
-        raise _refusal(source.point(place, "the file is not UTF-8: save it so")) from None
+        raise _refusal(_no_utf8(content, name, error.start)) from None
     return load_text(text, name)
 
 
@@ -63,6 +65,17 @@ def load_text(text: str, file_name: str) -> Robot:
     if report.errors or robot is None:
         raise RobotFileError(report.errors)
     return robot
+
+
+def _no_utf8(content: bytes, name: str, start: int) -> Diagnostic:
+    """What a file is told that is not UTF-8 from some byte on; one without lines shows none."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return Diagnostic(name, 0, 0, "the file is UTF-16, not UTF-8: save it so")
+    if _BINARY.search(content):
+        return Diagnostic(name, 0, 0, "this is no text; a robot file is YAML")
+    source = SourceText.of(content.decode("utf-8", "replace"), name)
+    place = Span(len(content[:start].decode("utf-8")))
+    return source.point(place, "the file is not UTF-8: save it so")
 
 
 def _refusal(diagnostic: Diagnostic) -> RobotFileError:

@@ -5,8 +5,11 @@ from __future__ import annotations
 import keyword
 import re
 import unicodedata
+from typing import Literal, TypeAlias
 
 from dhgen.robot.reserved import C_KEYWORDS, C_LIBRARY, FILES, PYTHON
+
+LengthUnit: TypeAlias = Literal["m", "dm", "cm", "mm", "um", "in", "ft"]
 
 MAX_ROBOT_NAME = 48
 MAX_PARAMETER_NAME = 32

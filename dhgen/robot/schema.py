@@ -22,7 +22,7 @@ from pydantic import (
 )
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 
-from dhgen.robot.names import MAX_ROBOT_NAME, why_no_robot_name, why_no_text
+from dhgen.robot.names import MAX_ROBOT_NAME, LengthUnit, why_no_robot_name, why_no_text
 
 if TYPE_CHECKING:
     from pydantic_core.core_schema import WithDefaultSchema
@@ -32,6 +32,7 @@ MAX_PARAMETERS = 128
 ARM_ANGLE = "arm_angle"  # what `free` says instead of joints
 TASKS = ("pose", "position", "orientation", "pointing")
 COORDINATES = ("x", "y", "z")
+SWITCHES = ("true", "True", "TRUE", "false", "False", "FALSE")  # as YAML writes them
 FRAME_FORM = "keys with values, e.g. {xyz: [0, 0, 0.1]}, or a 4x4 matrix"
 
 
@@ -75,6 +76,13 @@ def _joint_number(value: object) -> object:
     return value
 
 
+def _switch(value: object) -> object:
+    # pydantic also takes 1, yes and on, which YAML and the schema for editors do not
+    if str(value) not in SWITCHES:
+        raise ExpectedError("true or false")
+    return value
+
+
 def _free(value: object) -> object:
     if value == ARM_ANGLE:
         return []
@@ -86,6 +94,7 @@ def _free(value: object) -> object:
 _CELL = {"type": ["number", "string"]}
 Cell = Annotated[str, WithJsonSchema(_CELL)]
 JointNumber = Annotated[int, BeforeValidator(_joint_number)]
+Switch = Annotated[bool, BeforeValidator(_switch)]
 Free = Annotated[
     list[JointNumber],
     BeforeValidator(_free),
@@ -193,9 +202,7 @@ class AxisRow(_Strict):
 class Units(_Strict):
     """The units of the file. Lengths are not converted: the generated code has the same unit."""
 
-    length: Literal["m", "dm", "cm", "mm", "um", "in", "ft"] = Field(
-        default="m", description="What lengths are given in."
-    )
+    length: LengthUnit = Field(default="m", description="What lengths are given in.")
     angle: Literal["rad", "deg"] = Field(
         default="rad",
         description="What angles are given in, where neither pi nor deg occurs. The argument of "
@@ -254,13 +261,13 @@ class RobotFile(_Strict):
         description="Joints, from 1, whose value the caller gives, in ascending order; or arm_angle"
         ", for an arm of seven joints whose axes 1, 2, 3 meet and 5, 6, 7 meet.",
     )
-    numerical: bool = Field(
+    numerical: Switch = Field(
         default=False,
         description="Whether the numerical solver may take the arm if nothing else solves it, as "
         "with --numerical.",
     )
     units: Units = Field(default=Units(), description="Units of lengths and angles.")
-    float32: bool = Field(
+    float32: Switch = Field(
         default=False,
         description="Whether the compiler also writes C in single precision, NAME_f32.c and .h, "
         "for small controllers. For arms in closed form only.",

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING, get_args
 
+from dhgen.robot.names import LengthUnit
 from dhgen.robot.source import Span, quoted
+
+if TYPE_CHECKING:
+    from collections.abc import Container, Mapping
 
 MAX_LENGTH = 200
 MAX_DIGITS = 30
@@ -20,6 +25,8 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 _DEGREES = re.compile(rf"(?<![\w.])({_NUMBER}\ *)\ (?=deg\b)", re.ASCII)
+_LENGTHS: tuple[str, ...] = get_args(LengthUnit)
+_UNIT = re.compile(rf"({_NUMBER})\ *({'|'.join((*_LENGTHS, 'rad', 'degrees?'))})\b", re.ASCII)
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 _NOT_FINITE = re.compile(r"\.(?:inf|nan)\b", re.ASCII | re.IGNORECASE)  # as YAML writes them
 _LOOKALIKES = {"−": "-", "–": "-", "×": "*", "·": "*", "÷": "/", "°": " deg", "π": "pi", "^": "**"}
@@ -42,8 +49,12 @@ class UnknownNameError(CellError):
         self.name = name
 
 
-def check_tokens(text: str) -> None:
+def check_tokens(text: str, names: Container[str] = ()) -> None:
     """Refuse every text that is not made of numbers, names and operators.
+
+    Args:
+        text: A cell as written.
+        names: The names that may occur; what is none of them may be meant as a unit.
 
     Raises:
         CellError: At the first place that is none of them, or a number out of all proportion.
@@ -58,6 +69,8 @@ def check_tokens(text: str) -> None:
         if match is None:
             raise _stray(text, position)
         number, glued = match["number"], match["glued"]
+        if (unit := _UNIT.match(text, position)) and unit[2] not in names:
+            raise CellError(_unit_message(*unit.groups()), Span(position, len(unit[0])))
         if glued:
             hint = f"write '{number} deg'" if glued == "deg" else "between factors stands a *"
             message = f"{quoted(number + glued)} is no number; {hint}"
@@ -70,6 +83,43 @@ def check_tokens(text: str) -> None:
 def multiply_degrees(text: str) -> str:
     """`10 deg` as `10*deg`: the space becomes the sign, so that every column stays what it was."""
     return _DEGREES.sub(r"\1*", text)
+
+
+def circle_through(own: str, name: str, texts: Mapping[str, str]) -> tuple[str, ...]:
+    """The shortest way from a name through the texts that define names back to it.
+
+    Args:
+        own: The name that is defined.
+        name: One that its text says.
+        texts: What every name is defined as.
+
+    Returns:
+        The names on the way, `own` and `name` first; none where no way leads back.
+    """
+    ways: list[tuple[str, ...]] = [(own, name)]
+    seen = {name}
+    for way in ways:
+        words = _names(texts[way[-1]])
+        if own in words:
+            return way
+        further = [word for word in dict.fromkeys(words) if word in texts and word not in seen]
+        seen.update(further)
+        ways += [(*way, word) for word in further]
+    return ()
+
+
+def _names(text: str) -> list[str]:
+    """The names in a text, as far as a cell may go on."""
+    return [match["name"] for match in _TOKEN.finditer(text[:MAX_LENGTH]) if match["name"]]
+
+
+def _unit_message(number: str, unit: str) -> str:
+    if unit.startswith("deg"):
+        return f"the unit of degrees is deg: write '{number} deg'"
+    write = f"a cell has no unit: write '{number}', and once for all"
+    if unit == "rad":
+        return f"{write} angles 'units: {{angle: rad}}', which is the default"
+    return f"{write} lengths of the file 'units: {{length: {unit}}}'"
 
 
 def _stray(text: str, position: int) -> CellError:

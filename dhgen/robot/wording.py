@@ -14,8 +14,6 @@ if TYPE_CHECKING:
 
 # By the kind of mistake, where every key that takes such a value takes the same.
 _KINDS = {
-    "bool_type": "true or false",
-    "bool_parsing": "true or false",
     "string_type": "a number or an expression",
 }
 

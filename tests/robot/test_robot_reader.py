@@ -119,6 +119,22 @@ def test_a_file_that_is_not_utf8_says_where(tmp_path: Path) -> None:
     assert found.message == "the file is not UTF-8: save it so"
 
 
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"\x7fELF\x02\x01\x01\0\0\xff\n", "this is no text; a robot file is YAML"),
+        (b"\x89PNG\r\n\x1a\n", "this is no text; a robot file is YAML"),
+        (MINIMAL.encode("utf-16"), "the file is UTF-16, not UTF-8: save it so"),
+    ],
+)
+def test_what_is_no_text_is_not_shown(content: bytes, message: str, tmp_path: Path) -> None:
+    path = tmp_path / "r.yaml"
+    path.write_bytes(content)
+    with pytest.raises(RobotFileError) as info:
+        load(path)
+    assert str(info.value) == f"{path}: {message}"
+
+
 def test_paths_and_texts_load_the_same(tmp_path: Path) -> None:
     path = tmp_path / "r.yaml"
     path.write_text(MINIMAL, encoding="utf-8")

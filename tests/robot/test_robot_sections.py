@@ -77,6 +77,9 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         (f"{MINIMAL}free: {{}}\n", "expected a list of joints, or arm_angle, not keys with values"),
         (f"{MINIMAL}numerical: maybe\n", "expected true or false, not 'maybe'"),
         (f"{MINIMAL}float32: [1]\n", "expected true or false, not a list of 1"),
+        (f"{MINIMAL}float32: 1\n", "expected true or false, not '1'"),
+        (f"{MINIMAL}numerical: yes\n", "expected true or false, not 'yes'"),
+        (f"{MINIMAL}free: [1]\n", "every joint is free: there is nothing to solve"),
         (f"{MINIMAL}tool: [0, 0, 0.1]\n", "expected keys with values, e.g. {xyz: [0, 0, 0.1]}, or"),
         (f"{MINIMAL}tool: {{rpy: 3}}\n", "expected a list [roll, pitch, yaw], not '3'"),
         (
@@ -122,7 +125,7 @@ def test_the_file_around_the_joints() -> None:
 def test_the_arm_angle_in_place_of_joints() -> None:
     text = table(*["theta: q"] * 7, free="arm_angle")
     assert (robot(text).arm_angle, robot(text).free) == (True, ())
-    assert not robot(table("theta: q", free="[1]")).arm_angle
+    assert not robot(table("theta: q", "theta: q", free="[1]")).arm_angle
     assert mistake(f"{MINIMAL}free: elbow\n").endswith("arm_angle, not 'elbow'")
     assert mistake(f"{MINIMAL}free: [arm_angle]\n").endswith("a joint, not 'arm_angle'")
 
@@ -147,6 +150,14 @@ def test_parameters_may_use_those_before_them() -> None:
     ("parameters", "message"),
     [
         ("{l: m, m: 1}", "the parameter 'm' is defined further down: move it up"),
+        (
+            "{l: m, m: l}",
+            "these parameters are defined by each other: l by m, m by l; give one of them a number",
+        ),
+        (
+            "{k: 1, l: 2*m, m: k + n, n: -l}",
+            "these parameters are defined by each other: l by m, m by n, n by l; give",
+        ),
         ("{l: l + 1}", "the parameter 'l' is defined by itself"),
         ("{l: q}", "the variable q stands in theta or in d of a joint only"),
         ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
@@ -159,6 +170,25 @@ def test_parameters_may_use_those_before_them() -> None:
 )
 def test_refused_parameters(parameters: str, message: str) -> None:
     assert mistake(f"{MINIMAL}parameters: {parameters}\n").startswith(message)
+
+
+@pytest.mark.parametrize("value", ["true", "True", "TRUE"])
+def test_switches_as_yaml_writes_them(value: str) -> None:
+    assert robot(f"{MINIMAL}float32: {value}\n").float32
+    assert not robot(f"{MINIMAL}float32: {'false' if value == 'true' else 'False'}\n").float32
+
+
+def test_a_unit_in_a_cell_is_told_where_units_stand() -> None:
+    file = "a cell has no unit: write '400', and once for all lengths of the file"
+    assert mistake(table("theta: q, a: 400 mm")) == f"{file} 'units: {{length: mm}}'"
+    assert mistake(table("theta: q, a: 400in")) == f"{file} 'units: {{length: in}}'"
+    assert mistake(table("theta: q + 1 rad")).endswith(
+        "'units: {angle: rad}', which is the default"
+    )
+    assert mistake(table("theta: q, alpha: 90 degrees")).endswith("write '90 deg'")
+    # m is no unit where a parameter is called so
+    message = mistake(table("theta: q, a: 2 m", parameters="{m: 1}"))
+    assert message == "this is no arithmetic: an operand or an operator is missing"
 
 
 def test_a_mistaken_parameter_entails_no_further_mistakes() -> None:
