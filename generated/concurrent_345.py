@@ -566,7 +566,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 28f7b5377b96b5e5"
+_KEY = "concurrent_345 60eb6d5d7421ec99"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -892,12 +892,11 @@ def _gap_between(q, other):
 
 
 @_inner
-def _repeats(q, held, moved, row):
-    """Whether a row that was moved came to lie on another."""
+def _repeats(q, held, first, row):
+    """Whether a row that was moved came to lie on one that missed by less at first."""
     for k in range(8):
-        if not held[k] or k == row or (k > row and moved[k]):
-            continue
-        if _gap_between(q[k], q[row]) < 1e-06:
+        before = first[k] < first[row] or (k < row and first[k] <= first[row])
+        if held[k] and before and _gap_between(q[k], q[row]) < 1e-06:
             return True
     return False
 
@@ -926,7 +925,7 @@ def _upper_rows(pose):
 def _tighten_rows(T, exact, miss, q, held):
     """Tightens the rows; ends those that miss the pose then, and all but one that have become the
     same."""
-    moved = np.zeros(8, np.bool_)
+    moved, first = np.zeros(8, np.bool_), miss.copy()
     for row in range(8):
         if held[row]:
             miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
@@ -934,7 +933,7 @@ def _tighten_rows(T, exact, miss, q, held):
     for row in range(8):
         held[row] = held[row] and miss[row] <= enough
     for row in range(8):
-        if moved[row] and _repeats(q, held, moved, row):
+        if moved[row] and _repeats(q, held, first, row):
             held[row] = False
 
 
@@ -1341,15 +1340,18 @@ def _beside(pose, seed, q, status):
             if _is_new(known, others, other) and _gap_between(end, other) >= 0.001:
                 count = _keep(known, count, other)
                 break
+    for k in range(after, count):  # whichever roots rounding told apart: the row that was nearest
+        place, least = -1, math.inf
+        for row in range(8 - 1, -1, -1):
+            gap = math.inf if math.isnan(q[row, 0]) else _gap_between(q[row], known[k])
+            if status[row] == UNREACHABLE and gap <= least:
+                place, least = row, gap
+        if place >= 0:
+            _take(q[place], known[k])
+            status[place] = OK
     for row in range(8):
-        if status[row] != UNREACHABLE:
-            continue
-        if after < count:
-            _take(q[row], known[after])
-            status[row] = OK
-        else:
+        if status[row] == UNREACHABLE:
             q[row, :] = math.nan
-        after += 1
 
 
 @_inner
@@ -1470,6 +1472,44 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
+
+@_apart("float64(UniTuple(float64, 12), float64[::1], float64[::1])")
+def _stayed(pose, seed, end):
+    """Steps from a seed that nearly takes the pose, into `end`; how long another one would be, or NaN.
+
+    Beside a singular place all that rounding tells may be that there are many solutions, or one that
+    stands for two: the arm goes on with the one that it is at.
+    """
+    exact, ahead = _exactness(pose), np.empty(1)
+    _take(end, seed)
+    if not _missed_by(pose, end) <= 0.1:
+        return math.nan
+    if _descended(_upper_rows(pose), 72, exact, end, ahead) > exact:
+        return math.nan
+    return ahead[0]
+
+
+@_inner
+def _stay(pose, seed, q, status):
+    """The solution that the arm is at gets a row, unless it has one.
+
+    One that is left or, where there are more solutions than rows, the nearest.
+    """
+    end, place, least = np.empty(6), 0, math.inf
+    ahead = _stayed(pose, seed.copy(), end)
+    if math.isnan(ahead):
+        return
+    for row in range(8 - 1, -1, -1):
+        gap = -1.0 if status[row] == UNREACHABLE else _gap_between(q[row], end)
+        if 0.0 <= gap < 0.001:
+            return
+        if gap <= least:
+            place, least = row, gap
+    status[place] = OK if ahead <= 0.0001 else FREE_JOINT
+    for i in range(6):
+        q[place, i] = end[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -1484,6 +1524,7 @@ def _whole(pose, seed, q, status):
             begun = row
     _both_sides(pose, seed, q, status)
     _tighten(pose, q, status)
+    _stay(pose, seed, q, status)
     if begun >= 0:
         _seek(pose, seed, begun, q, status)
     count = 0

@@ -330,10 +330,9 @@ static double descended(struct descent *d, int steps, double exact, double q[6],
 }
 
 /* Takes a row to where damped least squares lead, unless it is exact; returns by how much
- * it misses the pose then. */
-static double tightened(struct descent *d, double exact, double q[6], int *moved)
+ * it misses the pose then, `first` being what it misses before. */
+static double tightened(struct descent *d, double exact, double first, double q[6], int *moved)
 {
-    const double first = missed_by(d->T, q);
     double end[6], ahead;
     if (first <= exact)
         return first;
@@ -359,12 +358,12 @@ static double gap_between(const double q[6], const double other[6])
     return widest;
 }
 
-/* Whether a row that was moved came to lie on another. */
-static int repeats(double q[8][6], const int moved[8], int row)
+/* Whether a row that was moved came to lie on one that missed by less at first. */
+static int repeats(double q[8][6], const double first[8], int row)
 {
     for (int k = 0; k < 8; k++)
-        if (k != row && (k < row || !moved[k]) && !isnan(q[k][0]) && gap_between(q[k], q[row]) <
-            1e-06)
+        if ((first[k] < first[row] || (k < row && first[k] <= first[row])) && !isnan(q[k][0])
+                && gap_between(q[k], q[row]) < 1e-06)
             return 1;
     return 0;
 }
@@ -386,18 +385,20 @@ static void tighten(const double T[16], double q[8][6], unsigned char status[8])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[8] = { 0 };
-    double miss[8];
+    double first[8], miss[8];
     for (int row = 0; row < 8; row++) {
-        miss[row] = HUGE_VAL;
-        if (status[row] != PARALLEL_123_UNREACHABLE)
-            miss[row] = tightened(&d, exact, q[row], &moved[row]);
+        first[row] = miss[row] = HUGE_VAL;
+        if (status[row] == PARALLEL_123_UNREACHABLE)
+            continue;
+        first[row] = missed_by(T, q[row]);
+        miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
     const double enough = 10.0 * exact;
     for (int row = 0; row < 8; row++)
         if (miss[row] > enough)
             q[row][0] = NAN;
     for (int row = 0; row < 8; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
+        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
         status[row] = PARALLEL_123_UNREACHABLE;
         for (int i = 0; i < 6; i++)
@@ -983,15 +984,25 @@ static void both_sides(
             break;
         }
     }
-    for (int row = 0; row < 8; row++) {
-        if (status[row] != PARALLEL_123_UNREACHABLE)
-            continue;
-        if (next < count)
-            status[row] = PARALLEL_123_OK;
-        for (int i = 0; i < 6; i++)
-            q[row][i] = next < count ? known[next][i] : (double)NAN;
-        next++;
+    for (; next < count; next++) { /* whichever roots rounding told apart: the row that was nearest
+        */
+        int place = -1;
+        double least = HUGE_VAL;
+        for (int row = 8 - 1; row >= 0; row--) {
+            const double gap = isnan(q[row][0]) ? HUGE_VAL : gap_between(q[row], known[next]);
+            if (status[row] == PARALLEL_123_UNREACHABLE && gap <= least) {
+                least = gap;
+                place = row;
+            }
+        }
+        if (place < 0)
+            break;
+        take(known[next], q[place]);
+        status[place] = PARALLEL_123_OK;
     }
+    for (int row = 0; row < 8; row++)
+        for (int i = 0; i < 6 && status[row] == PARALLEL_123_UNREACHABLE; i++)
+            q[row][i] = NAN;
 }
 
 
@@ -1097,6 +1108,37 @@ static void seek(
 }
 
 
+/* Beside a singular place all that rounding tells may be that there are many solutions, or one that
+ * stands for two: the arm goes on with the one that it is at. Steps from a seed that nearly takes
+ * the
+ * pose lead to it, and it gets a row, unless it has one: one that is left or, where there are more
+ * solutions than rows, the nearest. */
+static void stay(
+    const double T[16], const double seed[6], double q[8][6],
+    unsigned char status[8])
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    double end[6], ahead, least = HUGE_VAL;
+    int place = 0;
+    take(seed, end);
+    if (!(missed_by(T, end) <= 0.1) || descended(&d, 72, exact, end, &ahead) > exact)
+        return;
+    for (int row = 8 - 1; row >= 0; row--) {
+        const double gap = status[row] == PARALLEL_123_UNREACHABLE ? -1.0 : gap_between(q[row],
+            end);
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = ahead <= 0.0001 ? PARALLEL_123_OK : PARALLEL_123_FREE_JOINT;
+    take(end, q[place]);
+}
+
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -1132,6 +1174,7 @@ int parallel_123_ik(
             choose_again(pose, seed, row, q, status);
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
+    stay(pose, seed, q, status);
     if (begun >= 0)
         seek(pose, seed, begun, q, status);
     for (int row = 0; row < 8; row++) {

@@ -432,10 +432,9 @@ static double descended(struct descent *d, int steps, double exact, double q[4],
 
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
  * much
- * it misses the pose then. */
-static double tightened(struct descent *d, double exact, double q[4], int *moved)
+ * it misses the pose then, `first` being what it misses before. */
+static double tightened(struct descent *d, double exact, double first, double q[4], int *moved)
 {
-    const double first = missed_by(d->T, q);
     double end[4], ahead;
     if (first <= exact)
         return first;
@@ -463,12 +462,12 @@ static double gap_between(const double q[4], const double other[4])
     return widest;
 }
 
-/* Whether a row that was moved came to lie on another. */
-static int repeats(double q[2][4], const int moved[2], int row)
+/* Whether a row that was moved came to lie on one that missed by less at first. */
+static int repeats(double q[2][4], const double first[2], int row)
 {
     for (int k = 0; k < 2; k++)
-        if (k != row && (k < row || !moved[k]) && !isnan(q[k][0]) && gap_between(q[k], q[row]) <
-            1e-06)
+        if ((first[k] < first[row] || (k < row && first[k] <= first[row])) && !isnan(q[k][0])
+                && gap_between(q[k], q[row]) < 1e-06)
             return 1;
     return 0;
 }
@@ -490,11 +489,13 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[2] = { 0 };
-    double miss[2];
+    double first[2], miss[2];
     for (int row = 0; row < 2; row++) {
-        miss[row] = HUGE_VAL;
-        if (status[row] != PHANTOMX_UNREACHABLE)
-            miss[row] = tightened(&d, exact, q[row], &moved[row]);
+        first[row] = miss[row] = HUGE_VAL;
+        if (status[row] == PHANTOMX_UNREACHABLE)
+            continue;
+        first[row] = missed_by(T, q[row]);
+        miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
     double least = HUGE_VAL;
     for (int row = 0; row < 2; row++)
@@ -504,7 +505,7 @@ static void tighten(const double T[16], double q[2][4], unsigned char status[2])
         if (miss[row] > enough)
             q[row][0] = NAN;
     for (int row = 0; row < 2; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
+        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
         status[row] = PHANTOMX_UNREACHABLE;
         for (int i = 0; i < 4; i++)
@@ -1144,6 +1145,36 @@ static void seek(
 }
 
 
+/* Beside a singular place all that rounding tells may be that there are many solutions, or one that
+ * stands for two: the arm goes on with the one that it is at. Steps from a seed that nearly takes
+ * the
+ * pose lead to it, and it gets a row, unless it has one: one that is left or, where there are more
+ * solutions than rows, the nearest. */
+static void stay(
+    const double T[16], const double seed[4], double q[2][4],
+    unsigned char status[2])
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    double end[4], ahead, least = HUGE_VAL;
+    int place = 0;
+    take(seed, end);
+    if (!(missed_by(T, end) <= 0.1) || descended(&d, 72, exact, end, &ahead) > exact)
+        return;
+    for (int row = 2 - 1; row >= 0; row--) {
+        const double gap = status[row] == PHANTOMX_UNREACHABLE ? -1.0 : gap_between(q[row], end);
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = ahead <= 0.0001 ? PHANTOMX_OK : PHANTOMX_FREE_JOINT;
+    take(end, q[place]);
+}
+
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -1182,6 +1213,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     tighten(pose, q, status);
+    stay(pose, seed, q, status);
     seek(pose, seed, begun, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == PHANTOMX_UNREACHABLE)

@@ -411,10 +411,9 @@ static double descended(struct descent *d, int steps, double exact, double q[5],
 
 /* Takes a row to where damped least squares lead, unless it is exact or can't be; returns by how
  * much
- * it misses the pose then. */
-static double tightened(struct descent *d, double exact, double q[5], int *moved)
+ * it misses the pose then, `first` being what it misses before. */
+static double tightened(struct descent *d, double exact, double first, double q[5], int *moved)
 {
-    const double first = missed_by(d->T, q);
     double end[5], ahead;
     if (first <= exact)
         return first;
@@ -442,12 +441,12 @@ static double gap_between(const double q[5], const double other[5])
     return widest;
 }
 
-/* Whether a row that was moved came to lie on another. */
-static int repeats(double q[4][5], const int moved[4], int row)
+/* Whether a row that was moved came to lie on one that missed by less at first. */
+static int repeats(double q[4][5], const double first[4], int row)
 {
     for (int k = 0; k < 4; k++)
-        if (k != row && (k < row || !moved[k]) && !isnan(q[k][0]) && gap_between(q[k], q[row]) <
-            1e-06)
+        if ((first[k] < first[row] || (k < row && first[k] <= first[row])) && !isnan(q[k][0])
+                && gap_between(q[k], q[row]) < 1e-06)
             return 1;
     return 0;
 }
@@ -469,11 +468,13 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
     struct descent d = { .T = T };
     const double exact = exactness(T);
     int moved[4] = { 0 };
-    double miss[4];
+    double first[4], miss[4];
     for (int row = 0; row < 4; row++) {
-        miss[row] = HUGE_VAL;
-        if (status[row] != SCORBOT_POINTING_UNREACHABLE)
-            miss[row] = tightened(&d, exact, q[row], &moved[row]);
+        first[row] = miss[row] = HUGE_VAL;
+        if (status[row] == SCORBOT_POINTING_UNREACHABLE)
+            continue;
+        first[row] = missed_by(T, q[row]);
+        miss[row] = tightened(&d, exact, first[row], q[row], &moved[row]);
     }
     double least = HUGE_VAL;
     for (int row = 0; row < 4; row++)
@@ -483,7 +484,7 @@ static void tighten(const double T[16], double q[4][5], unsigned char status[4])
         if (miss[row] > enough)
             q[row][0] = NAN;
     for (int row = 0; row < 4; row++) {
-        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, moved, row)))
+        if (!isnan(q[row][0]) && !(moved[row] && repeats(q, first, row)))
             continue;
         status[row] = SCORBOT_POINTING_UNREACHABLE;
         for (int i = 0; i < 5; i++)
@@ -1202,6 +1203,38 @@ static void seek(
 }
 
 
+/* Beside a singular place all that rounding tells may be that there are many solutions, or one that
+ * stands for two: the arm goes on with the one that it is at. Steps from a seed that nearly takes
+ * the
+ * pose lead to it, and it gets a row, unless it has one: one that is left or, where there are more
+ * solutions than rows, the nearest. */
+static void stay(
+    const double T[16], const double free_joints[1], const double seed[5], double q[4][5],
+    unsigned char status[4])
+{
+    struct descent d = { .T = T };
+    const double exact = exactness(T);
+    double end[5], ahead, least = HUGE_VAL;
+    int place = 0;
+    take(seed, end);
+    end[4] = free_joints[0];
+    if (!(missed_by(T, end) <= 0.1) || descended(&d, 72, exact, end, &ahead) > exact)
+        return;
+    for (int row = 4 - 1; row >= 0; row--) {
+        const double gap = status[row] == SCORBOT_POINTING_UNREACHABLE ? -1.0 : gap_between(q[row],
+            end);
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = ahead <= 0.0001 ? SCORBOT_POINTING_OK : SCORBOT_POINTING_FREE_JOINT;
+    take(end, q[place]);
+}
+
+
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -1241,6 +1274,7 @@ APART int ik_carefully(
         if (status[row] >= LOST)
             choose_again(pose, free_joints, seed, row, q, status);
     tighten(pose, q, status);
+    stay(pose, free_joints, seed, q, status);
     seek(pose, free_joints, seed, begun, q, status);
     for (int row = 0; row < 4; row++) {
         if (status[row] == SCORBOT_POINTING_UNREACHABLE)

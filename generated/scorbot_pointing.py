@@ -337,7 +337,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 58c02c5d36ab9066"
+_KEY = "scorbot_pointing 52a8446dfb5571d0"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -628,12 +628,11 @@ def _gap_between(q, other):
 
 
 @_inner
-def _repeats(q, held, moved, row):
-    """Whether a row that was moved came to lie on another."""
+def _repeats(q, held, first, row):
+    """Whether a row that was moved came to lie on one that missed by less at first."""
     for k in range(4):
-        if not held[k] or k == row or (k > row and moved[k]):
-            continue
-        if _gap_between(q[k], q[row]) < 1e-06:
+        before = first[k] < first[row] or (k < row and first[k] <= first[row])
+        if held[k] and before and _gap_between(q[k], q[row]) < 1e-06:
             return True
     return False
 
@@ -664,7 +663,7 @@ def _tighten_rows(T, exact, miss, q, held):
 
     Where one is exact the pose has not been rounded: then all have to be exact.
     """
-    moved = np.zeros(4, np.bool_)
+    moved, first = np.zeros(4, np.bool_), miss.copy()
     for row in range(4):
         if held[row]:
             miss[row], moved[row] = _tightened(T, exact, miss[row], q[row])
@@ -676,7 +675,7 @@ def _tighten_rows(T, exact, miss, q, held):
     for row in range(4):
         held[row] = held[row] and miss[row] <= enough
     for row in range(4):
-        if moved[row] and _repeats(q, held, moved, row):
+        if moved[row] and _repeats(q, held, first, row):
             held[row] = False
 
 
@@ -1119,6 +1118,45 @@ def _seek(pose, q_free, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
+
+@_apart("float64(UniTuple(float64, 12), float64[::1], float64[::1], float64[::1])")
+def _stayed(pose, q_free, seed, end):
+    """Steps from a seed that nearly takes the pose, into `end`; how long another one would be, or NaN.
+
+    Beside a singular place all that rounding tells may be that there are many solutions, or one that
+    stands for two: the arm goes on with the one that it is at.
+    """
+    exact, ahead = _exactness(pose), np.empty(1)
+    _take(end, seed)
+    end[4] = q_free[0]
+    if not _missed_by(pose, end) <= 0.1:
+        return math.nan
+    if _descended(_upper_rows(pose), 72, exact, end, ahead) > exact:
+        return math.nan
+    return ahead[0]
+
+
+@_inner
+def _stay(pose, q_free, seed, q, status):
+    """The solution that the arm is at gets a row, unless it has one.
+
+    One that is left or, where there are more solutions than rows, the nearest.
+    """
+    end, place, least = np.empty(5), 0, math.inf
+    ahead = _stayed(pose, q_free.copy(), seed.copy(), end)
+    if math.isnan(ahead):
+        return
+    for row in range(4 - 1, -1, -1):
+        gap = -1.0 if status[row] == UNREACHABLE else _gap_between(q[row], end)
+        if 0.0 <= gap < 0.001:
+            return
+        if gap <= least:
+            place, least = row, gap
+    status[place] = OK if ahead <= 0.0001 else FREE_JOINT
+    for i in range(5):
+        q[place, i] = end[i]
+
+
 @_jit
 def _whole(pose, q_free, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -1133,6 +1171,7 @@ def _whole(pose, q_free, seed, q, status):
             begun = row
     _choose(pose, q_free, seed, q, status)
     _tighten(pose, q, status)
+    _stay(pose, q_free, seed, q, status)
     _seek(pose, q_free, seed, begun, q, status)
     count = 0
     for row in range(4):

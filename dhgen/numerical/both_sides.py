@@ -62,9 +62,11 @@ def both_sides(
             rows[row] = np.nan
             if _is_new(kernel, [*known, *news], end):
                 news.append(end)
-    spare = np.flatnonzero(np.isnan(rows).any(axis=1))
-    for place, end in zip(spare, news, strict=False):
-        rows[place] = end
+    for end in news:
+        spare = np.flatnonzero(np.isnan(rows).any(axis=1))
+        if len(spare):  # whichever roots rounding told apart: the row that was nearest
+            off = np.nan_to_num(gaps(kernel, q[spare], end), nan=np.inf)
+            rows[spare[np.argmin(off)]] = end
     return rows
 
 

@@ -40,13 +40,39 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray
     exact = exactness(kernel, T)
     rows = q.copy()
     misses, moved = np.full(len(q), np.inf), np.zeros(len(q), dtype=bool)
+    first = misses.copy()
     for place in np.flatnonzero(~np.isnan(q).any(axis=1)):
+        first[place] = miss(kernel, T, q[place][None])[1][0]
         rows[place], misses[place] = _tightened(kernel, T, q[place], exact)
         moved[place] = bool((rows[place] != q[place]).any())
     rows[misses > _enough(kernel, misses, exact)] = np.nan
     for place in np.flatnonzero(moved):
-        if _repeats(kernel, rows, moved, int(place)):
+        if _repeats(kernel, rows, first, int(place)):
             rows[place] = np.nan
+    return rows
+
+
+def stay(kernel: NumericalKernel, T: FloatArray, seed: FloatArray, q: FloatArray) -> FloatArray:
+    """The rows of a pose and, where it has none, one for the solution that the arm is at.
+
+    Beside a singular place all that rounding tells may be that there are many solutions, or one
+    that stands for two. Steps from a seed that nearly takes the pose lead to the next one.
+
+    Args:
+        kernel: The arm.
+        T: Pose (4, 4); entries that the task does not name are ignored.
+        seed: Joint values (n,), the given ones as they are given.
+        q: Rows (N, n), NaN where there is no solution.
+    """
+    exact = exactness(kernel, T)
+    if not miss(kernel, T, seed[None])[1][0] <= constants.NEARBY:
+        return q
+    end = descended(kernel, T, seed, exact)
+    off = np.where(np.isnan(q).any(axis=1), -1.0, gaps(kernel, q, end.q))
+    if end.miss > exact or ((off >= 0.0) & (off < constants.TOGETHER)).any():
+        return q
+    rows = q.copy()
+    rows[np.argmin(off)] = end.q  # where there are more solutions than rows, the nearest
     return rows
 
 
@@ -57,10 +83,10 @@ def _enough(kernel: NumericalKernel, misses: FloatArray, exact: float) -> float:
     return exact if misses.min(initial=np.inf) <= exact else kernel.residual
 
 
-def _repeats(kernel: NumericalKernel, q: FloatArray, moved: NDArray[np.bool_], place: int) -> bool:
-    """Whether a row that was moved came to lie on another."""
-    others = ~moved | (np.arange(len(q)) < place)
-    others[place] = False
+def _repeats(kernel: NumericalKernel, q: FloatArray, first: FloatArray, place: int) -> bool:
+    """Whether a row that was moved came to lie on one that missed by less at first."""
+    tied = (first == first[place]) & (np.arange(len(q)) < place)
+    others = (first < first[place]) | tied
     return bool((gaps(kernel, q[others], q[place]) < constants.SAME).any())
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import c_rows, c_source
-from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
+from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_staying, c_tightening, c_tools
 from dhgen.program.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
@@ -45,6 +45,7 @@ def c_files(module: SolverModule) -> dict[str, str]:
         values["both_sides"] = c_both_sides(kernel, module.solver.turning, values)
     if module.solver.tightened is not None:
         values["seeking"] = c_seeking(module.solver.tightened, values)
+        values["staying"] = c_staying(module.solver.tightened, values)
     texts = {
         f"{module.name}.h": fitted(render("c/solver.h.jinja", **values)),
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **values)),

@@ -11,6 +11,7 @@ from dhgen.numerical.emit import (
     python_both_sides,
     python_search,
     python_seeking,
+    python_staying,
     python_tightening,
     python_tools,
 )
@@ -58,6 +59,7 @@ def python_files(module: SolverModule) -> dict[str, str]:
         values["both_sides"] = python_both_sides(kernel, module.solver.turning, values)
     if module.solver.tightened is not None:
         values["seeking"] = python_seeking(module.solver.tightened, values)
+        values["staying"] = python_staying(module.solver.tightened, values)
     text = render("python/solver.py.jinja", **values, digest="")
     digest = sha256(text.encode()).hexdigest()[:16]
     return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}

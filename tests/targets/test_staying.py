@@ -1,0 +1,116 @@
+"""Right angles written as 1.5708: beside singular places an arm goes on with the solution it is at.
+
+The wrist of the first arm, whose links are equal, comes onto its shoulder where it is folded, and
+the twists miss right angles by so little that rounding can't tell its solutions apart there. The
+polynomial of the second arm has roots that nearly meet at every pose.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from dhgen.compiler import compile_robot
+from dhgen.program.interpret import interpret
+from dhgen.survey.oracle.forward import forward
+from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
+from tests.targets.calling import HELD
+from tests.targets.made import ROBOTS, folder, without_numba
+
+if TYPE_CHECKING:
+    from dhgen.compiler import Compilation
+    from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.verify.native import Build, CompiledSolver
+
+FOLDING, TWINS = "staubli_tx40", "prismatic_2_wrist"
+FOLDED = (
+    (3.1, 1.5, np.pi, 0.4, 0.0, 3.0),
+    (0.46, 0.87, np.pi, np.pi, 1.01, 0.83),
+    (0.77, 3.07, -np.pi, -2.13, np.pi, np.pi),
+    (-1.5, -np.pi / 2, np.pi, 0.34, 3.11, 1.84),
+)
+TWIN = (2.350395274456, 0.40229255, -2.3146260935, 2.1681659028, 2.7956918114, 2.5378840289)
+EXACT = 1e-11
+STEP = 0.02  # of a motion [rad]
+
+
+@cache
+def compiled(name: str) -> Compilation:
+    text = (ROBOTS / f"{name}.yaml").read_text(encoding="utf-8")
+    path = folder() / f"{name}_written.yaml"
+    told = text.replace("alpha: pi/2", "alpha: 1.5708").replace("alpha: -pi/2", "alpha: -1.5708")
+    assert told != text
+    path.write_text(told.replace(f"name: {name}", f"name: {path.stem}"))
+    compilation = compile_robot(path)
+    for file, content in compilation.files.items():
+        (folder() / file).write_text(content, encoding="utf-8")
+    return compilation
+
+
+@cache
+def in_c(name: str, build: Build) -> CompiledSolver:
+    module = compiled(name).module
+    source = folder() / f"{module.name}.c"
+    solver = compile_solver(source, folder(), module.name, 6, module.solver.rows, 0, build)
+    assert solver is not None, "the tests need a C compiler"
+    return solver
+
+
+@cache
+def in_python(name: str) -> Any:
+    module = compiled(name).module
+    return without_numba(compiled(name).files[f"{module.name}.py"], module.name)
+
+
+def poses_of(name: str, q: FloatArray) -> FloatArray:
+    return np.asarray(forward(compiled(name).robot, q), dtype=float)
+
+
+def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
+    off = rows - q
+    return np.asarray(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=-1))
+
+
+@pytest.mark.parametrize("joints", FOLDED)
+def test_the_solution_that_the_arm_is_at_is_among_the_rows(joints: tuple[float, ...]) -> None:
+    q = np.array(joints)
+    T = poses_of(FOLDING, q[None])[0]
+    found = [
+        in_c(FOLDING, PORTABLE).ik(T, q),
+        in_c(FOLDING, NATIVE).ik(T, q),
+        in_python(FOLDING).ik_all(T, q),
+    ]
+    for rows, status in found:
+        held = rows[np.isin(status, HELD)]
+        assert gap(held, q).min() < 1e-6
+        assert np.abs(poses_of(FOLDING, held) - T).max() < EXACT
+    meant = interpret(compiled(FOLDING).module.solver, T[None], q[None])
+    assert gap(meant.q[meant.solved], q).min() < 1e-6
+
+
+def test_a_motion_through_the_fold_is_followed() -> None:
+    """Joints move by no more than they have to, though other solutions take the poses, too."""
+    times = np.arange(-1.0, 1.0, STEP)[:, None]
+    path = np.array(FOLDED[3]) + times * np.array([0.3, -0.8, 0.0, 0.9, -0.5, 0.7])
+    solver, q = in_c(FOLDING, NATIVE), path[0]
+    for T in poses_of(FOLDING, path):
+        following = solver.nearest(T, q)
+        assert np.abs(following - q).max() < 2 * STEP
+        assert np.abs(poses_of(FOLDING, following[None])[0] - T).max() < EXACT
+        q = following
+
+
+def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> None:
+    q = np.array(TWIN)
+    T = poses_of(TWINS, q[None])[0]
+    found = [in_c(TWINS, build).ik(T, q) for build in (PORTABLE, NATIVE)]
+    found.append(in_python(TWINS).ik_all(T, q))
+    meant = interpret(compiled(TWINS).module.solver, T[None], q[None]).q[0]
+    for rows, status in found:
+        held = np.isin(status, HELD)
+        assert held.tolist() == (~np.isnan(meant).any(axis=1)).tolist()
+        assert held.sum() == 8
+        assert gap(rows[held], meant[held]).max() < 1e-6
