@@ -3746,17 +3746,17 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[6])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[6])
 {
     static const double weights[6] = { 0.6802721088435373, 0.6802721088435373, 0.6802721088435373,
         1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36], enough = 0.0;
+    double x[6], P[16], J[36];
     int held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][12], square = 0.0;
         abb_gofa_5_fk(x, P);
         abb_gofa_5_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -3765,45 +3765,43 @@ static void stand_on_limits(const double T[16], double q[6])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 36; i++)
-            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 6; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 36; i++)
-                s[i % 6] += J[i] * e[i / 6];
-            for (int i = 0; i < 6; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 6; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 36; i++)
-                w[i / 6] += J[i] * p[i % 6];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 6; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -3811,6 +3809,7 @@ static void stand_on_limits(const double T[16], double q[6])
             x[i] -= off;
         }
     }
+    return 0;
 }
 
 int abb_gofa_5_ik(
@@ -3833,7 +3832,7 @@ int abb_gofa_5_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

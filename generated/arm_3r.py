@@ -10,13 +10,16 @@ position T[0:3, 3] counts; other entries are ignored.
 import functools
 import math
 import os
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from types import ModuleType
 
 import numpy as np
 
 try:
     from numba import carray, config, njit, types
     from numba.core import cgutils
+    from numba.core.sigutils import normalize_signature
     from numba.extending import intrinsic, overload
 
     if config.DISABLE_JIT:  # for debuggers
@@ -245,6 +248,75 @@ def jacobian(q):
     return J
 
 
+_APART = []  # what is compiled apart: functions, and the types of their arguments
+
+
+def _address(number):
+    """Where the code of a function is that is compiled apart."""
+    function, arguments = _APART[number]
+    function.compile(arguments)
+    compiled = function.overloads[arguments]
+    return compiled.library.get_pointer_to_function(compiled.fndesc.llvm_func_name)
+
+
+# Compiled code finds this file, and no other text of it, among the modules that Python knows.
+_KEY = "arm_3r c02f90d1809c4af7"
+if _COMPILED:
+    sys.modules[_KEY] = ModuleType(_KEY)
+    sys.modules[_KEY].address = _address
+
+
+def _apart(signature):
+    """Compiles a function apart from its callers.
+
+    numba copies what a function calls into it, with all that this calls, and optimises everything
+    anew in each caller. Of these functions a caller has the address, which it asks for at its first
+    call: when it comes out of the cache it does not know it.
+    """
+    if not _COMPILED:
+        return lambda function: function
+    arguments, result = normalize_signature(signature)
+
+    def ask(context, builder, number, place):
+        api = context.get_python_api(builder)
+        lock = api.gil_ensure()
+        module = api.import_module(context.insert_const_string(builder.module, _KEY))
+        with builder.if_then(cgutils.is_not_null(builder, module)):
+            which = api.long_from_ssize_t(context.get_constant(types.intp, number))
+            answer = api.call_method(module, "address", (which,))
+            with builder.if_then(cgutils.is_not_null(builder, answer)):
+                builder.store(api.long_as_voidptr(answer), place)
+                api.decref(answer)
+            api.decref(module)
+        api.gil_release(lock)
+
+    def decorate(function):
+        number = len(_APART)
+        _APART.append((_inner(function), arguments))
+
+        def code(context, builder, called, values):
+            given = zip(cgutils.unpack_tuple(builder, values[0]), called.args[0], arguments)
+            values = [context.cast(builder, *each) for each in given]
+            place = cgutils.add_global_variable(builder.module, cgutils.voidptr_t, f"apart{number}")
+            place.initializer, place.linkage = cgutils.get_null_value(cgutils.voidptr_t), "internal"
+            with builder.if_then(cgutils.is_null(builder, builder.load(place)), likely=False):
+                ask(context, builder, number, place)
+            address = builder.load(place)
+            with builder.if_then(cgutils.is_null(builder, address), likely=False):
+                context.call_conv.return_exc(builder)
+            kind = context.call_conv.get_function_type(result, arguments).as_pointer()
+            status, value = context.call_conv.call_function(
+                builder, builder.bitcast(address, kind), result, arguments, values
+            )
+            with cgutils.if_unlikely(builder, status.is_error):
+                context.call_conv.return_status_propagate(builder, status)
+            return value
+
+        return intrinsic(lambda _, *values: (result(types.StarArgTuple(values)), code))
+
+    return decorate
+
+
 @_inner
 def _solve(pose, seed, q, status):
     """Fills the rows of the branches that have a solution, and no others."""
@@ -337,6 +409,116 @@ def _turned(joint, given, towards):
     return value if value <= high else given
 
 
+_GIVEN = np.array([False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.8695652173913044, 0.8695652173913044, 0.8695652173913044, 0.0, 0.0, 0.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+
+    The former is zero half a turn away, too.
+    """
+    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for j in range(3):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    for i in range(3):
+        square += e[i] * e[i]
+    return e, math.sqrt(square)
+
+
+@_inner
+def _add_step(A, e, miss, q):
+    """Adds the damped least squares step that the miss e asks for to joint values.
+
+    The rows of A, each with its share of the damping's root, are made orthonormal one after another
+    (modified Gram-Schmidt): the product A A' would lose half of the digits.
+    """
+    rows = np.zeros((6, 9))
+    for i in range(6):
+        for j in range(3):
+            rows[i, j] = A[i, j]
+        rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
+        for k in range(i):
+            along = 0.0
+            for j in range(9):
+                along += rows[k, j] * rows[i, j]
+            for j in range(9):
+                rows[i, j] -= along * rows[k, j]
+            e[i] -= along * e[k]
+        square = 0.0
+        for j in range(9):
+            square += rows[i, j] * rows[i, j]
+        e[i] /= math.sqrt(square)
+        for j in range(9):
+            rows[i, j] /= math.sqrt(square)
+        for j in range(3):
+            q[j] += e[i] * rows[i, j]
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
+def _settled(T, enough, q):
+    """Takes joint values to some that miss the pose by no more than enough or, if that is NaN, than
+    they do; False if it can't. Damped least squares."""
+    held, A = _GIVEN.copy(), np.empty((6, 3))
+    for _ in range(20):
+        e, miss = _miss(T, q, held, A)
+        if math.isnan(enough):
+            enough = miss + 1e-14
+        elif miss <= enough:
+            return True
+        _add_step(A, e, miss, q)
+    return False
+
+
+@_inner
+def _settle(pose, enough, q):
+    """The same for joint values of the caller's, which stay as they were if it can't."""
+    values = np.empty(3)
+    for i in range(3):
+        values[i] = q[i]
+    if not _settled(pose, enough, values):
+        return False
+    for i in range(3):
+        if not abs(values[i] - q[i]) <= 0.1:  # to another solution
+            return False
+    for i in range(3):
+        q[i] = values[i]
+    return True
+
+
+@_inner
+def _stay(pose, seed, q, status):
+    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
+
+    The solution next to the seed gets a row unless it has one, one that is left or the nearest.
+    """
+    x, place, least = np.empty(3), 0, math.inf
+    for i in range(3):
+        x[i] = seed[i]
+    if not _settle(pose, 1e-12, x):
+        return
+    for i in range(3):
+        x[i] = _turned(i, x[i], x[i])
+    for row in range(4 - 1, -1, -1):
+        gap = -1.0
+        if status[row] != UNREACHABLE:
+            for i in range(3):
+                gap = max(gap, abs(_turned(i, q[row, i], x[i]) - x[i]))
+        if 0.0 <= gap < 0.001:
+            return
+        if gap <= least:
+            place, least = row, gap
+    status[place] = FREE_JOINT
+    for i in range(3):
+        q[place, i] = x[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -345,6 +527,7 @@ def _whole(pose, seed, q, status):
         for i in range(3):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
+    _stay(pose, seed, q, status)
     count = 0
     for row in range(4):
         if status[row] == UNREACHABLE:
@@ -496,7 +679,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated nowhere. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:
@@ -769,6 +952,8 @@ def warm_up():
     _unseeded(T, q, status)
     _nearest(q, status, _ZEROS, True, np.empty(3))
     ik_batch(T[np.newaxis])
+    for number in range(len(_APART)):
+        _address(number)
 
 
 def _results(out, count):

@@ -82,6 +82,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -107,6 +108,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -131,6 +133,20 @@ HELPER wide irregularity_wide(const wide T[16])
 
 #if LANES > 1
 /* Writes joint values of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
+}
+
+
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = shuffle(a, b, 0, 4, 2, 6);
@@ -171,8 +187,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -188,14 +204,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -206,17 +218,17 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & CARTESIAN_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & CARTESIAN_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)CARTESIAN_UNREACHABLE \
-        : (outside) ? (int)CARTESIAN_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & CARTESIAN_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & CARTESIAN_OUT_OF_LIMITS))
 static const double low1 = -1e-09, high1 = 0.800000001, low2 = -1e-09, high2 = 0.600000001,
 low3 = -1e-09, high3 = 1.200000001;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T14 = T[3]; \
+    const number T24 = T[7]; \
+    const number T34 = T[11]
 
 const char *const cartesian_branches[1] = {
     "only",
@@ -261,9 +273,7 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 {
-    const wide T14 = T[3];
-    const wide T24 = T[7];
-    const wide T34 = T[11];
+    ENTRIES(wide);
 
     q[0] = T34; q[1] = T24; q[2] = T14;
     kind[0] = kind_of(q[0], beyond(T14, 3) | beyond(T34, 1) | beyond(T24, 2));
@@ -277,9 +287,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
 INLINED
 HELPER int solve_regular(const double T[16], double q[1][3], unsigned char status[1])
 {
-    const double T14 = T[3];
-    const double T24 = T[7];
-    const double T34 = T[11];
+    ENTRIES(double);
 
     /* joint values */
     const int outside = beyond(T14, 3) | beyond(T34, 1) | beyond(T24, 2);
@@ -341,9 +349,7 @@ static void solve(
     const double T[16], const double seed[3], double q[1][3], unsigned char status[1])
 {
     (void)seed;
-    const double T14 = T[3];
-    const double T24 = T[7];
-    const double T34 = T[11];
+    ENTRIES(double);
 
     const int row = 0;
     q[row][0] = T34; q[row][1] = T24; q[row][2] = T14;

@@ -721,36 +721,6 @@ static void seek(
 }
 
 
-/* Beside a singular place all that rounding tells may be that there are many solutions, or one that
- * stands for two: the arm goes on with the one that it is at. Steps from a seed that nearly takes
- * the
- * pose lead to it, and it gets a row, unless it has one: one that is left or, where there are more
- * solutions than rows, the nearest. */
-static void stay(
-    const double T[16], const double seed[3], double q[4][3],
-    unsigned char status[4])
-{
-    struct descent d = { .T = T };
-    const double exact = exactness(T);
-    double end[3], ahead, least = HUGE_VAL;
-    int place = 0;
-    take(seed, end);
-    if (!(missed_by(T, end) <= 0.1) || descended(&d, 72, exact, end, &ahead) > exact)
-        return;
-    for (int row = 4 - 1; row >= 0; row--) {
-        const double gap = status[row] == CUSPIDAL_3R_UNREACHABLE ? -1.0 : gap_between(q[row], end);
-        if (0.0 <= gap && gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
-            place = row;
-        }
-    }
-    status[place] = ahead <= 0.0001 ? CUSPIDAL_3R_OK : CUSPIDAL_3R_FREE_JOINT;
-    take(end, q[place]);
-}
-
-
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -761,6 +731,91 @@ static double turned(int joint, double given, double towards)
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[3])
+{
+    static const double weights[6] = { 0.18181818181818182, 0.18181818181818182,
+        0.18181818181818182, 0.0, 0.0, 0.0 };
+    double x[3], P[16], J[18];
+    int held[3] = { 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][9], square = 0.0;
+        cuspidal_3r_fk(x, P);
+        cuspidal_3r_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
+        }
+        if (isnan(enough))
+            enough = sqrt(square) + 1e-14;
+        else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 3; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return 0;
+            take(x, q);
+            return 1;
+        }
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 9; j++)
+                row[j] = j < 3 ? held[j] ? 0.0 : weights[i] * J[3 * i + j] : j == 3 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 9; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 9; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
+            }
+            for (int j = 0; j < 9; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 9; j++)
+                row[j] /= length;
+            for (int j = 0; j < 3; j++)
+                x[j] += e[i] * row[j];
+        }
+    }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[3], double q[4][3],
+    unsigned char status[4])
+{
+    double x[3], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 3; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 4 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 3 && status[row] != CUSPIDAL_3R_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = CUSPIDAL_3R_FREE_JOINT;
+    take(x, q[place]);
 }
 
 int cuspidal_3r_ik(
@@ -783,9 +838,9 @@ int cuspidal_3r_ik(
         begun = status[row] == CUSPIDAL_3R_UNREACHABLE ? begun : row;
     both_sides(pose, seed, q, status);
     tighten(pose, q, status);
-    stay(pose, seed, q, status);
     if (begun >= 0)
         seek(pose, seed, begun, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 4; row++) {
         if (status[row] == CUSPIDAL_3R_UNREACHABLE)
             continue;

@@ -374,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cuspidal_3r 74e5518c2dc3d5c8"
+_KEY = "cuspidal_3r feae7edbb482684c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -977,42 +977,114 @@ def _seek(pose, seed, begun, q, status):
             q[row, i] = found[i] if row == begun else math.nan
 
 
+_GIVEN = np.array([False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.18181818181818182, 0.18181818181818182, 0.18181818181818182, 0.0, 0.0, 0.0])
 
-@_apart("float64(UniTuple(float64, 12), float64[::1], float64[::1])")
-def _stayed(pose, seed, end):
-    """Steps from a seed that nearly takes the pose, into `end`; how long another one would be, or NaN.
 
-    Beside a singular place all that rounding tells may be that there are many solutions, or one that
-    stands for two: the arm goes on with the one that it is at.
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+
+    The former is zero half a turn away, too.
     """
-    exact, ahead = _exactness(pose), np.empty(1)
-    _take(end, seed)
-    if not _missed_by(pose, end) <= 0.1:
-        return math.nan
-    if _descended(_upper_rows(pose), 72, exact, end, ahead) > exact:
-        return math.nan
-    return ahead[0]
+    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for j in range(3):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    for i in range(3):
+        square += e[i] * e[i]
+    return e, math.sqrt(square)
+
+
+@_inner
+def _add_step(A, e, miss, q):
+    """Adds the damped least squares step that the miss e asks for to joint values.
+
+    The rows of A, each with its share of the damping's root, are made orthonormal one after another
+    (modified Gram-Schmidt): the product A A' would lose half of the digits.
+    """
+    rows = np.zeros((6, 9))
+    for i in range(6):
+        for j in range(3):
+            rows[i, j] = A[i, j]
+        rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
+        for k in range(i):
+            along = 0.0
+            for j in range(9):
+                along += rows[k, j] * rows[i, j]
+            for j in range(9):
+                rows[i, j] -= along * rows[k, j]
+            e[i] -= along * e[k]
+        square = 0.0
+        for j in range(9):
+            square += rows[i, j] * rows[i, j]
+        e[i] /= math.sqrt(square)
+        for j in range(9):
+            rows[i, j] /= math.sqrt(square)
+        for j in range(3):
+            q[j] += e[i] * rows[i, j]
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
+def _settled(T, enough, q):
+    """Takes joint values to some that miss the pose by no more than enough or, if that is NaN, than
+    they do; False if it can't. Damped least squares."""
+    held, A = _GIVEN.copy(), np.empty((6, 3))
+    for _ in range(20):
+        e, miss = _miss(T, q, held, A)
+        if math.isnan(enough):
+            enough = miss + 1e-14
+        elif miss <= enough:
+            return True
+        _add_step(A, e, miss, q)
+    return False
+
+
+@_inner
+def _settle(pose, enough, q):
+    """The same for joint values of the caller's, which stay as they were if it can't."""
+    values = np.empty(3)
+    for i in range(3):
+        values[i] = q[i]
+    if not _settled(pose, enough, values):
+        return False
+    for i in range(3):
+        if not abs(values[i] - q[i]) <= 0.1:  # to another solution
+            return False
+    for i in range(3):
+        q[i] = values[i]
+    return True
 
 
 @_inner
 def _stay(pose, seed, q, status):
-    """The solution that the arm is at gets a row, unless it has one.
+    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    One that is left or, where there are more solutions than rows, the nearest.
+    The solution next to the seed gets a row unless it has one, one that is left or the nearest.
     """
-    end, place, least = np.empty(3), 0, math.inf
-    ahead = _stayed(pose, seed.copy(), end)
-    if math.isnan(ahead):
+    x, place, least = np.empty(3), 0, math.inf
+    for i in range(3):
+        x[i] = seed[i]
+    if not _settle(pose, 1e-12, x):
         return
+    for i in range(3):
+        x[i] = _turned(i, x[i], x[i])
     for row in range(4 - 1, -1, -1):
-        gap = -1.0 if status[row] == UNREACHABLE else _gap_between(q[row], end)
+        gap = -1.0
+        if status[row] != UNREACHABLE:
+            for i in range(3):
+                gap = max(gap, abs(_turned(i, q[row, i], x[i]) - x[i]))
         if 0.0 <= gap < 0.001:
             return
         if gap <= least:
             place, least = row, gap
-    status[place] = OK if ahead <= 0.0001 else FREE_JOINT
+    status[place] = FREE_JOINT
     for i in range(3):
-        q[place, i] = end[i]
+        q[place, i] = x[i]
 
 
 @_jit
@@ -1029,9 +1101,9 @@ def _whole(pose, seed, q, status):
             begun = row
     _both_sides(pose, seed, q, status)
     _tighten(pose, q, status)
-    _stay(pose, seed, q, status)
     if begun >= 0:
         _seek(pose, seed, begun, q, status)
+    _stay(pose, seed, q, status)
     count = 0
     for row in range(4):
         if status[row] == UNREACHABLE:

@@ -105,6 +105,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -130,6 +131,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -169,6 +171,7 @@ HELPER void store_4(
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
+
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -215,8 +218,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -232,14 +235,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -250,15 +249,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & DOOSAN_M1013_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & DOOSAN_M1013_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)DOOSAN_M1013_UNREACHABLE \
-        : (outside) ? (int)DOOSAN_M1013_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & DOOSAN_M1013_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & DOOSAN_M1013_OUT_OF_LIMITS))
 static const double
     d1 = 0.1525, /* joint offset 1 [m] */
     d2 = 0.0345, /* joint offset 2 [m] */
@@ -287,10 +280,16 @@ static const double
     doubt_limit_squared2 = 2.2111690000000003e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
-    m1 = 0.8064516129032259, /* a coefficient of S2 */
-    m2 = 0.057999193548387, /* a coefficient of S2 */
     m3 = 4.889268346561001e-12, /* doubt_limit_squared2^2 [m^4] */
     m4 = 1e-06; /* doubt_limit^2 */
+/* coefficients of what these are multiplied with */
+static const double m1 = 0.8064516129032259, m2 = 0.057999193548387;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const doosan_m1013_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -414,9 +413,7 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta1 */
     const wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
@@ -548,9 +545,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
@@ -667,9 +662,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
     const double X1 = T13 * d6 - T14;
@@ -798,6 +791,96 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    static const double weights[6] = { 0.6724949562878278, 0.6724949562878278, 0.6724949562878278,
+        1.0, 1.0, 1.0 };
+    double x[6], P[16], J[36];
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][12], square = 0.0;
+        doosan_m1013_fk(x, P);
+        doosan_m1013_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
+        }
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
+        }
+        if (isnan(enough))
+            enough = sqrt(square) + 1e-14;
+        else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 6; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return 0;
+            take(x, q);
+            return 1;
+        }
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
+            }
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
+        }
+    }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[6], double q[8][6],
+    unsigned char status[8])
+{
+    double x[6], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 6; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 6 && status[row] != DOOSAN_M1013_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = DOOSAN_M1013_FREE_JOINT;
+    take(x, q[place]);
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
@@ -817,6 +900,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     if (!valid)
         return -DOOSAN_M1013_INVALID_POSE;
     solve(pose, seed, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == DOOSAN_M1013_UNREACHABLE)
             continue;

@@ -104,6 +104,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -129,6 +130,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -169,6 +171,7 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
+
 HELPER unsigned bits_four(four_mask m)
 {
     return (unsigned)_mm256_movemask_pd((four)m);
@@ -204,8 +207,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -221,14 +224,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -239,15 +238,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & EPSON_T3_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & EPSON_T3_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)EPSON_T3_UNREACHABLE \
-        : (outside) ? (int)EPSON_T3_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & EPSON_T3_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & EPSON_T3_OUT_OF_LIMITS))
 static const double
     a1 = 0.225, /* link length 1 [m] */
     a2 = 0.175, /* link length 2 [m] */
@@ -268,11 +261,17 @@ static const double
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
-    m2 = 2.2222222222222223, /* a coefficient of S1 */
-    m3 = 0.04444444444444444, /* a coefficient of S1 */
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
+/* coefficients of what these are multiplied with */
+static const double m2 = 2.2222222222222223, m3 = 0.04444444444444444;
 static const double low1 = -2.303834613632515, high1 = 2.303834613632515, low2 = -2.460914246312005,
 high2 = 2.460914246312005, low3 = -0.150000001, high3 = 1e-09;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const epson_t3_branches[2] = {
     "down", "up",
@@ -386,9 +385,7 @@ static double beyond_limits(const double values[4])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
-    const wide T11 = T[0], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta12m4 */
     const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
@@ -433,9 +430,7 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta12m4 */
     const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
@@ -526,9 +521,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
 static void solve(
     const double T[16], const double seed[4], double q[2][4], unsigned char status[2])
 {
-    const double T11 = T[0], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta12m4, type 3: U0[1, 2] and U0[2, 2] */
     const double w12m4 = sqrt(T21 * T21 + T11 * T11);
@@ -717,16 +710,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[4])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[4])
 {
     static const double weights[6] = { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 };
-    double x[4], P[16], J[24], enough = 0.0;
+    double x[4], P[16], J[24];
     int held[4] = { 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[4] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][10], square = 0.0;
         epson_t3_fk(x, P);
         epson_t3_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -735,45 +728,43 @@ static void stand_on_limits(const double T[16], double q[4])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 24; i++)
-            J[i] *= held[i % 4] ? 0.0 : weights[i / 4];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 4; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 4 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[4] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 24; i++)
-                s[i % 4] += J[i] * e[i / 4];
-            for (int i = 0; i < 4; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 4; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 24; i++)
-                w[i / 4] += J[i] * p[i % 4];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 4; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 10; j++)
+                row[j] = j < 4 ? held[j] ? 0.0 : weights[i] * J[4 * i + j] : j == 4 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 10; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 10; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 10; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 10; j++)
+                row[j] /= length;
+            for (int j = 0; j < 4; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 4; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -781,6 +772,36 @@ static void stand_on_limits(const double T[16], double q[4])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[4], double q[2][4],
+    unsigned char status[2])
+{
+    double x[4], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 4; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 2 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 4 && status[row] != EPSON_T3_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = EPSON_T3_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -805,12 +826,13 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
     for (int row = 0; row < 2; row++)
         if (status[row] == EPSON_T3_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == EPSON_T3_UNREACHABLE)
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 4; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

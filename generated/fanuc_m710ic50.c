@@ -106,6 +106,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -131,6 +132,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -170,6 +172,7 @@ HELPER void store_4(
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
+
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -216,8 +219,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -233,14 +236,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -251,15 +250,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & FANUC_M710IC50_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & FANUC_M710IC50_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)FANUC_M710IC50_UNREACHABLE \
-        : (outside) ? (int)FANUC_M710IC50_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & FANUC_M710IC50_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & FANUC_M710IC50_OUT_OF_LIMITS))
 static const double
     d1 = 0.565, /* joint offset 1 [m] */
     a1 = 0.15, /* link length 1 [m] */
@@ -287,16 +280,19 @@ static const double
     turn1 = -1.4050092836833894, /* a constant angle [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 8.678916e-06, /* doubt_limit1^2 [m^2] */
-    m3 = 0.5747126436781609, /* a coefficient of Y1_2 */
-    m4 = 0.1748597701149426, /* a coefficient of Y1_2 */
-    m5 = 0.0801013234623373, /* a coefficient of c2m3 */
-    m6 = 0.47872320375138055, /* a coefficient of c2m3 */
-    m7 = 0.14565440708058014, /* a coefficient of c2m3 */
-    m8 = 0.024371308271356914, /* a coefficient of c2m3 */
     m9 = 1e-06; /* doubt_limit^2 */
+/* coefficients of what these are multiplied with */
+static const double m3 = 0.5747126436781609, m4 = 0.1748597701149426, m5 = 0.0801013234623373,
+m6 = 0.47872320375138055, m7 = 0.14565440708058014, m8 = 0.024371308271356914;
 static const double low1 = -3.1415000010000003, high1 = 3.1415000010000003, low2 = -1.570700001,
 high2 = 2.356100001, low3 = -2.792500001, high3 = 4.886900001, low5 = -2.181600001,
 high5 = 2.181600001;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const fanuc_m710ic50_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -441,9 +437,7 @@ static double beyond_limits(const double values[6])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta1 */
     const wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1,
@@ -483,12 +477,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* theta6 */
     const wide v38 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v39 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
         v40 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v41 = w1 * (v2 * (Y1 * T23 - t14 * T13)),
-        v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) - -X4_pp * v40,
-        v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) - -X4_pm * v40,
+        v42 = Y4 * (s2m3_pp * T33 - c2m3_pp * v41) + X4_pp * v40,
+        v43 = Y4 * (s2m3_pm * T33 - c2m3_pm * v41) + X4_pm * v40,
         v44 = v29 * v40 - Y4 * (s2m3_mp * T33 + c2m3_mp * v41),
         v45 = v30 * v40 - Y4 * (s2m3_mm * T33 + c2m3_mm * v41),
-        angle8 = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) - -X4_pp * v38),
-        angle9 = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) - -X4_pm * v38),
+        angle8 = atan2_wide(v42, Y4 * (s2m3_pp * T32 - c2m3_pp * v39) + X4_pp * v38),
+        angle9 = atan2_wide(v43, Y4 * (s2m3_pm * T32 - c2m3_pm * v39) + X4_pm * v38),
         angle10 = atan2_wide(v44, v29 * v38 - Y4 * (s2m3_mp * T32 + c2m3_mp * v39)),
         angle11 = atan2_wide(v45, v30 * v38 - Y4 * (s2m3_mm * T32 + c2m3_mm * v39));
 
@@ -572,9 +566,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, v1 = t14 * t14 + Y1 * Y1, w1 = sqrt(v1);
@@ -608,7 +600,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     /* theta6 */
     const double v22 = w1 * (v2 * (t14 * T22 + Y1 * T12)), v23 = w1 * (v2 * (Y1 * T22 - t14 * T12)),
         v24 = w1 * (v2 * (t14 * T23 + Y1 * T13)), v25 = w1 * (v2 * (Y1 * T23 - t14 * T13));
-    const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) - -X4 * v24);
+    const four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) + X4 * v24);
 
     /* joint values */
     const four_mask doubt2 = ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart
@@ -618,7 +610,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         all_four(-t14), 0, 5, 2, 3)),
         ratio2 = ratio_four(-(v6 + w3 * (m3 * (e2 * v4))), v8 + w3 * v7),
         ratio3 = ratio_four(v20, -X4),
-        ratio4 = ratio_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) - -X4 * v22)),
+        ratio4 = ratio_four(v26, e1 * (Y4 * (s2m3 * T32 - e1 * (c2m3 * v23)) + X4 * v22)),
         ratio5 = ratio_four(sqrt_four(v19), T31 * c2m3 + e1 * (s2m3 * v17));
     const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle5 = angle_four(ratio2),
@@ -700,9 +692,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1, type 2: U1[3, 4] */
     const double t14 = T14 - d6 * T11;
@@ -934,17 +924,17 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[6])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[6])
 {
     static const double weights[6] = { 0.3394433129667346, 0.3394433129667346, 0.3394433129667346,
         1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36], enough = 0.0;
+    double x[6], P[16], J[36];
     int held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][12], square = 0.0;
         fanuc_m710ic50_fk(x, P);
         fanuc_m710ic50_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -953,45 +943,43 @@ static void stand_on_limits(const double T[16], double q[6])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 36; i++)
-            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 6; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 36; i++)
-                s[i % 6] += J[i] * e[i / 6];
-            for (int i = 0; i < 6; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 6; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 36; i++)
-                w[i / 6] += J[i] * p[i % 6];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 6; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -999,6 +987,36 @@ static void stand_on_limits(const double T[16], double q[6])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[6], double q[8][6],
+    unsigned char status[8])
+{
+    double x[6], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 6; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 6 && status[row] != FANUC_M710IC50_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = FANUC_M710IC50_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1023,12 +1041,13 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++)
         if (status[row] == FANUC_M710IC50_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == FANUC_M710IC50_UNREACHABLE)
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

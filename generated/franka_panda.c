@@ -99,6 +99,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -136,6 +137,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -179,23 +181,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
 
 HELPER unsigned bits_four(four_mask m)
 {
@@ -232,8 +217,8 @@ HELPER four irregularity_four(const double T[16], const double free_joints[1])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -249,14 +234,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -267,15 +248,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & FRANKA_PANDA_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & FRANKA_PANDA_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)FRANKA_PANDA_UNREACHABLE \
-        : (outside) ? (int)FRANKA_PANDA_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & FRANKA_PANDA_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & FRANKA_PANDA_OUT_OF_LIMITS))
 static const double
     d1 = 0.333, /* joint offset 1 [m] */
     d3 = 0.316, /* joint offset 3 [m] */
@@ -301,19 +276,21 @@ static const double
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
-    m1 = 1.754896834873102, /* a coefficient of c4 */
-    m2 = 3.4805529861209807, /* a coefficient of c4 */
-    m3 = 1.2446337324912609, /* a coefficient of v7 */
-    m4 = 0.0825, /* a coefficient of v7 */
-    m5 = 0.2674017784649193, /* a coefficient of v7 */
-    m7 = 0.384, /* a coefficient of Y1_6 */
     m8 = 3.765342321601e-12, /* doubt_limit_squared2^2 [m^4] */
-    m9 = 1e-06, /* doubt_limit^2 */
-    m10 = 12.121212121212121; /* a coefficient of s3 */
+    m9 = 1e-06; /* doubt_limit^2 */
+/* coefficients of what these are multiplied with */
+static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
+m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384, m10 = 12.121212121212121;
 static const double low1 = -2.897300001, high1 = 2.897300001, low2 = -1.762800001,
 high2 = 1.762800001, low3 = -2.897300001, high3 = 2.897300001, low4 = -3.071800001,
 high4 = -0.069799999, low5 = -2.897300001, high5 = 2.897300001, low6 = -0.017500001,
 high6 = 3.752500001, low7 = -2.897300001, high7 = 2.897300001;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const franka_panda_branches[8] = {
     "noflip4-noflip5-left", "noflip4-noflip5-right", "noflip4-flip5-left", "noflip4-flip5-right",
@@ -475,9 +452,7 @@ static double beyond_limits(const double values[7])
 HELPER wide_mask solve_wide(
     const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
     const wide c7 = cos_wide(free_joints[0]), s7 = sin_wide(free_joints[0]);
 
     /* theta4 */
@@ -553,20 +528,20 @@ HELPER wide_mask solve_wide(
         v104 = v23 * v95, v105 = s5_p * v57, v106 = s5_m * v57, v107 = T23 * s5_p,
         v108 = T23 * s5_m, v109 = v22 * v62, v110 = v23 * v62, v111 = s5_p * v44, v112 = s5_m * v44,
         v113 = T13 * s5_p, v114 = T13 * s5_m, v115 = v22 * v49, v116 = v23 * v49,
-        v117 = m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) - -v31 * (v96 + v103)))
-            - X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) - -v31 * (v84 + v91))))),
+        v117 = m10 * (v77 * (v69 * (v99 + factor6_pp * (C6_pp * (v94 - v101) + v31 * (v96 + v103)))
+            - X1_pp * (v87 + factor6_pp * (C6_pp * (v82 - v89) + v31 * (v84 + v91))))),
         v118 = m10 * (v78 * (v70 * (v99 + factor6_pm * (C6_pm * (v94 + v101) + v32 * (v96 - v103)))
             - X1_pm * (v87 + factor6_pm * (C6_pm * (v82 + v89) + v32 * (v84 - v91))))),
-        v119 = m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) - -v34 * (v96 +
-            v104))) - X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) - -v34 * (v84 + v92))))),
+        v119 = m10 * (v79 * (v71 * (v100 + factor6_mp * (C6_mp * (v94 - v102) + v34 * (v96 + v104)))
+            - X1_mp * (v88 + factor6_mp * (C6_mp * (v82 - v90) + v34 * (v84 + v92))))),
         v120 = m10 * (v80 * (v56 * (v88 + factor6_mm * (C6_mm * (v82 + v90) + v35 * (v84 - v92))) -
             v72 * (v100 + factor6_mm * (C6_mm * (v94 + v102) + v35 * (v96 - v104))))),
-        v121 = v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 + -v31 * v107)) - v69 * (v115 +
-            factor6_pp * (C6_pp * v111 + -v31 * v113))),
+        v121 = v77 * (X1_pp * (v109 + factor6_pp * (C6_pp * v105 - v31 * v107)) - v69 * (v115 +
+            factor6_pp * (C6_pp * v111 - v31 * v113))),
         v122 = v78 * (X1_pm * (factor6_pm * (C6_pm * v105 - v32 * v107) - v109) - v70 * (factor6_pm
             * (C6_pm * v111 - v32 * v113) - v115)),
-        v123 = v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 + -v34 * v108)) - v71 * (v116 +
-            factor6_mp * (C6_mp * v112 + -v34 * v114))),
+        v123 = v79 * (X1_mp * (v110 + factor6_mp * (C6_mp * v106 - v34 * v108)) - v71 * (v116 +
+            factor6_mp * (C6_mp * v112 - v34 * v114))),
         v124 = v80 * (v72 * (factor6_mm * (C6_mm * v112 - v35 * v114) - v116) - v56 * (factor6_mm *
             (C6_mm * v106 - v35 * v108) - v110)), angle12 = atan2_wide(v117, -v121),
         angle13 = atan2_wide(v118, -v122), angle14 = atan2_wide(v119, -v123),
@@ -584,14 +559,14 @@ HELPER wide_mask solve_wide(
         v143 = v22 * v132, v144 = v23 * v133, v145 = v22 * v128, v146 = v23 * v129,
         v147 = s5_p * v125, v148 = s5_m * v125, v149 = T33 * s5_p, v150 = T33 * s5_m,
         v151 = v22 * v134, v152 = v23 * v134,
-        angle16 = atan2_wide(w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 *
-            (v126 + v145))) + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149)),
-            v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))),
+        angle16 = atan2_wide(w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) + v31 *
+            (v126 + v145))) + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 - v31 * v149)), v135
+            + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))),
         angle17 = atan2_wide(w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 *
             (v126 - v145))) + w1_pm * v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151), v135
             - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))),
-        angle18 = atan2_wide(w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 *
-            (v146 - v127))) + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150)),
+        angle18 = atan2_wide(w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) - v34 *
+            (v146 - v127))) + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 - v34 * v150)),
             factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136),
         angle19 = atan2_wide(w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 *
             (v127 + v146))) + w1_mm * v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152),
@@ -665,9 +640,7 @@ HELPER int solve_regular(
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
     const double c7 = cos(free_joints[0]), s7 = sin(free_joints[0]);
 
     /* theta4 */
@@ -721,10 +694,10 @@ HELPER int solve_regular(
         v55 = v1 + (c7 * (a6 * T11) - s7 * (a6 * T12));
     const four v56 = s5 * v54 - v55, v57 = v13 * v50, v58 = v13 * v52, v59 = s5 * v31,
         v60 = T23 * s5, v61 = v13 * v34, v62 = s5 * v24, v63 = T13 * s5, v64 = v13 * v27,
-        v65 = m10 * (v40 * (v38 * (v56 + factor6 * (C6 * (v51 - e2 * v57) - -v20 * (v53 + e2 *
-            v58))) - X1 * (v47 + factor6 * (C6 * (v42 - e2 * v48) - -v20 * (v44 + e2 * v49))))),
-        v66 = v40 * (X1 * (factor6 * (C6 * v59 + -v20 * v60) + e2 * v61) - v38 * (e2 * v64 + factor6
-            * (C6 * v62 + -v20 * v63)));
+        v65 = m10 * (v40 * (v38 * (v56 + factor6 * (C6 * (v51 - e2 * v57) + v20 * (v53 + e2 * v58)))
+            - X1 * (v47 + factor6 * (C6 * (v42 - e2 * v48) + v20 * (v44 + e2 * v49))))),
+        v66 = v40 * (X1 * (factor6 * (C6 * v59 - v20 * v60) + e2 * v61) - v38 * (e2 * v64 + factor6
+            * (C6 * v62 - v20 * v63)));
 
     /* theta2 */
     const double v67 = c7 * T31 - s7 * T32;
@@ -743,9 +716,9 @@ HELPER int solve_regular(
     const four_ratio ratio1 = ratio_four(shuffle(v14, all_four(w4), 0, 5, 2, 3), shuffle(-v12,
         all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v38, -X1),
         ratio4 = ratio_four(v65, -v66),
-        ratio5 = ratio_four(w1 * v66 * (v76 + factor6 * (C6 * (v70 - e2 * v77) - -v20 * (v68 + e2 *
-            v78))) + w1 * v65 * (e2 * v81 + factor6 * (C6 * v79 + -v20 * v80)), v73 + factor6 *
-            (-v20 * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
+        ratio5 = ratio_four(w1 * v66 * (v76 + factor6 * (C6 * (v70 - e2 * v77) + v20 * (v68 + e2 *
+            v78))) + w1 * v65 * (e2 * v81 + factor6 * (C6 * v79 - v20 * v80)), v73 + factor6 * (-v20
+            * (v71 - e2 * v75) - C6 * (v69 + e2 * v74)));
     const four packed1 = angle_four(ratio1), angle2 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
@@ -765,11 +738,9 @@ HELPER int solve_regular(
         (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], angle4, angle6, angle5, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], q5_p, q6_p);
-    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], q7_p);
+    store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, q5_p, q6_p, q7_p);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_m, -angle6, q3_m, q4_p);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_p, q6_p);
-    store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_p);
+    store_4(&q[1][3], &q[3][3], &q[5][3], &q[7][3], q4_p, q5_p, q6_p, q7_p);
     const unsigned long long none1 = (bits_four(angle4 != angle4) * 0x200040008001ull &
         0x1000100010001ull) | (bits_four(q1_m != q1_m) * 0x20004000800100ull &
         0x100010001000100ull);
@@ -836,9 +807,7 @@ static void solve(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     const double c7 = cos(free_joints[0]), s7 = sin(free_joints[0]);
 
@@ -1102,17 +1071,17 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[7])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[7])
 {
     static const double weights[6] = { 0.7178750897343862, 0.7178750897343862, 0.7178750897343862,
         1.0, 1.0, 1.0 };
-    double x[7], P[16], J[42], enough = 0.0;
+    double x[7], P[16], J[42];
     int held[7] = { 0, 0, 0, 0, 0, 0, 1 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[7] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][13], square = 0.0;
         franka_panda_fk(x, P);
         franka_panda_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -1121,45 +1090,43 @@ static void stand_on_limits(const double T[16], double q[7])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 42; i++)
-            J[i] *= held[i % 7] ? 0.0 : weights[i / 7];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 7; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 7 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[7] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 42; i++)
-                s[i % 7] += J[i] * e[i / 7];
-            for (int i = 0; i < 7; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 7; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 42; i++)
-                w[i / 7] += J[i] * p[i % 7];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 7; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 13; j++)
+                row[j] = j < 7 ? held[j] ? 0.0 : weights[i] * J[7 * i + j] : j == 7 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 13; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 13; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 13; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 13; j++)
+                row[j] /= length;
+            for (int j = 0; j < 7; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 7; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -1167,6 +1134,37 @@ static void stand_on_limits(const double T[16], double q[7])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
+    unsigned char status[8])
+{
+    double x[7], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    x[6] = free_joints[0];
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 7; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 7 && status[row] != FRANKA_PANDA_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = FRANKA_PANDA_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1192,12 +1190,13 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++)
         if (status[row] == FRANKA_PANDA_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, free_joints, seed, row, q, status);
+    stay(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == FRANKA_PANDA_UNREACHABLE)
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 7; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

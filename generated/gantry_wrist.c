@@ -99,6 +99,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -124,6 +125,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -163,6 +165,7 @@ HELPER void store_4(
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
+
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -209,8 +212,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -226,14 +229,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -244,21 +243,21 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & GANTRY_WRIST_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & GANTRY_WRIST_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)GANTRY_WRIST_UNREACHABLE \
-        : (outside) ? (int)GANTRY_WRIST_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & GANTRY_WRIST_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & GANTRY_WRIST_OUT_OF_LIMITS))
 static const double
     d4 = 0.1, /* joint offset 4 [m] */
     d6 = 0.12, /* joint offset 6 [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-06; /* doubt_limit^2 */
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const gantry_wrist_branches[2] = {
     "noflip", "flip",
@@ -349,9 +348,7 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[12], wide_mask kind[2])
 {
-    const wide T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* r2 */
     const wide q2_p = T24 - d6 * T23;
@@ -391,9 +388,7 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][6], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* r2 */
     const double q2 = T24 - d6 * T23;
@@ -478,9 +473,7 @@ HELPER int solve_regular(const double T[16], double q[2][6], unsigned char statu
 static void solve(
     const double T[16], const double seed[6], double q[2][6], unsigned char status[2])
 {
-    const double T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* r2, type 1: U0 A6^-1 [2, 4] */
     const double wy = T24 - T23 * d6;
@@ -538,6 +531,96 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    static const double weights[6] = { 4.545454545454546, 4.545454545454546, 4.545454545454546, 1.0,
+        1.0, 1.0 };
+    double x[6], P[16], J[36];
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][12], square = 0.0;
+        gantry_wrist_fk(x, P);
+        gantry_wrist_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
+        }
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
+        }
+        if (isnan(enough))
+            enough = sqrt(square) + 1e-14;
+        else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 6; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return 0;
+            take(x, q);
+            return 1;
+        }
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
+            }
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
+        }
+    }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[6], double q[2][6],
+    unsigned char status[2])
+{
+    double x[6], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 6; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 2 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 6 && status[row] != GANTRY_WRIST_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = GANTRY_WRIST_FREE_JOINT;
+    take(x, q[place]);
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][6], unsigned char
     status[2])
@@ -557,6 +640,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][6],
     if (!valid)
         return -GANTRY_WRIST_INVALID_POSE;
     solve(pose, seed, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == GANTRY_WRIST_UNREACHABLE)
             continue;

@@ -374,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 3fa5979d567bb2c4"
+_KEY = "kinova_gen3_7 e3c094873fd6c9d3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2170,8 +2170,11 @@ _MISS_WEIGHT = np.array([0.8690286866369458, 0.8690286866369458, 0.8690286866369
 
 @_inner
 def _miss(T, q, held, A):
-    """By how much joint values miss the pose (6,), and into A how the joints change that."""
-    e, P, J = np.zeros(6), fk(q), jacobian(q)
+    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+
+    The former is zero half a turn away, too.
+    """
+    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
     e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
     e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
     e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
@@ -2179,61 +2182,56 @@ def _miss(T, q, held, A):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(7):
         for i in range(6):
             A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
-    return e
+    for i in range(3):
+        square += e[i] * e[i]
+    return e, math.sqrt(square)
 
 
 @_inner
-def _conjugate_gradients(A, e, enough, q):
-    """Adds to joint values what makes the linear miss e small, if that can be."""
-    p, before = np.zeros(7), math.inf
-    for _ in range(7):
-        square = 0.0
-        for i in range(6):
-            square += e[i] * e[i]
-        if square <= 0.01 * enough * enough:
-            return
-        s, w, slope, length = np.zeros(7), np.zeros(6), 0.0, 0.0
-        for j in range(7):
-            for i in range(6):
-                s[j] += A[i, j] * e[i]
-            slope += s[j] * s[j]
-        for j in range(7):
-            p[j] = s[j] + slope / before * p[j]
-        for i in range(6):
-            for j in range(7):
-                w[i] += A[i, j] * p[j]
-            length += w[i] * w[i]
-        if not length > 0.0:
-            return
-        for j in range(7):
-            q[j] += slope / length * p[j]
-        for i in range(6):
-            e[i] -= slope / length * w[i]
-        before = slope
+def _add_step(A, e, miss, q):
+    """Adds the damped least squares step that the miss e asks for to joint values.
 
-
-@_apart("boolean(UniTuple(float64, 12), float64[::1])")
-def _stand_on_limits(T, q):
-    """Puts joints that are a little beyond limits on these, and lets the others follow.
-
-    Rounding leaves them there beside singular poses. Gauss-Newton, least squares by conjugate
-    gradients; False if the row then fits the pose worse than it did.
+    The rows of A, each with its share of the damping's root, are made orthonormal one after another
+    (modified Gram-Schmidt): the product A A' would lose half of the digits.
     """
-    held, A, enough = _GIVEN.copy(), np.empty((6, 7)), 0.0
-    for k in range(6):
-        e = _miss(T, q, held, A)
-        miss = 0.0
-        for i in range(6):
-            miss += e[i] * e[i]
-        miss = math.sqrt(miss)
-        if k == 0:
+    rows = np.zeros((6, 13))
+    for i in range(6):
+        for j in range(7):
+            rows[i, j] = A[i, j]
+        rows[i, 7 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
+        for k in range(i):
+            along = 0.0
+            for j in range(13):
+                along += rows[k, j] * rows[i, j]
+            for j in range(13):
+                rows[i, j] -= along * rows[k, j]
+            e[i] -= along * e[k]
+        square = 0.0
+        for j in range(13):
+            square += rows[i, j] * rows[i, j]
+        e[i] /= math.sqrt(square)
+        for j in range(13):
+            rows[i, j] /= math.sqrt(square)
+        for j in range(7):
+            q[j] += e[i] * rows[i, j]
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
+def _settled(T, enough, q):
+    """Takes joint values to some that miss the pose by no more than enough or, if that is NaN, than
+    they do, inside their limits; False if it can't. Damped least squares."""
+    held, A = _GIVEN.copy(), np.empty((6, 7))
+    for _ in range(20):
+        e, miss = _miss(T, q, held, A)
+        if math.isnan(enough):
             enough = miss + 1e-14
         elif miss <= enough:
             return True
-        _conjugate_gradients(A, e, enough, q)
+        _add_step(A, e, miss, q)
         for j in range(7):
             off = 0.0 if held[j] else _overshoot(j, q[j])
             held[j] = held[j] or off != 0.0
@@ -2242,20 +2240,19 @@ def _stand_on_limits(T, q):
 
 
 @_inner
-def _stand(pose, q):
-    """The same for a row of the caller's, which stays as it was if it can't."""
-    if not 0.0 < _beyond_limits(q) < 0.01:
-        return
+def _settle(pose, enough, q):
+    """The same for joint values of the caller's, which stay as they were if it can't."""
     values = np.empty(7)
     for i in range(7):
         values[i] = q[i]
-    if not _stand_on_limits(pose, values):
-        return
+    if not _settled(pose, enough, values):
+        return False
     for i in range(7):
-        if abs(values[i] - q[i]) > 0.1:  # to another solution
-            return
+        if not abs(values[i] - q[i]) <= 0.1:  # to another solution
+            return False
     for i in range(7):
         q[i] = values[i]
+    return True
 
 
 @_jit
@@ -2270,7 +2267,8 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        _stand(pose, q[row])
+        if 0.0 < _beyond_limits(q[row]) < 0.01:
+            _settle(pose, math.nan, q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -106,6 +106,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -131,6 +132,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -170,6 +172,7 @@ HELPER void store_4(
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
+
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -216,8 +219,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -233,14 +236,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -251,15 +250,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & KINOVA_J2S6S300_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & KINOVA_J2S6S300_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)KINOVA_J2S6S300_UNREACHABLE \
-        : (outside) ? (int)KINOVA_J2S6S300_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & KINOVA_J2S6S300_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & KINOVA_J2S6S300_OUT_OF_LIMITS))
 static const double
     d1 = 0.2755, /* joint offset 1 [m] */
     d2 = 0.0016, /* joint offset 2 [m] */
@@ -290,12 +283,18 @@ static const double
     doubt_limit_squared2 = 1.6212928899999995e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
-    m1 = 1.2195121951219514, /* a coefficient of S2 */
-    m2 = 0.08700963109756096, /* a coefficient of S2 */
     m3 = 2.6285906351645502e-12, /* doubt_limit_squared2^2 [m^4] */
     m4 = 1e-06; /* doubt_limit^2 */
+/* coefficients of what these are multiplied with */
+static const double m1 = 1.2195121951219514, m2 = 0.08700963109756096;
 static const double low2 = 0.820304747437335, high2 = 5.462880559742252, low3 = 0.3316125568789226,
 high3 = 5.951572750300664, low5 = 0.5235987745982988, high5 = 5.759586532581287;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kinova_j2s6s300_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -459,9 +458,7 @@ static double beyond_limits(const double values[6])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta1 */
     const wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
@@ -481,7 +478,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         S2_pp = v13 + v14, S2_pm = v13 - v14, v15 = w1 * X1_2, v16 = Z1_3 * X2_2, v17 = v15 - v16,
         v18 = v15 + v16, v19 = w3 * (m1 * Z1_3), v20 = w1 * v12, C2_pp = v20 - v19,
         C2_pm = v19 + v20, v21 = S2_pp * S2_pp, v22 = v21 + C2_pp * C2_pp,
-        v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 + -C2_pp * -C2_pp, w2_pp = sqrt_wide(v22),
+        v23 = S2_pm * S2_pm + C2_pm * C2_pm, v24 = v21 - C2_pp * -C2_pp, w2_pp = sqrt_wide(v22),
         w2_pm = sqrt_wide(v23), w2_mm = sqrt_wide(v24), v25 = 1.0 / v22, v26 = 1.0 / v23,
         v27 = 1.0 / v24;
 
@@ -529,7 +526,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle15 - offset3, v61 = signed_wide(half_turn, -v5) - angle15 - offset3,
         q3__p = v60 + only_wide(v60 <= -half_turn, whole_turn),
         q3__m = v61 + only_wide(v61 <= -half_turn, whole_turn),
-        angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) - -X4_pp * v46),
+        angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) + X4_pp * v46),
         angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)),
         angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)),
         angle19 = atan2_wide(s6_mm, X4_mm * v47 - v36 * (v30 * v49 + s2m3_mm * T32)),
@@ -606,9 +603,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1 */
     const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
@@ -650,7 +645,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     const four_ratio ratio1 = ratio_four(shuffle(s1, all_four(-v5), 0, 5, 2, 3), shuffle(c1,
         all_four(v7), 0, 5, 2, 3)), ratio2 = ratio_four(S2, C2), ratio3 = ratio_four(-v25, -X4),
-        ratio4 = ratio_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) - -X4 * v29),
+        ratio4 = ratio_four(s6, v25 * (c2m3 * v30 - s2m3 * T32) + X4 * v29),
         ratio5 = ratio_four(-sqrt_four(v27), -(T33 * c2m3 + s2m3 * v24));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
@@ -738,9 +733,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1, type 2: U1 A6^-1 [3, 4] */
     const double X1 = T13 * d6 - T14;
@@ -975,17 +968,17 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[6])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[6])
 {
     static const double weights[6] = { 0.7853608733212912, 0.7853608733212912, 0.7853608733212912,
         1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36], enough = 0.0;
+    double x[6], P[16], J[36];
     int held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[6] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][12], square = 0.0;
         kinova_j2s6s300_fk(x, P);
         kinova_j2s6s300_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -994,45 +987,43 @@ static void stand_on_limits(const double T[16], double q[6])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 36; i++)
-            J[i] *= held[i % 6] ? 0.0 : weights[i / 6];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 6; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 6 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[6] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 36; i++)
-                s[i % 6] += J[i] * e[i / 6];
-            for (int i = 0; i < 6; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 6; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 36; i++)
-                w[i / 6] += J[i] * p[i % 6];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 6; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -1040,6 +1031,36 @@ static void stand_on_limits(const double T[16], double q[6])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[6], double q[8][6],
+    unsigned char status[8])
+{
+    double x[6], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 6; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 6 && status[row] != KINOVA_J2S6S300_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = KINOVA_J2S6S300_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1064,12 +1085,13 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++)
         if (status[row] == KINOVA_J2S6S300_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == KINOVA_J2S6S300_UNREACHABLE)
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

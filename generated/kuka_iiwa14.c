@@ -105,6 +105,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -142,6 +143,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -185,23 +187,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
 
 HELPER unsigned bits_four(four_mask m)
 {
@@ -238,8 +223,8 @@ HELPER four irregularity_four(const double T[16], const double free_joints[1])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -255,14 +240,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -273,15 +254,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & KUKA_IIWA14_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & KUKA_IIWA14_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)KUKA_IIWA14_UNREACHABLE \
-        : (outside) ? (int)KUKA_IIWA14_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & KUKA_IIWA14_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & KUKA_IIWA14_OUT_OF_LIMITS))
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
     d3 = 0.42, /* joint offset 3 [m] */
@@ -314,6 +289,12 @@ low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.96705972939036
 high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
 low5 = -2.9670597293903604, high5 = 2.9670597293903604, low6 = -2.0943951033931953,
 high6 = 2.0943951033931953, low7 = -3.054326191990077, high7 = 3.054326191990077;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kuka_iiwa14_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -476,9 +457,7 @@ static double beyond_limits(const double values[7])
 HELPER wide_mask solve_wide(
     const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
     const wide c3 = cos_wide(free_joints[0]), s3 = sin_wide(free_joints[0]);
 
     /* theta4 */
@@ -487,7 +466,7 @@ HELPER wide_mask solve_wide(
         v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
-    const wide N1 = v1 + -wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1),
+    const wide N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt_wide(D1),
         v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1, v9 = w1 * (-wx * inverse1),
         v10 = w1 * (wx * inverse1), v11 = inverse1 * v8, c1_pp = v11 - v9, c1_pm = v11 - v10,
         v12 = v9 + v11, v13 = v10 + v11, v14 = w1 * (wy * inverse1), v15 = w1 * (inverse1 * -wy),
@@ -498,7 +477,7 @@ HELPER wide_mask solve_wide(
     const wide v17 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v18 = Z1_2 * v17, v19 = w1 * X2_2,
         S2_pp = v19 - v18, S2_mp = v18 + v19, v20 = Z1_2 * X2_2, v21 = w1 * v17, v22 = v20 + v21,
         v23 = v20 - v21, v24 = v22 * v22, v25 = S2_pp * S2_pp + v24,
-        v26 = S2_mp * S2_mp + v23 * v23, v27 = v24 + -S2_pp * -S2_pp,
+        v26 = S2_mp * S2_mp + v23 * v23, v27 = v24 - S2_pp * -S2_pp,
         factor2_pp = sqrt_wide(v25) * (1.0 / v25), factor2_pm = sqrt_wide(v26) * (1.0 / v26),
         factor2_mm = sqrt_wide(v27) * (1.0 / v27);
 
@@ -666,9 +645,7 @@ HELPER int solve_regular(
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
     const double c3 = cos(free_joints[0]), s3 = sin(free_joints[0]);
 
     /* theta4 */
@@ -677,7 +654,7 @@ HELPER int solve_regular(
         v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * w4, v5 = k3 * v4;
 
     /* theta1 */
-    const double N1 = v1 + -wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt(D1),
+    const double N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, w1 = sqrt(D1),
         v6 = w1 - w1, inverse1 = 1.0 / N1, v7 = -wx * Z1, v8 = wy * Z1;
     const four v9 = e1 * v8, v10 = w1 * (inverse1 * (e2 * -wx)), v11 = inverse1 * v9,
         c1 = v11 - v10, v12 = e1 * v7, v13 = w1 * (inverse1 * (e2 * wy)), v14 = inverse1 * v12,
@@ -758,11 +735,9 @@ HELPER int solve_regular(
         (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, all_four(q3_p), q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle1, q6_p);
-    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle2);
+    store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle1, q6_p, angle2);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, all_four(q3_p), q4_p);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_m);
+    store_4(&q[1][3], &q[3][3], &q[5][3], &q[7][3], q4_p, q5_m, q6_m, q7_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
@@ -828,9 +803,7 @@ static void solve(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     const double c3 = cos(free_joints[0]), s3 = sin(free_joints[0]);
 
@@ -1096,17 +1069,17 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[7])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[7])
 {
     static const double weights[6] = { 0.7656967840735068, 0.7656967840735068, 0.7656967840735068,
         1.0, 1.0, 1.0 };
-    double x[7], P[16], J[42], enough = 0.0;
+    double x[7], P[16], J[42];
     int held[7] = { 0, 0, 1, 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[7] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][13], square = 0.0;
         kuka_iiwa14_fk(x, P);
         kuka_iiwa14_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -1115,45 +1088,43 @@ static void stand_on_limits(const double T[16], double q[7])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 42; i++)
-            J[i] *= held[i % 7] ? 0.0 : weights[i / 7];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 7; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 7 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[7] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 42; i++)
-                s[i % 7] += J[i] * e[i / 7];
-            for (int i = 0; i < 7; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 7; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 42; i++)
-                w[i / 7] += J[i] * p[i % 7];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 7; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 13; j++)
+                row[j] = j < 7 ? held[j] ? 0.0 : weights[i] * J[7 * i + j] : j == 7 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 13; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 13; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 13; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 13; j++)
+                row[j] /= length;
+            for (int j = 0; j < 7; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 7; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -1161,6 +1132,37 @@ static void stand_on_limits(const double T[16], double q[7])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
+    unsigned char status[8])
+{
+    double x[7], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    x[2] = free_joints[0];
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 7; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 7 && status[row] != KUKA_IIWA14_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = KUKA_IIWA14_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1186,12 +1188,13 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++)
         if (status[row] == KUKA_IIWA14_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, free_joints, seed, row, q, status);
+    stay(pose, free_joints, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == KUKA_IIWA14_UNREACHABLE)
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 7; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

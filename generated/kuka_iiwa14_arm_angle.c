@@ -107,6 +107,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -144,6 +145,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -187,23 +189,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
-{
-    const four first = shuffle(a, b, 0, 4, 2, 6);
-    const four second = shuffle(a, b, 1, 5, 3, 7);
-    *(two_at *)r0 = shuffle(first, first, 0, 1);
-    *(two_at *)r1 = shuffle(second, second, 0, 1);
-    *(two_at *)r2 = shuffle(first, first, 2, 3);
-    *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
-{
-    *r0 = a[0];
-    *r1 = a[1];
-    *r2 = a[2];
-    *r3 = a[3];
-}
 
 HELPER unsigned bits_four(four_mask m)
 {
@@ -240,8 +225,8 @@ HELPER four irregularity_four(const double T[16], const double free_joints[1])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -257,14 +242,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -275,15 +256,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & KUKA_IIWA14_ARM_ANGLE_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)KUKA_IIWA14_ARM_ANGLE_UNREACHABLE \
-        : (outside) ? (int)KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & KUKA_IIWA14_ARM_ANGLE_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS))
 static const double
     d1 = 0.36, /* joint offset 1 [m] */
     d3 = 0.42, /* joint offset 3 [m] */
@@ -313,6 +288,12 @@ low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.96705972939036
 high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
 low5 = -2.9670597293903604, high5 = 2.9670597293903604, low6 = -2.0943951033931953,
 high6 = 2.0943951033931953, low7 = -3.054326191990077, high7 = 3.054326191990077;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
     "noflip4-left-noflip5", "noflip4-left-flip5", "noflip4-right-noflip5", "noflip4-right-flip5",
@@ -505,9 +486,7 @@ static double beyond_limits(const double values[7])
 HELPER wide_mask solve_wide(
     const wide T[16], const wide free_joints[1], wide q[56], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta4 */
     const wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
@@ -665,9 +644,7 @@ HELPER int solve_regular(
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta4 */
     const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
@@ -762,11 +739,9 @@ HELPER int solve_regular(
         (unsigned)(doubt1))
         return -1;
     store_4(&q[0][0], &q[2][0], &q[4][0], &q[6][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[0][4], &q[2][4], &q[4][4], &q[6][4], angle2, q6_p);
-    store_1(&q[0][6], &q[2][6], &q[4][6], &q[6][6], angle3);
+    store_4(&q[0][3], &q[2][3], &q[4][3], &q[6][3], q4_p, angle2, q6_p, angle3);
     store_4(&q[1][0], &q[3][0], &q[5][0], &q[7][0], q1_p, q2_p, q3_p, q4_p);
-    store_2(&q[1][4], &q[3][4], &q[5][4], &q[7][4], q5_m, q6_m);
-    store_1(&q[1][6], &q[3][6], &q[5][6], &q[7][6], q7_m);
+    store_4(&q[1][3], &q[3][3], &q[5][3], &q[7][3], q4_p, q5_m, q6_m, q7_m);
     const unsigned long long none1 = (bits_four(q1_p != q1_p) * 0x20204040808101ull &
         0x101010101010101ull);
     const unsigned long long outside1 = (bits_four(outside_p) * 0x200040008001ull &
@@ -832,9 +807,7 @@ static void solve(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta4, type 2: the squared length of column 4 of U1 A7^-1 */
     const double wx = T14 - T13 * d7;

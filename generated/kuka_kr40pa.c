@@ -105,6 +105,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -130,6 +131,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -170,6 +172,7 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
+
 HELPER unsigned bits_four(four_mask m)
 {
     return (unsigned)_mm256_movemask_pd((four)m);
@@ -205,8 +208,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -222,14 +225,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -240,15 +239,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & KUKA_KR40PA_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & KUKA_KR40PA_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)KUKA_KR40PA_UNREACHABLE \
-        : (outside) ? (int)KUKA_KR40PA_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & KUKA_KR40PA_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & KUKA_KR40PA_OUT_OF_LIMITS))
 
 /* By how much joint values miss the entries that count: the root of the sum of squares. */
 static double missed_by(const double *pose, const double *q)
@@ -537,10 +530,17 @@ static const double
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
-    m2 = 0.625, /* a coefficient of Y1_2 */
     m3 = 1e-24, /* exact_slack^2 */
     m4 = 4.839999999999998e-24, /* exact_slack1^2 [m^2] */
     m5 = 1.452e-09; /* 3 * pose_slack1^2 [m^2] */
+/* coefficients of what these are multiplied with */
+static const double m2 = 0.625;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const kuka_kr40pa_branches[2] = {
     "down", "up",
@@ -643,9 +643,7 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta234 */
     const wide v1 = T31 * T31 + T33 * T33, factor234 = sqrt_wide(v1) * (1.0 / v1),
@@ -705,9 +703,7 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][4], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta234 */
     const double v1 = T31 * T31 + T33 * T33, factor234 = sqrt(v1) * (1.0 / v1);
@@ -827,9 +823,7 @@ static void lose(int why, double off, double q[4], unsigned char *status)
 static void solve(
     const double T[16], const double seed[4], double q[2][4], unsigned char status[2])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta234, type 3: U0[3, 3] and U0[3, 1] */
     const double w234 = sqrt(T31 * T31 + T33 * T33);
@@ -1143,36 +1137,6 @@ static void seek(
 }
 
 
-/* Beside a singular place all that rounding tells may be that there are many solutions, or one that
- * stands for two: the arm goes on with the one that it is at. Steps from a seed that nearly takes
- * the
- * pose lead to it, and it gets a row, unless it has one: one that is left or, where there are more
- * solutions than rows, the nearest. */
-static void stay(
-    const double T[16], const double seed[4], double q[2][4],
-    unsigned char status[2])
-{
-    struct descent d = { .T = T };
-    const double exact = exactness(T);
-    double end[4], ahead, least = HUGE_VAL;
-    int place = 0;
-    take(seed, end);
-    if (!(missed_by(T, end) <= 0.1) || descended(&d, 72, exact, end, &ahead) > exact)
-        return;
-    for (int row = 2 - 1; row >= 0; row--) {
-        const double gap = status[row] == KUKA_KR40PA_UNREACHABLE ? -1.0 : gap_between(q[row], end);
-        if (0.0 <= gap && gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
-            place = row;
-        }
-    }
-    status[place] = ahead <= 0.0001 ? KUKA_KR40PA_OK : KUKA_KR40PA_FREE_JOINT;
-    take(end, q[place]);
-}
-
-
 /* A joint value moved by whole turns, near to another but inside its limits. */
 static double turned(int joint, double given, double towards)
 {
@@ -1183,6 +1147,96 @@ static double turned(int joint, double given, double towards)
     value -= turn * ceil(fmax(value - high, 0.0) / turn);
     value += turn * ceil(fmax(low - value, 0.0) / turn);
     return value <= high ? value : given;
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[4])
+{
+    static const double weights[6] = { 0.4545454545454546, 0.4545454545454546, 0.4545454545454546,
+        1.0, 1.0, 1.0 };
+    double x[4], P[16], J[24];
+    int held[4] = { 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][10], square = 0.0;
+        kuka_kr40pa_fk(x, P);
+        kuka_kr40pa_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
+        }
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
+        }
+        if (isnan(enough))
+            enough = sqrt(square) + 1e-14;
+        else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 4; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return 0;
+            take(x, q);
+            return 1;
+        }
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 10; j++)
+                row[j] = j < 4 ? held[j] ? 0.0 : weights[i] * J[4 * i + j] : j == 4 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 10; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 10; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
+            }
+            for (int j = 0; j < 10; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 10; j++)
+                row[j] /= length;
+            for (int j = 0; j < 4; j++)
+                x[j] += e[i] * row[j];
+        }
+    }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[4], double q[2][4],
+    unsigned char status[2])
+{
+    double x[4], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 4; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 2 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 4 && status[row] != KUKA_KR40PA_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = KUKA_KR40PA_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -1211,8 +1265,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
     tighten(pose, q, status);
-    stay(pose, seed, q, status);
     seek(pose, seed, begun, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == KUKA_KR40PA_UNREACHABLE)
             continue;

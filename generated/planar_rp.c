@@ -89,6 +89,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -114,6 +115,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -138,6 +140,20 @@ HELPER wide irregularity_wide(const wide T[16])
 
 #if LANES > 1
 /* Writes joint values of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
+}
+
+
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = shuffle(a, b, 0, 4, 2, 6);
@@ -170,8 +186,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -187,14 +203,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -205,15 +217,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & PLANAR_RP_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & PLANAR_RP_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)PLANAR_RP_UNREACHABLE \
-        : (outside) ? (int)PLANAR_RP_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & PLANAR_RP_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & PLANAR_RP_OUT_OF_LIMITS))
 static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
@@ -221,6 +227,11 @@ static const double
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit1^2 [m^2] */
 static const double low2 = -1e-09, high2 = 1.000000001;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T14 = T[3]; \
+    const number T24 = T[7]
 
 const char *const planar_rp_branches[2] = {
     "forward", "backward",
@@ -296,8 +307,7 @@ static double beyond_limits(const double values[2])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
 {
-    const wide T14 = T[3];
-    const wide T24 = T[7];
+    ENTRIES(wide);
 
     /* theta1, r2 */
     const wide v1 = T14 * T14 + T24 * T24, q2_p = sqrt_wide(v1);
@@ -324,8 +334,7 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][2], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T14 = T[3];
-    const double T24 = T[7];
+    ENTRIES(double);
 
     /* theta1, r2 */
     const double v1 = T14 * T14 + T24 * T24, w2 = sqrt(v1);
@@ -396,8 +405,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
 static void solve(
     const double T[16], const double seed[2], double q[2][2], unsigned char status[2])
 {
-    const double T14 = T[3];
-    const double T24 = T[7];
+    ENTRIES(double);
 
     /* theta1, r2, type 4: U0[1, 4] and U0[2, 4] */
     const double w2 = sqrt(T14 * T14 + T24 * T24);
@@ -548,58 +556,55 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[2])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[2])
 {
     static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
-    double x[2], P[16], J[12], enough = 0.0;
+    double x[2], P[16], J[12];
     int held[2] = { 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[2] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][8], square = 0.0;
         planar_rp_fk(x, P);
         planar_rp_jacobian(x, J);
         e[0] = T[3] - P[3];
         e[1] = T[7] - P[7];
-        for (int i = 0; i < 12; i++)
-            J[i] *= held[i % 2] ? 0.0 : weights[i / 2];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 2; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 2 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[2] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 12; i++)
-                s[i % 2] += J[i] * e[i / 2];
-            for (int i = 0; i < 2; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 2; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 12; i++)
-                w[i / 2] += J[i] * p[i % 2];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 2; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 8; j++)
+                row[j] = j < 2 ? held[j] ? 0.0 : weights[i] * J[2 * i + j] : j == 2 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 8; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 8; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 8; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 8; j++)
+                row[j] /= length;
+            for (int j = 0; j < 2; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 2; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -607,6 +612,36 @@ static void stand_on_limits(const double T[16], double q[2])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[2], double q[2][2],
+    unsigned char status[2])
+{
+    double x[2], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 2; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 2 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 2 && status[row] != PLANAR_RP_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = PLANAR_RP_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -628,12 +663,13 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2],
     for (int row = 0; row < 2; row++)
         if (status[row] == PLANAR_RP_FREE_JOINT && beyond_limits(q[row]) > 0.0)
             keep_limits(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == PLANAR_RP_UNREACHABLE)
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 2; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

@@ -105,6 +105,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -130,6 +131,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -157,6 +159,20 @@ HELPER wide irregularity_wide(const wide T[16])
 
 #if LANES > 1
 /* Writes joint values of four rows. */
+HELPER void store_4(
+    double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
+{
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
+    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
+    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
+    *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
+    *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
+    *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
+}
+
+
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
     const four first = shuffle(a, b, 0, 4, 2, 6);
@@ -210,8 +226,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -227,14 +243,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -245,15 +257,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & PLANAR_RRR_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & PLANAR_RRR_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)PLANAR_RRR_UNREACHABLE \
-        : (outside) ? (int)PLANAR_RRR_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & PLANAR_RRR_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & PLANAR_RRR_OUT_OF_LIMITS))
 static const double
     a1 = 0.4, /* link length 1 [m] */
     a2 = 0.3, /* link length 2 [m] */
@@ -274,13 +280,18 @@ static const double
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
-    m2 = 1.25, /* a coefficient of S1 */
-    m3 = 0.08750000000000001, /* a coefficient of S1 */
-    m4 = 1.666666666666667, /* a coefficient of c12 */
-    m5 = 0.1166666666666667, /* a coefficient of c12 */
     m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
     m7 = 1.0000000000000002e-10, /* pose_slack^2 */
     m8 = 1.445e-10; /* 2 * pose_slack1^2 [m^2] */
+/* coefficients of what these are multiplied with */
+static const double m2 = 1.25, m3 = 0.08750000000000001, m4 = 1.666666666666667,
+m5 = 0.1166666666666667;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const planar_rrr_branches[2] = {
     "down", "up",
@@ -362,9 +373,7 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
 {
-    const wide T11 = T[0], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta123 */
     const wide v1 = T21 * T21 + T11 * T11, v2 = sqrt_wide(v1) * (1.0 / v1),
@@ -418,9 +427,7 @@ INLINED
 HELPER int solve_regular(const double T[16], double q[2][3], unsigned char status[2])
 {
     const four e1 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta123 */
     const double v1 = T21 * T21 + T11 * T11, v2 = sqrt(v1) * (1.0 / v1);
@@ -527,9 +534,7 @@ static void lose(int why, double off, double q[3], unsigned char *status)
 static void solve(
     const double T[16], const double seed[3], double q[2][3], unsigned char status[2])
 {
-    const double T11 = T[0], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta123, type 3: U0[1, 2] and U0[2, 2] */
     const double w123 = sqrt(T21 * T21 + T11 * T11);
@@ -734,6 +739,96 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[3])
+{
+    static const double weights[6] = { 1.1764705882352942, 1.1764705882352942, 1.1764705882352942,
+        1.0, 1.0, 1.0 };
+    double x[3], P[16], J[18];
+    int held[3] = { 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][9], square = 0.0;
+        planar_rrr_fk(x, P);
+        planar_rrr_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
+        }
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
+        }
+        if (isnan(enough))
+            enough = sqrt(square) + 1e-14;
+        else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 3; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return 0;
+            take(x, q);
+            return 1;
+        }
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 9; j++)
+                row[j] = j < 3 ? held[j] ? 0.0 : weights[i] * J[3 * i + j] : j == 3 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 9; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 9; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
+            }
+            for (int j = 0; j < 9; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 9; j++)
+                row[j] /= length;
+            for (int j = 0; j < 3; j++)
+                x[j] += e[i] * row[j];
+        }
+    }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[3], double q[2][3],
+    unsigned char status[2])
+{
+    double x[3], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 3; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 2 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 3 && status[row] != PLANAR_RRR_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = PLANAR_RRR_FREE_JOINT;
+    take(x, q[place]);
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3], unsigned char
     status[2])
@@ -756,6 +851,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][3],
     for (int row = 0; row < 2; row++)
         if (status[row] >= LOST)
             choose_again(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == PLANAR_RRR_UNREACHABLE)
             continue;

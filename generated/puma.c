@@ -98,6 +98,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define sqrt_four _mm256_sqrt_pd
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
+#define where_all(mask) (mask)
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
@@ -123,6 +124,7 @@ ARCTANGENT(four)
 typedef double wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0)
 #define copysign_wide copysign
@@ -162,6 +164,7 @@ HELPER void store_4(
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
+
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -208,8 +211,8 @@ HELPER four irregularity_four(const double T[16])
 /* Rows to columns. */
 HELPER void transpose(wide x[LANES])
 {
-    wide y[LANES];
 #if LANES == 8
+    wide y[8];
     for (int k = 0; k < 8; k += 2) {
         y[k] = shuffle(x[k], x[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         y[k + 1] = shuffle(x[k], x[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -225,14 +228,10 @@ HELPER void transpose(wide x[LANES])
         x[k + 4] = shuffle(y[k], x[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 #else
-    y[0] = shuffle(x[0], x[1], 0, 4, 2, 6);
-    y[1] = shuffle(x[0], x[1], 1, 5, 3, 7);
-    y[2] = shuffle(x[2], x[3], 0, 4, 2, 6);
-    y[3] = shuffle(x[2], x[3], 1, 5, 3, 7);
-    x[0] = shuffle(y[0], y[2], 0, 1, 4, 5);
-    x[1] = shuffle(y[1], y[3], 0, 1, 4, 5);
-    x[2] = shuffle(y[0], y[2], 2, 3, 6, 7);
-    x[3] = shuffle(y[1], y[3], 2, 3, 6, 7);
+    double y[16];
+    store_4(y, y + 4, y + 8, y + 12, x[0], x[1], x[2], x[3]);
+    for (int k = 0; k < 4; k++)
+        x[k] = *(const wide_at *)(y + 4 * k);
 #endif
 }
 #endif
@@ -243,15 +242,9 @@ HELPER void transpose(wide x[LANES])
     (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
-#if LANES > 1
 #define kind_of(x, outside) \
-    ((((x) != (x)) & PUMA_UNREACHABLE) \
-        | (((x) == (x)) & (outside) & PUMA_OUT_OF_LIMITS))
-#else
-#define kind_of(x, outside) \
-    ((x) != (x) ? (int)PUMA_UNREACHABLE \
-        : (outside) ? (int)PUMA_OUT_OF_LIMITS : 0)
-#endif
+    ((where_all((x) != (x)) & PUMA_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & PUMA_OUT_OF_LIMITS))
 static const double
     L2 = 0.4318, /* z of axis 3 [m] */
     D3 = 0.15005, /* x of axis 4 [m] */
@@ -274,11 +267,16 @@ static const double
     g1 = 0.8636, /* L2 + D4 [m] */
     doubt_limit_squared2 = 1.0274863225e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    m1 = 1.1579434923575729, /* a coefficient of v5 */
     m2 = 1.055728142924574e-12, /* doubt_limit_squared2^2 [m^4] */
-    m3 = 3.105217997900075, /* a coefficient of c23 */
-    m4 = 2.3158869847151458, /* a coefficient of s23 */
     m5 = 1e-06; /* doubt_limit^2 */
+/* coefficients of what these are multiplied with */
+static const double m1 = 1.1579434923575729, m3 = 3.105217997900075, m4 = 2.3158869847151458;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const puma_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -409,9 +407,7 @@ static int read_pose(const double given[16], double T[16])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta1 */
     const wide t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
@@ -429,14 +425,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v7 = w3 * (m1 * t34), v8 = m1 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
         v11 = m1 * (t34 * N3), v12 = w3 * (m1 * w1), C2_pp = v11 - v12, C2_pm = v11 + v12,
         v13 = v9 * v9 + C2_pp * C2_pp, v14 = C2_pm * C2_pm, v15 = v10 * v10 + v14,
-        v16 = v14 + -v10 * -v10, factor2_pp = sqrt_wide(v13) * (1.0 / v13),
+        v16 = v14 - v10 * -v10, factor2_pp = sqrt_wide(v13) * (1.0 / v13),
         factor2_pm = sqrt_wide(v15) * (1.0 / v15), factor2_mp = sqrt_wide(v16) * (1.0 / v16),
         angle2 = atan2_wide(-v9, C2_pp), angle3 = atan2_wide(-v10, C2_pm),
         angle4 = atan2_wide(v10, C2_pm), angle5 = atan2_wide(v9, C2_pp);
 
     /* theta4 */
     const wide v17 = m3 * N3, v18 = m1 - v17, v19 = v17 - m4, v20 = w1 * (N3 * (v18 + v19)),
-        s23_pp = v7 + v20, s23_pm = v20 - v7, v21 = w1 * (N3 * (-v18 + -v19)), s23_mp = v7 + v21,
+        s23_pp = v7 + v20, s23_pm = v20 - v7, v21 = w1 * (N3 * (-v18 - v19)), s23_mp = v7 + v21,
         s23_mm = v21 - v7, v22 = T13 * s1_p - T23 * c1_p, v23 = T13 * s1_m - T23 * c1_m,
         X4_pp = C2_pm * v22 - T33 * s23_pp, X4_pm = C2_pp * v22 - T33 * s23_pm,
         X4_mp = C2_pp * v23 - T33 * s23_mp, X4_mm = C2_pm * v23 - T33 * s23_mm,
@@ -462,10 +458,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide v36 = c1_p * T12 + s1_p * T22, v37 = c1_m * T12 + s1_m * T22,
         v38 = s1_p * T12 - c1_p * T22, v39 = s1_m * T12 - c1_m * T22, v40 = T11 * c1_p + T21 * s1_p,
         v41 = T11 * c1_m + T21 * s1_m, v42 = T11 * s1_p - T21 * c1_p, v43 = T11 * s1_m - T21 * c1_m,
-        v44 = v24 * (s23_pp * T32 - C2_pm * v38) - -X4_pp * v36,
-        v45 = v24 * (s23_pm * T32 - C2_pp * v38) - -X4_pm * v36,
-        v46 = v25 * (s23_mp * T32 - C2_pp * v39) - -X4_mp * v37,
-        v47 = v25 * (s23_mm * T32 - C2_pm * v39) - -X4_mm * v37,
+        v44 = v24 * (s23_pp * T32 - C2_pm * v38) + X4_pp * v36,
+        v45 = v24 * (s23_pm * T32 - C2_pp * v38) + X4_pm * v36,
+        v46 = v25 * (s23_mp * T32 - C2_pp * v39) + X4_mp * v37,
+        v47 = v25 * (s23_mm * T32 - C2_pm * v39) + X4_mm * v37,
         angle14 = atan2_wide(v44, -X4_pp * v40 - v24 * (T31 * s23_pp - C2_pm * v42)),
         angle15 = atan2_wide(v45, -X4_pm * v40 - v24 * (T31 * s23_pm - C2_pp * v42)),
         angle16 = atan2_wide(v46, -X4_mp * v41 - v25 * (T31 * s23_mp - C2_pp * v43)),
@@ -515,9 +511,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 {
     const four e1 = { 1.0, 1.0, -1.0, -1.0 };
     const four e2 = { 1.0, -1.0, 1.0, -1.0 };
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1 */
     const double t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
@@ -548,7 +542,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 
     /* theta6 */
     const four v21 = c1 * T12 + s1 * T22, v22 = s1 * T12 - c1 * T22, v23 = T11 * c1 + T21 * s1,
-        v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) - -X4 * v21;
+        v24 = T11 * s1 - T21 * c1, v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
     /* joint values */
     const four_mask doubt2 = (v10 <= m2) | (v19 <= m5);
@@ -627,9 +621,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
 static void solve(
     const double T[16], const double seed[6], double q[8][6], unsigned char status[8])
 {
-    const double T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const double T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const double T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(double);
 
     /* theta1, type 2: U1[1, 4] */
     const double t24 = T24 + D3 * T21 + k1 * T23;
@@ -748,6 +740,96 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    static const double weights[6] = { 0.986533813446456, 0.986533813446456, 0.986533813446456, 1.0,
+        1.0, 1.0 };
+    double x[6], P[16], J[36];
+    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][12], square = 0.0;
+        puma_fk(x, P);
+        puma_jacobian(x, J);
+        e[0] = T[3] - P[3];
+        e[1] = T[7] - P[7];
+        e[2] = T[11] - P[11];
+        for (int i = 0; i < 9; i++) {
+            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
+        }
+        for (int i = 0; i < 6; i++) {
+            e[i] *= weights[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
+        }
+        if (isnan(enough))
+            enough = sqrt(square) + 1e-14;
+        else if (sqrt(square) <= enough) {
+            for (int i = 0; i < 6; i++)
+                if (fabs(x[i] - q[i]) > 0.1)
+                    return 0;
+            take(x, q);
+            return 1;
+        }
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
+            }
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
+        }
+    }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const double T[16], const double seed[6], double q[8][6],
+    unsigned char status[8])
+{
+    double x[6], least = HUGE_VAL;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 1e-12, x))
+        return;
+    for (int i = 0; i < 6; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        double gap = -1.0;
+        for (int i = 0; i < 6 && status[row] != PUMA_UNREACHABLE; i++)
+            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0 <= gap && gap < 0.001)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = PUMA_FREE_JOINT;
+    take(x, q[place]);
+}
+
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
 APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6], unsigned char
     status[8])
@@ -767,6 +849,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     if (!valid)
         return -PUMA_INVALID_POSE;
     solve(pose, seed, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA_UNREACHABLE)
             continue;

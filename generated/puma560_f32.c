@@ -78,6 +78,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 typedef float wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
@@ -106,8 +107,8 @@ HELPER wide irregularity_wide(const wide T[16])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((x) != (x) ? (int)PUMA560_F32_UNREACHABLE \
-        : (outside) ? (int)PUMA560_F32_OUT_OF_LIMITS : 0)
+    ((where_all((x) != (x)) & PUMA560_F32_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & PUMA560_F32_OUT_OF_LIMITS))
 static const float
     d1 = 0.67183f, /* joint offset 1 [m] */
     a2 = 0.4318f, /* link length 2 [m] */
@@ -134,17 +135,20 @@ static const float
     turn1 = 1.5238184f, /* a constant angle [rad] */
     half_turn = 3.1415927f, /* pi [rad] */
     whole_turn = 6.2831855f, /* 2 pi [rad] */
-    m1 = 0.12579383f, /* a coefficient of s3 */
-    m2 = 0.9988974f, /* a coefficient of s3 */
-    m3 = 2.6757524f, /* a coefficient of s3 */
-    m4 = 0.046960667f, /* a coefficient of c3 */
-    m5 = 1.1579435f, /* a coefficient of X1_2 */
-    m6 = 0.00047717695f, /* a coefficient of X1_2 */
     m7 = 1e-06f; /* doubt_limit^2 */
+/* coefficients of what these are multiplied with */
+static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
+m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
 static const float low1 = -2.7925289f, high1 = 2.7925289f, low2 =
     -1.9198642f,
 high2 = 1.9198642f, low3 = -2.3561964f, high3 = 2.3561964f,
 low5 = -1.7453313f, high5 = 1.7453313f;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11]
 
 const char *const puma560_f32_branches[8] = {
     "left-down-noflip", "left-down-flip", "left-up-noflip", "left-up-flip", "right-down-noflip",
@@ -288,9 +292,7 @@ static float beyond_limits(const float values[6])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
 {
-    const wide T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* theta1 */
     const wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt_wide(D1), v1 = w1 - w1,
@@ -408,9 +410,7 @@ HELPER int solve_regular(const float T[16], float q[8][6], unsigned char status[
 static void solve(
     const float T[16], const float seed[6], float q[8][6], unsigned char status[8])
 {
-    const float T11 = T[0], T12 = T[1], T13 = T[2], T14 = T[3];
-    const float T21 = T[4], T22 = T[5], T23 = T[6], T24 = T[7];
-    const float T31 = T[8], T32 = T[9], T33 = T[10], T34 = T[11];
+    ENTRIES(float);
 
     /* theta1, type 2: U1[3, 4] */
     const float N1 = T14 * T14 + T24 * T24;
@@ -634,17 +634,17 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const float T[16], float q[6])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const float T[16], float enough, float q[6])
 {
     static const float weights[6] = { 0.5862421f, 0.5862421f, 0.5862421f,
         1.0f, 1.0f, 1.0f };
-    float x[6], P[16], J[36], enough = 0.0f;
+    float x[6], P[16], J[36];
     int held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        float e[6] = { 0.0f }, p[6] = { 0.0f }, square = 0.0f, before = HUGE_VALF;
+    for (int tried = 0; tried < 20; tried++) {
+        float e[6] = { 0.0f }, A[6][12], square = 0.0f;
         puma560_f32_fk(x, P);
         puma560_f32_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -653,45 +653,43 @@ static void stand_on_limits(const float T[16], float q[6])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 36; i++)
-            J[i] *= held[i % 6] ? 0.0f : weights[i / 6];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0f;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrtf(square) + 1e-06f;
         else if (sqrtf(square) <= enough) {
             for (int i = 0; i < 6; i++)
                 if (fabsf(x[i] - q[i]) > 0.1f)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 6 && sqrtf(square) > 0.1f * enough; k++) {
-            float w[6] = { 0.0f }, s[6] = { 0.0f }, slope = 0.0f, bend = 0.0f;
-            for (int i = 0; i < 36; i++)
-                s[i % 6] += J[i] * e[i / 6];
-            for (int i = 0; i < 6; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 6; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 36; i++)
-                w[i / 6] += J[i] * p[i % 6];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0f)
-                break;
-            const float part = slope / bend;
-            square = 0.0f;
-            for (int i = 0; i < 6; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const float share = sqrtf(0.1f * square + 1e-26f);
+        for (int i = 0; i < 6; i++) {
+            float *row = A[i], length = 0.0f;
+            for (int j = 0; j < 12; j++)
+                row[j] = j < 6 ? held[j] ? 0.0f : weights[i] * J[6 * i + j] : j == 6 + i ? share :
+                    0.0f;
+            for (int k = 0; k < i; k++) {
+                float along = 0.0f;
+                for (int j = 0; j < 12; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 12; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 12; j++)
+                length += row[j] * row[j];
+            length = sqrtf(length);
+            e[i] /= length;
+            for (int j = 0; j < 12; j++)
+                row[j] /= length;
+            for (int j = 0; j < 6; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 6; i++) {
             const float off = held[i] ? 0.0f : overshoot(i, x[i]);
@@ -699,6 +697,36 @@ static void stand_on_limits(const float T[16], float q[6])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const float T[16], const float seed[6], float q[8][6],
+    unsigned char status[8])
+{
+    float x[6], least = HUGE_VALF;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 5e-05f, x))
+        return;
+    for (int i = 0; i < 6; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 8 - 1; row >= 0; row--) {
+        float gap = -1.0f;
+        for (int i = 0; i < 6 && status[row] != PUMA560_F32_UNREACHABLE; i++)
+            gap = fmaxf(gap, fabsf(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0f <= gap && gap < 0.03f)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = PUMA560_F32_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -723,12 +751,13 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     for (int row = 0; row < 8; row++)
         if (status[row] == PUMA560_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
             keep_limits(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 8; row++) {
         if (status[row] == PUMA560_F32_UNREACHABLE)
             continue;
         const float off = beyond_limits(q[row]);
         if (0.0f < off && off < 0.01f)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
             const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))

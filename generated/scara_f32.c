@@ -84,6 +84,7 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 typedef float wide;
 typedef int wide_mask;
 #define all_wide(x) (x)
+#define where_all(truth) (-(truth))
 #define pick_wide(m, yes, no) ((m) ? (yes) : (no))
 #define only_wide(m, x) ((m) ? (x) : 0.0f)
 #define copysign_wide copysignf
@@ -112,8 +113,8 @@ HELPER wide irregularity_wide(const wide T[16])
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
-    ((x) != (x) ? (int)SCARA_F32_UNREACHABLE \
-        : (outside) ? (int)SCARA_F32_OUT_OF_LIMITS : 0)
+    ((where_all((x) != (x)) & SCARA_F32_UNREACHABLE) \
+        | (where_all(((x) == (x)) & (outside)) & SCARA_F32_OUT_OF_LIMITS))
 static const float
     L1 = 0.4f, /* link length 1 [m] */
     L2 = 0.3f, /* link length 2 [m] */
@@ -134,11 +135,17 @@ static const float
     whole_turn = 6.2831855f, /* 2 pi [rad] */
     half_turn = 3.1415927f, /* pi [rad] */
     m1 = 1e-12f, /* doubt_limit_squared^2 */
-    m2 = 1.25f, /* a coefficient of S1 */
-    m3 = 0.0875f, /* a coefficient of S1 */
     m4 = 1e-10f; /* pose_slack^2 */
+/* coefficients of what these are multiplied with */
+static const float m2 = 1.25f, m3 = 0.0875f;
 static const float low1 = -2.26893f, high1 = 2.26893f,
 low2 = -2.5307295f, high2 = 2.5307295f, low3 = -0.200002f, high3 = 2e-06f;
+
+/* The entries of a pose by their names. */
+#define ENTRIES(number) \
+    const number T11 = T[0], T13 = T[2], T14 = T[3]; \
+    const number T21 = T[4], T23 = T[6], T24 = T[7]; \
+    const number T31 = T[8], T33 = T[10], T34 = T[11]
 
 const char *const scara_f32_branches[2] = {
     "down", "up",
@@ -252,9 +259,7 @@ static float beyond_limits(const float values[4])
  * pose has to be left to `solve`. */
 HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
 {
-    const wide T11 = T[0], T13 = T[2], T14 = T[3];
-    const wide T21 = T[4], T23 = T[6], T24 = T[7];
-    const wide T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(wide);
 
     /* r3 */
     const wide t34 = T34 - L4 * T31;
@@ -314,9 +319,7 @@ HELPER int solve_regular(const float T[16], float q[2][4], unsigned char status[
 static void solve(
     const float T[16], const float seed[4], float q[2][4], unsigned char status[2])
 {
-    const float T11 = T[0], T13 = T[2], T14 = T[3];
-    const float T21 = T[4], T23 = T[6], T24 = T[7];
-    const float T31 = T[8], T33 = T[10], T34 = T[11];
+    ENTRIES(float);
 
     /* r3, type 1: U0[3, 4] */
     const float t34 = T34 - L4 * T31;
@@ -510,16 +513,16 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const float T[16], float q[4])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const float T[16], float enough, float q[4])
 {
     static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
-    float x[4], P[16], J[24], enough = 0.0f;
+    float x[4], P[16], J[24];
     int held[4] = { 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        float e[6] = { 0.0f }, p[4] = { 0.0f }, square = 0.0f, before = HUGE_VALF;
+    for (int tried = 0; tried < 20; tried++) {
+        float e[6] = { 0.0f }, A[6][10], square = 0.0f;
         scara_f32_fk(x, P);
         scara_f32_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -528,45 +531,43 @@ static void stand_on_limits(const float T[16], float q[4])
         for (int i = 0; i < 9; i++) {
             const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
             e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+            square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
-        for (int i = 0; i < 24; i++)
-            J[i] *= held[i % 4] ? 0.0f : weights[i / 4];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0f;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrtf(square) + 1e-06f;
         else if (sqrtf(square) <= enough) {
             for (int i = 0; i < 4; i++)
                 if (fabsf(x[i] - q[i]) > 0.1f)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 4 && sqrtf(square) > 0.1f * enough; k++) {
-            float w[6] = { 0.0f }, s[4] = { 0.0f }, slope = 0.0f, bend = 0.0f;
-            for (int i = 0; i < 24; i++)
-                s[i % 4] += J[i] * e[i / 4];
-            for (int i = 0; i < 4; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 4; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 24; i++)
-                w[i / 4] += J[i] * p[i % 4];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0f)
-                break;
-            const float part = slope / bend;
-            square = 0.0f;
-            for (int i = 0; i < 4; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const float share = sqrtf(0.1f * square + 1e-26f);
+        for (int i = 0; i < 6; i++) {
+            float *row = A[i], length = 0.0f;
+            for (int j = 0; j < 10; j++)
+                row[j] = j < 4 ? held[j] ? 0.0f : weights[i] * J[4 * i + j] : j == 4 + i ? share :
+                    0.0f;
+            for (int k = 0; k < i; k++) {
+                float along = 0.0f;
+                for (int j = 0; j < 10; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 10; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 10; j++)
+                length += row[j] * row[j];
+            length = sqrtf(length);
+            e[i] /= length;
+            for (int j = 0; j < 10; j++)
+                row[j] /= length;
+            for (int j = 0; j < 4; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 4; i++) {
             const float off = held[i] ? 0.0f : overshoot(i, x[i]);
@@ -574,6 +575,36 @@ static void stand_on_limits(const float T[16], float q[4])
             x[i] -= off;
         }
     }
+    return 0;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
+ * solution
+ * next to the seed gets a row unless it has one, one that is left or the nearest. */
+static void stay(
+    const float T[16], const float seed[4], float q[2][4],
+    unsigned char status[2])
+{
+    float x[4], least = HUGE_VALF;
+    int place = 0;
+    take(seed, x);
+    if (!settle(T, 5e-05f, x))
+        return;
+    for (int i = 0; i < 4; i++)
+        x[i] = turned(i, x[i], x[i]);
+    for (int row = 2 - 1; row >= 0; row--) {
+        float gap = -1.0f;
+        for (int i = 0; i < 4 && status[row] != SCARA_F32_UNREACHABLE; i++)
+            gap = fmaxf(gap, fabsf(turned(i, q[row][i], x[i]) - x[i]));
+        if (0.0f <= gap && gap < 0.03f)
+            return;
+        if (gap <= least) {
+            least = gap;
+            place = row;
+        }
+    }
+    status[place] = SCARA_F32_FREE_JOINT;
+    take(x, q[place]);
 }
 
 /* A pose that is rounded, singular or none; regular ones need no stack for it. */
@@ -598,12 +629,13 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
     for (int row = 0; row < 2; row++)
         if (status[row] == SCARA_F32_FREE_JOINT && beyond_limits(q[row]) > 0.0f)
             keep_limits(pose, seed, row, q, status);
+    stay(pose, seed, q, status);
     for (int row = 0; row < 2; row++) {
         if (status[row] == SCARA_F32_UNREACHABLE)
             continue;
         const float off = beyond_limits(q[row]);
         if (0.0f < off && off < 0.01f)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 4; i++) {
             const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))

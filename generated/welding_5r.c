@@ -3432,16 +3432,16 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Puts joints that rounding took a little beyond limits on these, if the pose is met as
- * well: Gauss-Newton by conjugate gradients. */
-static void stand_on_limits(const double T[16], double q[5])
+/* Takes joint values to some near them and inside their limits that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+static int settle(const double T[16], double enough, double q[5])
 {
     static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-    double x[5], P[16], J[30], enough = 0.0;
+    double x[5], P[16], J[30];
     int held[5] = { 0, 0, 0, 0, 0 };
     take(q, x);
-    for (int tried = 0; tried < 6; tried++) {
-        double e[6] = { 0.0 }, p[5] = { 0.0 }, square = 0.0, before = HUGE_VAL;
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 }, A[6][11], square = 0.0;
         welding_5r_fk(x, P);
         welding_5r_jacobian(x, J);
         e[0] = T[3] - P[3];
@@ -3450,6 +3450,7 @@ static void stand_on_limits(const double T[16], double q[5])
         for (int i = 0; i < 3; i++) {
             const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
             e[3 + i] = P[j] * T[k] - P[k] * T[j];
+            square += (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
         }
         for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
             double *spin = J + 15 + j;
@@ -3457,44 +3458,41 @@ static void stand_on_limits(const double T[16], double q[5])
             for (int i = 0; i < 3; i++)
                 spin[5 * i] -= along * P[4 * i + 2];
         }
-        for (int i = 0; i < 30; i++)
-            J[i] *= held[i % 5] ? 0.0 : weights[i / 5];
         for (int i = 0; i < 6; i++) {
             e[i] *= weights[i];
-            square += e[i] * e[i];
+            square += i < 3 ? e[i] * e[i] : 0.0;
         }
-        if (!tried)
+        if (isnan(enough))
             enough = sqrt(square) + 1e-14;
         else if (sqrt(square) <= enough) {
             for (int i = 0; i < 5; i++)
                 if (fabs(x[i] - q[i]) > 0.1)
-                    return;
+                    return 0;
             take(x, q);
-            return;
+            return 1;
         }
-        for (int k = 0; k < 5 && sqrt(square) > 0.1 * enough; k++) {
-            double w[6] = { 0.0 }, s[5] = { 0.0 }, slope = 0.0, bend = 0.0;
-            for (int i = 0; i < 30; i++)
-                s[i % 5] += J[i] * e[i / 5];
-            for (int i = 0; i < 5; i++)
-                slope += s[i] * s[i];
-            for (int i = 0; i < 5; i++)
-                p[i] = s[i] + slope / before * p[i];
-            for (int i = 0; i < 30; i++)
-                w[i / 5] += J[i] * p[i % 5];
-            for (int i = 0; i < 6; i++)
-                bend += w[i] * w[i];
-            if (bend <= 0.0)
-                break;
-            const double part = slope / bend;
-            square = 0.0;
-            for (int i = 0; i < 5; i++)
-                x[i] += part * p[i];
-            for (int i = 0; i < 6; i++) {
-                e[i] -= part * w[i];
-                square += e[i] * e[i];
+        const double share = sqrt(0.1 * square + 1e-26);
+        for (int i = 0; i < 6; i++) {
+            double *row = A[i], length = 0.0;
+            for (int j = 0; j < 11; j++)
+                row[j] = j < 5 ? held[j] ? 0.0 : weights[i] * J[5 * i + j] : j == 5 + i ? share :
+                    0.0;
+            for (int k = 0; k < i; k++) {
+                double along = 0.0;
+                for (int j = 0; j < 11; j++)
+                    along += A[k][j] * row[j];
+                for (int j = 0; j < 11; j++)
+                    row[j] -= along * A[k][j];
+                e[i] -= along * e[k];
             }
-            before = slope;
+            for (int j = 0; j < 11; j++)
+                length += row[j] * row[j];
+            length = sqrt(length);
+            e[i] /= length;
+            for (int j = 0; j < 11; j++)
+                row[j] /= length;
+            for (int j = 0; j < 5; j++)
+                x[j] += e[i] * row[j];
         }
         for (int i = 0; i < 5; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
@@ -3502,6 +3500,7 @@ static void stand_on_limits(const double T[16], double q[5])
             x[i] -= off;
         }
     }
+    return 0;
 }
 
 int welding_5r_ik(
@@ -3524,7 +3523,7 @@ int welding_5r_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            stand_on_limits(pose, q[row]);
+            (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 5; i++) {
             const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
             if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))

@@ -349,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 69f2366ae5ba7bcc"
+_KEY = "xarm5 dab4345afd62c648"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -766,6 +766,121 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
+_GIVEN = np.array([False, False, False, False, False])  # joints whose values the caller gives
+# What the entries of a miss count, first the translation's: lengths in arm sizes.
+_MISS_WEIGHT = np.array([0.9253718898866895, 0.9253718898866895, 0.9253718898866895, 1.0, 1.0, 1.0])
+
+
+@_inner
+def _miss(T, q, held, A):
+    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+
+    The former is zero half a turn away, too.
+    """
+    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
+    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
+    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
+    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        for c in range(3):
+            e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
+            square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
+    for j in range(5):
+        for i in range(6):
+            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+    for i in range(3):
+        square += e[i] * e[i]
+    return e, math.sqrt(square)
+
+
+@_inner
+def _add_step(A, e, miss, q):
+    """Adds the damped least squares step that the miss e asks for to joint values.
+
+    The rows of A, each with its share of the damping's root, are made orthonormal one after another
+    (modified Gram-Schmidt): the product A A' would lose half of the digits.
+    """
+    rows = np.zeros((6, 11))
+    for i in range(6):
+        for j in range(5):
+            rows[i, j] = A[i, j]
+        rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
+        for k in range(i):
+            along = 0.0
+            for j in range(11):
+                along += rows[k, j] * rows[i, j]
+            for j in range(11):
+                rows[i, j] -= along * rows[k, j]
+            e[i] -= along * e[k]
+        square = 0.0
+        for j in range(11):
+            square += rows[i, j] * rows[i, j]
+        e[i] /= math.sqrt(square)
+        for j in range(11):
+            rows[i, j] /= math.sqrt(square)
+        for j in range(5):
+            q[j] += e[i] * rows[i, j]
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
+def _settled(T, enough, q):
+    """Takes joint values to some that miss the pose by no more than enough or, if that is NaN, than
+    they do; False if it can't. Damped least squares."""
+    held, A = _GIVEN.copy(), np.empty((6, 5))
+    for _ in range(20):
+        e, miss = _miss(T, q, held, A)
+        if math.isnan(enough):
+            enough = miss + 1e-14
+        elif miss <= enough:
+            return True
+        _add_step(A, e, miss, q)
+    return False
+
+
+@_inner
+def _settle(pose, enough, q):
+    """The same for joint values of the caller's, which stay as they were if it can't."""
+    values = np.empty(5)
+    for i in range(5):
+        values[i] = q[i]
+    if not _settled(pose, enough, values):
+        return False
+    for i in range(5):
+        if not abs(values[i] - q[i]) <= 0.1:  # to another solution
+            return False
+    for i in range(5):
+        q[i] = values[i]
+    return True
+
+
+@_inner
+def _stay(pose, seed, q, status):
+    """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
+
+    The solution next to the seed gets a row unless it has one, one that is left or the nearest.
+    """
+    x, place, least = np.empty(5), 0, math.inf
+    for i in range(5):
+        x[i] = seed[i]
+    if not _settle(pose, 1e-12, x):
+        return
+    for i in range(5):
+        x[i] = _turned(i, x[i], x[i])
+    for row in range(4 - 1, -1, -1):
+        gap = -1.0
+        if status[row] != UNREACHABLE:
+            for i in range(5):
+                gap = max(gap, abs(_turned(i, q[row, i], x[i]) - x[i]))
+        if 0.0 <= gap < 0.001:
+            return
+        if gap <= least:
+            place, least = row, gap
+    status[place] = FREE_JOINT
+    for i in range(5):
+        q[place, i] = x[i]
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -775,6 +890,7 @@ def _whole(pose, seed, q, status):
             q[row, i] = math.nan
     _solve(pose, seed, q, status)
     _choose(pose, seed, q, status)
+    _stay(pose, seed, q, status)
     count = 0
     for row in range(4):
         if status[row] == UNREACHABLE:
@@ -1057,7 +1173,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated only where a free joint can't keep the seed's value. numba compiles
+    Memory is allocated only where a pose is singular or rounded. numba compiles
     once more for arrays of another type or layout.
 
     Args:

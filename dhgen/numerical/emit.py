@@ -75,16 +75,6 @@ def python_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
     return render("python/seek.py.jinja", arrays=_python_arrays(kernel), **values)
 
 
-def c_staying(kernel: NumericalKernel, shared: dict[str, object]) -> str:
-    """The static function `stay` in C99; it needs what tightens."""
-    return render("c/stay.c.jinja", **shared | _texts(kernel))
-
-
-def python_staying(kernel: NumericalKernel, shared: dict[str, object]) -> str:
-    """The function `_stay` in Python; it needs what tightens."""
-    return render("python/stay.py.jinja", **shared | _texts(kernel))
-
-
 def _enough(kernel: NumericalKernel) -> str:
     """What a row may miss: a pose that is checked may have been rounded."""
     return repr(kernel.residual) if kernel.checked else f"{constants.LOOSE!r} * exact"
@@ -200,7 +190,6 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "spare": repr(constants.SPARE),
         "sure": repr(constants.SURE),
         "loose": repr(constants.LOOSE),
-        "nearby": repr(constants.NEARBY),
         "kept": 2 * kernel.rows,
         "beside": _listed(constants.BESIDE),
         "across": _listed(constants.ACROSS),

@@ -44,7 +44,6 @@ TIGHTENINGS = 72
 SPARE = 1e-3  # of what counts as exact: steps that miss by less than this have come to an end
 LOOSE = TOLERANCES.promised / TOLERANCES.exact  # times what counts as exact is still a solution
 SURE = 1e-4  # a step longer than this would lead elsewhere [rad, arm sizes]: a row is not known yet
-NEARBY = 0.1  # a seed that misses the pose by more is not where the arm is [arm sizes, rad]
 # How far the root of a row is moved where steps from it lead nowhere [rad], powers of two.
 BESIDE = tuple(side * 2.0**-power for power in range(15, 40, 3) for side in (1.0, -1.0))
 # Where the other of two solutions is looked for, as parts of the way from their double root to one.

@@ -52,30 +52,6 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray
     return rows
 
 
-def stay(kernel: NumericalKernel, T: FloatArray, seed: FloatArray, q: FloatArray) -> FloatArray:
-    """The rows of a pose and, where it has none, one for the solution that the arm is at.
-
-    Beside a singular place all that rounding tells may be that there are many solutions, or one
-    that stands for two. Steps from a seed that nearly takes the pose lead to the next one.
-
-    Args:
-        kernel: The arm.
-        T: Pose (4, 4); entries that the task does not name are ignored.
-        seed: Joint values (n,), the given ones as they are given.
-        q: Rows (N, n), NaN where there is no solution.
-    """
-    exact = exactness(kernel, T)
-    if not miss(kernel, T, seed[None])[1][0] <= constants.NEARBY:
-        return q
-    end = descended(kernel, T, seed, exact)
-    off = np.where(np.isnan(q).any(axis=1), -1.0, gaps(kernel, q, end.q))
-    if end.miss > exact or ((off >= 0.0) & (off < constants.TOGETHER)).any():
-        return q
-    rows = q.copy()
-    rows[np.argmin(off)] = end.q  # where there are more solutions than rows, the nearest
-    return rows
-
-
 def _enough(kernel: NumericalKernel, misses: FloatArray, exact: float) -> float:
     """What rows that miss a pose by so much may miss [arm sizes, rad]."""
     if not kernel.checked:

@@ -15,15 +15,8 @@ if TYPE_CHECKING:
 
     from dhgen.program.ir import Expression, Program
 
-# Cycles until the result of an operator may be used, as usual processors have them; of others 4.
-_CYCLES = {
-    **dict.fromkeys(("neg", "abs", "copysign", "and", "or", "not"), 1),
-    "select": 2,
-    "div": 14,
-    "sqrt": 19,
-    **dict.fromkeys(("atan2", "sin", "cos"), 60),
-}
-_USUAL = 4
+# Cycles until the result of an operator may be used, as usual processors have them; of others 1.
+LATENCY = {"add": 4, "sub": 4, "mul": 4, "div": 13, "sqrt": 21, "atan2": 60}
 
 
 def arrivals(program: Program) -> dict[str, int]:
@@ -42,6 +35,6 @@ def arrival(expression: Expression, known: Mapping[str, int]) -> int:
             return known.get(name, 0)
         case Apply(operator, operands):
             ready = max(arrival(operand, known) for operand in operands)
-            return ready + _CYCLES.get(operator, _USUAL)
+            return ready + LATENCY.get(operator, 1)
         case _:
             return 0

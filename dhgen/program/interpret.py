@@ -16,7 +16,7 @@ from dhgen.general.arm import joint_values
 from dhgen.general.no_turn import without_turn
 from dhgen.numerical import reference as numerical
 from dhgen.numerical.both_sides import both_sides
-from dhgen.numerical.tighten import stay, tighten
+from dhgen.numerical.tighten import tighten
 from dhgen.program.circle import circle_roots, is_close
 from dhgen.program.ir import (
     AllJoints,
@@ -80,9 +80,8 @@ def interpret(
     for k in np.flatnonzero(rows.close.any(axis=1)):
         moved = partial(run.moved, int(k))
         q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], program.turning, moved)
-    groups = zip(poses, run.starts(kernel.solved), q, strict=True)
-    tightened = (stay(kernel, T, start, tighten(kernel, T, each)) for T, start, each in groups)
-    q = np.array(list(tightened)).reshape(q.shape)
+    pairs = zip(poses, q, strict=True)
+    q = np.array([tighten(kernel, T, each) for T, each in pairs]).reshape(q.shape)
     solved = np.asarray(~np.isnan(q).any(axis=-1))
     return replace(rows, q=q, solved=solved, free=rows.free & solved)
 
@@ -123,13 +122,6 @@ class _Run:
             self._values[axis.name] = sign.reshape(
                 [2 if p == place + 1 else 1 for p in range(len(self._shape))]
             )
-
-    def starts(self, solved: tuple[int, ...]) -> Array:
-        """The seed, with the values that joints which are not solved for are given (N, n)."""
-        starts = self._given["seed"].copy()
-        given = [place for place in range(starts.shape[1]) if place not in solved]
-        starts[:, given] = self._given["free"]
-        return starts
 
     def outputs(self) -> list[Array]:
         with np.errstate(all="ignore"):

@@ -22,19 +22,19 @@ last least left length lose lost low middle misfit_one misfit_wide miss missed_b
 named nearest off outer reached read_pose repeats result right serves sum tighten tightened values
 search served square start step straighten summit third towards valid value way why x xx xy y yy z
 zz zeros exact exactly beyond_limits choosable fan_step gap hopeless inside keep_limits over
-overshoot shortfall within begun fault seek take stand_on_limits P e p s w weights tried held slope
-place stay along spin part to bend rest other d u any next steps
+overshoot shortfall within begun fault seek take settle P e p s w weights tried held slope
+A place share stay along spin part to bend rest other d u any next steps
 """
 
 _LANES = """
-APART ARCTANGENT HELPER INLINED VECTOR beyond bits_four bits_wide four four_at four_mask from
-irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide store_1 store_2
+APART ARCTANGENT ENTRIES HELPER INLINED VECTOR beyond bits_four bits_wide four four_at four_mask
+from irregularity_four irregularity_wide kind kind_of odd size solve_tile solve_wide store_1 store_2
 store_4 transpose two_at wide wide_at wide_mask word abs_four all_four atan2_four copysign_four
 cos_four maximum_four pick_four sin_four minimum_four sqrt_four where_four wrap_four abs_wide
 all_wide atan2_wide copysign_wide cos_wide maximum_wide pick_wide sin_wide minimum_wide sqrt_wide
 where_wide wrap_wide maximum_double only_four only_wide minimum_double signed_four signed_wide
 angle_four angle_wide beyond_four compare_four four_ratio negated_four negated_wide ratio_four
-ratio_wide shuffle wide_ratio
+ratio_wide shuffle where_all wide_ratio
 """
 
 _PYTHON = """

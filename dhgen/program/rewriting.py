@@ -11,6 +11,7 @@ from collections import Counter
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from dhgen.program.arrival import LATENCY
 from dhgen.program.expansion import ALIKE, Expansion, common_factors, without
 
 if TYPE_CHECKING:
@@ -20,7 +21,10 @@ if TYPE_CHECKING:
 
 MOST_TERMS = 10  # of a value that is written anew
 GAIN = 8  # cycles by which it has to be known earlier
-LATENCY = {"add": 4, "sub": 4, "mul": 4, "div": 13, "sqrt": 21, "atan2": 60}  # of any other 1
+
+COEFFICIENT = (
+    "a coefficient of"  # begins what is told of a number that only products of lengths made
+)
 
 
 class Rewriting:
@@ -48,7 +52,7 @@ class Rewriting:
             return node
         if not 1 < len(polynomial.terms) <= MOST_TERMS:
             return node
-        found = self._split(polynomial.terms, f"a coefficient of {wanted}")
+        found = self._split(polynomial.terms, f"{COEFFICIENT} {wanted}")
         if found is None or self._time(found) + GAIN > self._time(node):
             return node
         self._expansion.remember(found, node)

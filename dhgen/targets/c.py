@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.emit import c_rows, c_source
-from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_staying, c_tightening, c_tools
+from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.program.flatten import flatten
+from dhgen.program.rewriting import COEFFICIENT
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
@@ -45,7 +46,6 @@ def c_files(module: SolverModule) -> dict[str, str]:
         values["both_sides"] = c_both_sides(kernel, module.solver.turning, values)
     if module.solver.tightened is not None:
         values["seeking"] = c_seeking(module.solver.tightened, values)
-        values["staying"] = c_staying(module.solver.tightened, values)
     texts = {
         f"{module.name}.h": fitted(render("c/solver.h.jinja", **values)),
         f"{module.name}.c": fitted(render("c/solver.c.jinja", **values)),
@@ -104,17 +104,24 @@ def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
 
 
 def _constant_lines(constants: list[tuple[str, str, str]]) -> list[str]:
-    """One definition of those with a comment, one of those whose names say all."""
-    told = [each for each in constants if each[2]]
+    """Definitions of those with a comment, of coefficients, and of those whose names say all."""
+    coefficients = [each for each in constants if each[2].startswith(COEFFICIENT)]
+    told = [each for each in constants if each[2] and each not in coefficients]
     lines = ["static const double"] if told else []
     for each in told:
         lines += _constant(*each, ";" if each is told[-1] else ",")
-    bare = [f"{name} = {value}" for name, value, comment in constants if not comment]
-    if not bare:
-        return lines
-    first, *others = bare
+    if coefficients:
+        lines += ["/* coefficients of what these are multiplied with */", *_bare(coefficients)]
+    return lines + _bare([each for each in constants if not each[2]])
+
+
+def _bare(constants: list[tuple[str, str, str]]) -> list[str]:
+    """A definition without comments, if there is anything to be defined."""
+    if not constants:
+        return []
+    first, *others = (f"{name} = {value}" for name, value, _ in constants)
     *full, last = packed([f"static const double {first}", *others], "", ", ")
-    return [*lines, *(f"{line}," for line in full), f"{last};"]
+    return [*(f"{line}," for line in full), f"{last};"]
 
 
 def _functions(module: SolverModule) -> dict[str, str]:
@@ -169,6 +176,7 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     jacobian = output_texts(module.jacobian, language)
     return {
         "entries": entry_lines(module.solver),
+        "entries_macro": [],
         "all_joints": _all_joints(module),
         "tightening": _tightening(module),
         "solver": solver_lines(module.solver, language, INDENT),

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 LIBRARY = C()
 NEVER_SCALAR = frozenset({"atan2"})  # taken in lanes also where one would do
 _BITS = {"and": "&", "or": "|"}
+_OPPOSITE = {"add": "-", "sub": "+"}  # what is written of a sum with a product that begins with -
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +103,7 @@ class LaneText:
     def _apply(self, operator: str, parts: list[Text]) -> Text:
         lanes = operator in NEVER_SCALAR or any(part.lanes for part in parts)
         if operator in INFIX:
-            sign, binds = INFIX[operator]
-            text = f"{parts[0].within(binds)} {sign} {parts[1].within(binds + 1)}"
-            return Text(text, binds, lanes)
+            return self._infix(operator, *parts)
         match operator:
             case "neg":
                 return Text(f"-{parts[0].within(ATOM)}", UNARY, lanes)
@@ -132,6 +131,13 @@ class LaneText:
                 arguments = [self._all(part) if lanes else part for part in parts]
         listed = ", ".join(argument.text for argument in arguments)
         return Text(f"{self._function(operator, lanes=lanes)}({listed})", ATOM, lanes)
+
+    def _infix(self, operator: str, first: Text, second: Text) -> Text:
+        sign, binds = INFIX[operator]
+        if operator in _OPPOSITE and second.text[0] == "-" and second.binds > binds:
+            sign, second = _OPPOSITE[operator], Text(second.text[1:], second.binds, second.lanes)
+        text = f"{first.within(binds)} {sign} {second.within(binds + 1)}"
+        return Text(text, binds, first.lanes or second.lanes)
 
     def _function(self, operator: str, *, lanes: bool) -> str:
         if not lanes:

@@ -17,7 +17,7 @@ from dhgen.targets.c_irregular import irregularities
 from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
 from dhgen.targets.c_packing import angle_declarations, in_order, packed_angles
-from dhgen.targets.c_rows import status_lines, store_sizes, stores, words
+from dhgen.targets.c_rows import status_lines, store_places, stores, words
 from dhgen.targets.layout import call, listed, packed, wrapped
 from dhgen.targets.scalar import pose_entries
 
@@ -43,16 +43,20 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
         lanes: The same, branches in lanes.
     """
     used = set(operators(flat.program))
-    sizes = store_sizes(module.chain.dof)
-    wide = _wide(module, flat)
+    sizes = {size for _, size in store_places(module.chain.dof)}
+    programs = module.solver, flat.program, lanes.program
+    alike = len({tuple(pose_entries(program)) for program in programs}) == 1
+    wide = _wide(module, flat, entry_lines(flat.program, "wide", alike=alike))
     return {
         "functions": sorted(used & {"sin", "cos", "wrap"}),
-        "stores": {name: size in sizes for name, size in (("one", 1), ("two", 2), ("four", 4))},
+        "stores": {name: size in sizes for name, size in (("one", 1), ("two", 2))},
         "arctangent": _arctangent(),
         "irregularity": irregularities(module, _inputs(module, "%")),
         "wide": wide,
         "spreads_truths": "where_wide(" in str(wide["lines"]),
-        "one": _one(module, lanes),
+        "one": _one(module, lanes, entry_lines(lanes.program, alike=alike)),
+        "entries": entry_lines(module.solver, alike=alike),
+        "entries_macro": _entries_macro(flat.program) if alike else [],
         "words": words(module.solver.rows),
         "tile": {"prototype": _prototype(module, "HELPER unsigned solve_tile", "tile")},
     }
@@ -161,12 +165,12 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
     return [*lines, *_lets(last, text)]
 
 
-def _wide(module: SolverModule, flat: Flat) -> dict[str, object]:
+def _wide(module: SolverModule, flat: Flat, entries: list[str]) -> dict[str, object]:
     """One lane a pose."""
     text = LaneText("wide", flat.program, wide=True)
     at_once = _needed_once(flat)
     named = [statement for statement in flat.program.body if statement not in at_once.values()]
-    lines = [*entry_lines(flat.program, "wide"), *_lets(named, text), ""]
+    lines = [*entries, *_lets(named, text), ""]
     dof = module.chain.dof
     for place, (choice, group) in enumerate(zip(flat.choices, flat.groups, strict=True)):
         row = _row(module, flat, choice, 0)
@@ -202,8 +206,16 @@ def _needed_once(flat: Flat) -> dict[Expression, Let]:
     }
 
 
-def entry_lines(program: Program, number: str = "double") -> list[str]:
-    """The entries of the pose get their names, row by row."""
+def entry_lines(program: Program, number: str = "double", *, alike: bool = False) -> list[str]:
+    """The entries of the pose get their names, row by row.
+
+    Args:
+        program: Which reads them.
+        number: Their type.
+        alike: Whether all programs read the same, and a macro holds the names.
+    """
+    if alike:
+        return [f"{INDENT}ENTRIES({number});"]
     lines = []
     for row in (1, 2, 3):
         named = [
@@ -215,7 +227,13 @@ def entry_lines(program: Program, number: str = "double") -> list[str]:
     return lines
 
 
-def _one(module: SolverModule, flat: Flat) -> dict[str, object]:
+def _entries_macro(program: Program) -> list[str]:
+    *lines, last = entry_lines(program, "number")
+    ending = [f"{line} \\" for line in ["#define ENTRIES(number)", *lines]]
+    return [*ending, last.removesuffix(";")]
+
+
+def _one(module: SolverModule, flat: Flat, entries: list[str]) -> dict[str, object]:
     """Branches in lanes."""
     text = LaneText("four", flat.program, wide=False)
     values = {1: ["1.0, -1.0, 1.0, -1.0"], 2: ["1.0, 1.0, -1.0, -1.0", "1.0, -1.0, 1.0, -1.0"]}
@@ -223,7 +241,7 @@ def _one(module: SolverModule, flat: Flat) -> dict[str, object]:
         f"{INDENT}const four {axis.name} = {{ {signs} }};"
         for axis, signs in zip(flat.program.axes, values.get(len(flat.lanes), []), strict=True)
     ]
-    lines += [*entry_lines(flat.program), *_with_angles(flat, text), ""]
+    lines += [*entries, *_with_angles(flat, text), ""]
     given = ", ".join(["T", *(["free_joints"] if module.chain.given else [])])
     limit = repr(module.precision.tolerances.orthonormal)
     doubts = [text.text(doubt) for doubt in flat.doubts]

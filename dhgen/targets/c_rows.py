@@ -42,10 +42,17 @@ def _behind(array: str, place: int) -> str:
     return f"({array} + {place})" if place else array
 
 
-def store_sizes(count: int) -> list[int]:
-    """How many of a row's joint values are written at a time: four, then two, then one."""
-    left = count % 4
-    return [4] * (count // 4) + [2] * (left // 2) + [1] * (left % 2)
+def store_places(count: int) -> list[tuple[int, int]]:
+    """From which of a row's joint values on how many are written: four, then two, then one.
+
+    Three that are left are written with the one before them once more.
+    """
+    full, left = divmod(count, 4)
+    places = [(4 * place, 4) for place in range(full)]
+    if full and left == 3:
+        return [*places, (count - 4, 4)]
+    sizes = [2] * (left // 2) + [1] * (left % 2)
+    return places + [(4 * full + sum(sizes[:k]), size) for k, size in enumerate(sizes)]
 
 
 def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> list[str]:
@@ -57,12 +64,10 @@ def stores(text: LaneText, group: tuple[Expression, ...], rows: list[int]) -> li
         rows: The row of each lane.
     """
     lines = []
-    place = 0
-    for size in store_sizes(len(group)):
+    for place, size in store_places(len(group)):
         parts = ", ".join(text.vector(value) for value in group[place : place + size])
         where = ", ".join(f"&q[{row}][{place}]" for row in rows)
         lines += wrapped(f"{INDENT}store_{size}({where}, {parts});", INDENT)
-        place += size
     return lines
 
 

@@ -15,7 +15,7 @@ from dhgen.program.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
-from dhgen.targets.standing import standing, stands_on_limits
+from dhgen.targets.standing import settles, standing, stands_on_limits
 from dhgen.targets.walk import (
     checks_again,
     choosable,
@@ -220,7 +220,7 @@ def searches(module: SolverModule) -> bool:
 def _compiles_apart(module: SolverModule) -> bool:
     """Whether there are functions that few poses need."""
     solver = module.solver
-    rare = searches(module) or stands_on_limits(module) or solver.tightened is not None
+    rare = searches(module) or settles(module) or solver.tightened is not None
     return rare or whole_arm(solver) is not None
 
 

@@ -11,7 +11,6 @@ from dhgen.numerical.emit import (
     python_both_sides,
     python_search,
     python_seeking,
-    python_staying,
     python_tightening,
     python_tools,
 )
@@ -37,7 +36,7 @@ from dhgen.targets.scalar import (
     solver_lines,
     straight_lines,
 )
-from dhgen.targets.standing import stands_on_limits
+from dhgen.targets.standing import settles
 from dhgen.targets.templates import render
 from dhgen.targets.walk import parted, uses, whole_arm
 
@@ -59,7 +58,6 @@ def python_files(module: SolverModule) -> dict[str, str]:
         values["both_sides"] = python_both_sides(kernel, module.solver.turning, values)
     if module.solver.tightened is not None:
         values["seeking"] = python_seeking(module.solver.tightened, values)
-        values["staying"] = python_staying(module.solver.tightened, values)
     text = render("python/solver.py.jinja", **values, digest="")
     digest = sha256(text.encode()).hexdigest()[:16]
     return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}
@@ -190,7 +188,7 @@ def _missed_entries(module: SolverModule) -> list[dict[str, object]]:
 
 def _allocates(module: SolverModule) -> str:
     """Where memory is allocated."""
-    if module.solver.tightened is not None or stands_on_limits(module):
+    if module.solver.tightened is not None or settles(module):
         return "only where a pose is singular or rounded"
     if searches(module):
         return "only where a free joint can't keep the seed's value"

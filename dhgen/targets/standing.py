@@ -1,21 +1,25 @@
-"""What the templates need to put joints on limits that rounding has moved them beyond.
+"""What the templates need to take joint values to a solution next to them.
 
 Beside a singular pose a joint is known from the pose to rounding over what is left of the least
-singular value. If it is beyond a limit by no more than that, it may as well stand there.
+singular value. If it is beyond a limit by no more than that, it may as well stand there; and where
+the seed meets the pose with other joint values than the rows, the arm may as well go on with those.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.texts import position_rows
+from dhgen.numerical.kernel import DAMPING, FINE, TOGETHER
+from dhgen.numerical.texts import given_places, position_rows
 from dhgen.robot.robot import TaskKind
+from dhgen.targets.walk import whole_arm
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
-ROUNDS = 6  # of Gauss-Newton: what is right ends after two or three
+ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
 MOVED = 0.1  # [rad or length] joints that move by more lead to another solution
+BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
 def standing(module: SolverModule) -> dict[str, object]:
@@ -24,10 +28,13 @@ def standing(module: SolverModule) -> dict[str, object]:
     length = repr(1.0 / chain.size)
     turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
     given = [joint.number in chain.free for joint in chain.joints]
-    stands = stands_on_limits(module)
     return {
-        "stands_on_limits": stands,
-        "doubts_limits": stands and module.precision.tolerances.blur_limits,
+        "stands_on_limits": stands_on_limits(module),
+        "stays": stays(module),
+        "settles": settles(module),
+        "given_places": given_places(chain),
+        "together": repr(max(TOGETHER, BEYOND_TOLD * module.precision.tolerances.told)),
+        "doubts_limits": stands_on_limits(module) and module.precision.tolerances.blur_limits,
         "coordinates": position_rows(rows),
         "miss_weights": ", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         "given_flags": ", ".join(str(int(each)) for each in given),
@@ -35,6 +42,9 @@ def standing(module: SolverModule) -> dict[str, object]:
         "spin": 3 * chain.dof,
         "twice": 2 * chain.dof,
         "rounds": ROUNDS,
+        "settle_width": 6 + chain.dof,
+        "damping": repr(DAMPING),
+        "fine": repr(FINE),
         "most_moved": MOVED,
     }
 
@@ -47,3 +57,14 @@ def stands_on_limits(module: SolverModule) -> bool:
     chain = module.chain
     limited = any(joint.limits for joint in chain.joints)
     return limited and any(chain.turning) and not chain.arm_angle
+
+
+def settles(module: SolverModule) -> bool:
+    """Whether joint values are taken to a solution next to them."""
+    return stands_on_limits(module) or stays(module)
+
+
+def stays(module: SolverModule) -> bool:
+    """Whether an arm has poses that rounding says little about, and rows for its branches."""
+    chain, turning = module.chain, any(module.chain.turning)
+    return turning and not chain.arm_angle and whole_arm(module.solver) is None

@@ -1,8 +1,9 @@
-"""Right angles written as 1.5708: beside singular places an arm goes on with the solution it is at.
+"""Beside singular places an arm goes on with the solution that it is at.
 
-The wrist of the first arm, whose links are equal, comes onto its shoulder where it is folded, and
-the twists miss right angles by so little that rounding can't tell its solutions apart there. The
-polynomial of the second arm has roots that nearly meet at every pose.
+Two singular places at once; an upright UR; and right angles written as 1.5708. The wrist of one of
+these arms, whose links are equal, comes onto its shoulder where it is folded, and the twists miss
+right angles by so little that rounding can't tell its solutions apart there. The polynomial of the
+other one has roots that nearly meet at every pose.
 """
 
 from __future__ import annotations
@@ -17,8 +18,9 @@ from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
-from tests.targets.calling import HELD
+from tests.targets.calling import HELD, LANGUAGES, Solver
 from tests.targets.made import ROBOTS, folder, without_numba
+from tests.targets.made import poses_of as made_poses
 
 if TYPE_CHECKING:
     from dhgen.compiler import Compilation
@@ -87,8 +89,6 @@ def test_the_solution_that_the_arm_is_at_is_among_the_rows(joints: tuple[float, 
         held = rows[np.isin(status, HELD)]
         assert gap(held, q).min() < 1e-6
         assert np.abs(poses_of(FOLDING, held) - T).max() < EXACT
-    meant = interpret(compiled(FOLDING).module.solver, T[None], q[None])
-    assert gap(meant.q[meant.solved], q).min() < 1e-6
 
 
 def test_a_motion_through_the_fold_is_followed() -> None:
@@ -101,6 +101,70 @@ def test_a_motion_through_the_fold_is_followed() -> None:
         assert np.abs(following - q).max() < 2 * STEP
         assert np.abs(poses_of(FOLDING, following[None])[0] - T).max() < EXACT
         q = following
+
+
+HOME = np.array([0.0, -np.pi / 2, 0.0, -np.pi / 2, 0.0, 0.0])
+
+
+@pytest.mark.parametrize("name", ["ur5e", "techman_tm5_900"])
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("off", [1e-13, 1e-12, 1e-11, 1e-10, 1e-8])
+def test_an_upright_arm_is_followed(name: str, language: str, off: float) -> None:
+    """Stretched, the wrist straight, axes 1 and 6 beside each other: no row, or one far away."""
+    source = np.random.default_rng(8)
+    q = HOME + off * source.uniform(-1.0, 1.0, (8, 6))
+    for T, seed in zip(
+        made_poses(name, q), q + source.uniform(-0.005, 0.005, q.shape), strict=True
+    ):
+        result, found = Solver(name, language).nearest(T, seed)
+        assert result in HELD
+        assert np.abs(found - seed).max() < 0.05
+        assert np.abs(made_poses(name, found[None])[0] - T).max() < EXACT
+
+
+def above(arm: str, q: FloatArray) -> float:
+    """The value of joint 2 at which the wrist centre of an arm lies on axis 1."""
+
+    def across(second: float) -> float:
+        joints = q.copy()
+        joints[[0, 1]] = 0.0, second
+        (T,) = made_poses(arm, joints[None])
+        return float(T[0, 3] - FLANGE * T[0, 2])
+
+    low, high = -1.5, 0.5
+    assert across(low) * across(high) < 0.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if across(low) * across(middle) > 0.0 else (low, middle)
+    return low
+
+
+FLANGE = 0.09  # from the wrist centre of KR6 to its flange
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("off", [1e-3, 1e-4, 1e-6])
+def test_a_straight_wrist_beside_axis_1_is_followed(language: str, off: float) -> None:
+    source = np.random.default_rng(9)
+    for joints in source.uniform(-1.0, 1.0, (12, 6)):
+        q = joints.copy()
+        q[4] = 0.0
+        q[1] = above("kuka_kr6_r900", q) + off
+        T = made_poses("kuka_kr6_r900", q[None])[0]
+        result, found = Solver("kuka_kr6_r900", language).nearest(T, q)
+        assert result in HELD
+        assert np.abs(found - q).max() < 1e-3
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_half_a_turn_away_is_no_solution(language: str) -> None:
+    """The sine of what is missing is zero there, too."""
+    q = np.array([0.0, 0.0, 0.0, 0.0, 0.0, np.pi])
+    T = made_poses("abb_irb120", q[None])[0]
+    rows, status = Solver("abb_irb120", language).all(T)
+    held = rows[np.isin(status, HELD)]
+    assert len(held)
+    assert np.abs(made_poses("abb_irb120", held) - T).max() < EXACT
 
 
 def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> None:

@@ -144,11 +144,6 @@ def _tightening(program: Program) -> Block:
             "that stands for both is none of their solutions. Steps from it lead to one of them; "
             "the root of the other one is as far from it on the other side."
         )
-    text += (
-        " Beside a singular place rounding may not tell many solutions from a few: from a seed "
-        "that nearly takes the pose the same steps lead to the solution next to it, and it gets a "
-        "row if it has none."
-    )
     if program.tightened is not None and program.tightened.checked:
         text += (
             " If one row is exact then, the pose was not rounded, and all have to be exact; if "
