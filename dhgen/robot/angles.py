@@ -90,7 +90,7 @@ def turns_notice(value: float) -> str | None:
     return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
 
 
-def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
+def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -> str | None:
     """What the user is told about an angle that looks like a slip.
 
     It is nearly, but not exactly, a multiple of pi/2, or in the other unit than the file's, where
@@ -99,6 +99,7 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     Args:
         value: The angle in radians.
         unit: How the file says angles: with pi, with the word deg, or as plain degrees.
+        joint: The joint's variable with its sign if the angle is an offset to it.
     """
     if not math.isfinite(value):
         return None
@@ -109,11 +110,18 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     quarters, distance = _quarters(value)
     if not SNAP < distance <= SLIP:
         return None
-    meant = (
-        to_text(exact_angle(6 * quarters)) if unit == "pi" else f"{90 * quarters} {unit}".strip()
-    )
     shown = distance if unit == "pi" else math.degrees(distance)
-    return f"is {shown:.1e} away from {meant}: write {meant} if that is meant"
+    meant = _multiple(quarters, unit)
+    written = meant
+    if joint:
+        sign = "-" if quarters < 0 else "+"
+        written = f"{joint} {sign} {_multiple(abs(quarters), unit)}" if quarters else joint
+    return f"is {shown:.1e} away from {meant}: write {written} if that is meant"
+
+
+def _multiple(quarters: int, unit: str) -> str:
+    """A multiple of pi/2 as the file would say it."""
+    return to_text(exact_angle(6 * quarters)) if unit == "pi" else f"{90 * quarters} {unit}".strip()
 
 
 def _radians_notice(degrees: float) -> str | None:

@@ -147,8 +147,9 @@ class Cells:
             self.report.error(path, f"the angle {value:.6g} rad is beyond {LARGEST_ANGLE:.0e}")
         elif (k := twelfths(value)) is not None:
             return self._snapped(path, text, value, exact_angle(k))
-        elif notice := slip_notice(value, self._unit(text)):
-            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+        elif notice := slip_notice(value, self._unit(text), joint := _variable(text)):
+            part = "the offset of " if joint else ""
+            self.report.notice(path, f"{part}{quoted(text.strip())} {notice}")
         return expression
 
     def snap_ratio(self, path: Path, text: str, expression: Expression) -> Expression:
@@ -185,6 +186,12 @@ class Cells:
                 return self._speaks_of_pi(left) or self._speaks_of_pi(right)
             case _:
                 return False  # the argument of a sine says nothing about what the sine measures
+
+
+def _variable(text: str) -> str:
+    """The joint's variable in a cell, with a minus before it if there is one; empty without it."""
+    found = re.search(r"(-?)\s*\bq\b", text)
+    return f"{found[1]}q" if found else ""
 
 
 def _exact_ratio(expression: Expression, value: float) -> Expression | None:
