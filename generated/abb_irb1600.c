@@ -885,12 +885,12 @@ static void stay(
     take(seed, x);
     if (!settle(T, 1e-12, x))
         return;
-    for (int i = 0; i < 6; i++)
-        x[i] = turned(i, x[i], x[i]);
     for (int row = 8 - 1; row >= 0; row--) {
         double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != ABB_IRB1600_UNREACHABLE; i++)
-            gap = fmax(gap, fabs(turned(i, q[row][i], x[i]) - x[i]));
+        for (int i = 0; i < 6 && status[row] != ABB_IRB1600_UNREACHABLE; i++) {
+            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
+            gap = fmax(gap, fabs(off - whole));
+        }
         if (0.0 <= gap && gap < 0.001)
             return;
         if (gap <= least) {

@@ -417,7 +417,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda bbeac7cb50650130"
+_KEY = "franka_panda 7774d6fd8f900aab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -989,13 +989,12 @@ def _stay(pose, q_free, seed, q, status):
     x[6] = q_free[0]
     if not _settle(pose, 1e-12, x):
         return
-    for i in range(7):
-        x[i] = _turned(i, x[i], x[i])
     for row in range(8 - 1, -1, -1):
         gap = -1.0
         if status[row] != UNREACHABLE:
             for i in range(7):
-                gap = max(gap, abs(_turned(i, q[row, i], x[i]) - x[i]))
+                off = q[row, i] - x[i]
+                gap = max(gap, abs(off - _TURN * math.floor(off / _TURN + 0.5)))
         if 0.0 <= gap < 0.001:
             return
         if gap <= least:

@@ -293,7 +293,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr 8a0744c199d6af90"
+_KEY = "olson_pprrrr 6ebb2dd0e30ec3d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -782,13 +782,14 @@ def _stay(pose, seed, q, status):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, x):
         return
-    for i in range(6):
-        x[i] = _turned(i, x[i], x[i])
     for row in range(4 - 1, -1, -1):
         gap = -1.0
         if status[row] != UNREACHABLE:
             for i in range(6):
-                gap = max(gap, abs(_turned(i, q[row, i], x[i]) - x[i]))
+                off = q[row, i] - x[i]
+                if _REVOLUTE[i]:
+                    off -= _TURN * math.floor(off / _TURN + 0.5)
+                gap = max(gap, abs(off))
         if 0.0 <= gap < 0.001:
             return
         if gap <= least:

@@ -712,12 +712,12 @@ static void stay(
     take(seed, x);
     if (!settle(T, 5e-05f, x))
         return;
-    for (int i = 0; i < 6; i++)
-        x[i] = turned(i, x[i], x[i]);
     for (int row = 8 - 1; row >= 0; row--) {
         float gap = -1.0f;
-        for (int i = 0; i < 6 && status[row] != PUMA560_F32_UNREACHABLE; i++)
-            gap = fmaxf(gap, fabsf(turned(i, q[row][i], x[i]) - x[i]));
+        for (int i = 0; i < 6 && status[row] != PUMA560_F32_UNREACHABLE; i++) {
+            const float off = q[row][i] - x[i], whole = turn * floorf(off / turn + 0.5f);
+            gap = fmaxf(gap, fabsf(off - whole));
+        }
         if (0.0f <= gap && gap < 0.03f)
             return;
         if (gap <= least) {

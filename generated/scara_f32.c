@@ -590,12 +590,12 @@ static void stay(
     take(seed, x);
     if (!settle(T, 5e-05f, x))
         return;
-    for (int i = 0; i < 4; i++)
-        x[i] = turned(i, x[i], x[i]);
     for (int row = 2 - 1; row >= 0; row--) {
         float gap = -1.0f;
-        for (int i = 0; i < 4 && status[row] != SCARA_F32_UNREACHABLE; i++)
-            gap = fmaxf(gap, fabsf(turned(i, q[row][i], x[i]) - x[i]));
+        for (int i = 0; i < 4 && status[row] != SCARA_F32_UNREACHABLE; i++) {
+            const float off = q[row][i] - x[i], whole = turn * floorf(off / turn + 0.5f);
+            gap = fmaxf(gap, fabsf(off - (revolute[i] ? whole : 0.0f)));
+        }
         if (0.0f <= gap && gap < 0.03f)
             return;
         if (gap <= least) {
