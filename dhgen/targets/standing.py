@@ -23,7 +23,7 @@ BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more tha
 
 
 def standing(module: SolverModule) -> dict[str, object]:
-    """Whether joints may be put on limits, and what the miss of a pose is made of."""
+    """Whether joints are put on limits and follow the seed, and what a pose is missed by."""
     chain, rows = module.chain, module.position_entries
     length = repr(1.0 / chain.size)
     turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"

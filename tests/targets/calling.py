@@ -20,6 +20,12 @@ HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)
 LANGUAGES = ("C", "Python")
 
 
+def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
+    """By how much each of some rows differs from joint values at most, whole turns aside."""
+    off = rows - q
+    return np.asarray(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=-1))
+
+
 @dataclass(frozen=True, slots=True)
 class Solver:
     """A robot's solver.

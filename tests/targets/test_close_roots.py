@@ -21,7 +21,7 @@ from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import PORTABLE, compile_solver
-from tests.targets.calling import HELD
+from tests.targets.calling import HELD, gap
 from tests.targets.made import folder, without_numba
 
 if TYPE_CHECKING:
@@ -113,11 +113,6 @@ def beside(name: str, distance: float, count: int) -> FloatArray:
 
 def poses_of(name: str, q: FloatArray) -> FloatArray:
     return np.asarray(forward(compiled(name).robot, q), dtype=float)
-
-
-def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
-    off = rows - q
-    return np.asarray(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=-1))
 
 
 @pytest.mark.parametrize("distance", DISTANCES)

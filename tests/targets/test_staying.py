@@ -18,7 +18,7 @@ from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
-from tests.targets.calling import HELD, LANGUAGES, Solver
+from tests.targets.calling import HELD, LANGUAGES, Solver, gap
 from tests.targets.made import ROBOTS, folder, without_numba
 from tests.targets.made import poses_of as made_poses
 
@@ -69,11 +69,6 @@ def in_python(name: str) -> Any:
 
 def poses_of(name: str, q: FloatArray) -> FloatArray:
     return np.asarray(forward(compiled(name).robot, q), dtype=float)
-
-
-def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
-    off = rows - q
-    return np.asarray(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=-1))
 
 
 @pytest.mark.parametrize("joints", FOLDED)
