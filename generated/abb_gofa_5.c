@@ -3569,22 +3569,17 @@ void abb_gofa_5_fk(const double q[6], double T[16])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
-    const double z3_z = c2 * c3 - s2 * s3;
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
+        v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4;
-    const double y5_y = c1 * c4 - x3_y * s4;
-    const double z4_z = x3_z * s4;
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
+        z4_x = s1 * c4 + x3_x * s4, y5_y = c1 * c4 - x3_y * s4, z4_z = x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 - v5 * s5, x5_y = x4_y * c5 - v6 * s5,
-        x5_z = x4_z * c5 + z3_z * s5;
-    const double v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5;
-    const double T31_ = z3_z * c5 - x4_z * s5;
+        x5_z = x4_z * c5 + z3_z * s5, v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5,
+        T31_ = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T13_ = x5_x * c6 - z4_x * s6, T23_ = x5_y * c6 + y5_y * s6,
         T33_ = x5_z * c6 - z4_z * s6, T12_ = z4_x * c6 + x5_x * s6, T32_ = z4_z * c6 + x5_z * s6,
@@ -3605,36 +3600,26 @@ void abb_gofa_5_jacobian(const double q[6], double J[36])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v3 = c1 * s2, v4 = s1 * s2;
-    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2, p2_x = x2_x * a2,
+        p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
-    const double J64 = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
+        v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3, J64 = c2 * c3 - s2 * s3,
+        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
-    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
-    const double p4_x = p3_x - v5 * d4, p4_y = p3_y - v6 * d4, p4_z = p3_z + J64 * d4;
-    const double J55 = x3_y * s4 - c1 * c4;
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
+        J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, p4_x = p3_x - v5 * d4, p4_y = p3_y - v6 * d4,
+        p4_z = p3_z + J64 * d4, J55 = x3_y * s4 - c1 * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5;
-    const double J66 = J64 * c5 - x4_z * s5;
-    const double p5_x = p4_x + (x4_x * c5 - v5 * s5) * a5, p5_y = p4_y + (x4_y * c5 - v6 * s5) * a5,
-        p5_z = p4_z + (x4_z * c5 + J64 * s5) * a5;
-    const double J21 = p5_x - v7 * d6;
-    const double v9 = p5_y - v8 * d6, v10 = p5_z + J66 * d6, v11 = v10 - d1;
-    const double J32 = s1 * v9 + c1 * J21;
-    const double v12 = v10 - p2_z;
-    const double J33 = s1 * (v9 - p2_y) + c1 * (J21 - p2_x);
-    const double v13 = J21 - p3_x, v14 = v9 - p3_y, v15 = v10 - p3_z;
-    const double J24 = J64 * v13 + v5 * v15, J34 = v6 * v13 - v5 * v14;
-    const double v16 = J21 - p4_x, v17 = v9 - p4_y, v18 = v10 - p4_z;
-    const double J15 = J55 * v18 - J65 * v17, J25 = J65 * v16 - J45 * v18,
-        J35 = J45 * v17 - J55 * v16;
-    const double v19 = J21 - p5_x, v20 = v9 - p5_y, v21 = v10 - p5_z;
-    const double J26 = J66 * v19 + v7 * v21, J36 = v8 * v19 - v7 * v20;
+    const double v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5, J66 = J64 * c5 - x4_z * s5,
+        p5_x = p4_x + (x4_x * c5 - v5 * s5) * a5, p5_y = p4_y + (x4_y * c5 - v6 * s5) * a5,
+        p5_z = p4_z + (x4_z * c5 + J64 * s5) * a5, J21 = p5_x - v7 * d6, v9 = p5_y - v8 * d6,
+        v10 = p5_z + J66 * d6, v11 = v10 - d1, J32 = s1 * v9 + c1 * J21, v12 = v10 - p2_z,
+        J33 = s1 * (v9 - p2_y) + c1 * (J21 - p2_x), v13 = J21 - p3_x, v14 = v9 - p3_y,
+        v15 = v10 - p3_z, J24 = J64 * v13 + v5 * v15, J34 = v6 * v13 - v5 * v14, v16 = J21 - p4_x,
+        v17 = v9 - p4_y, v18 = v10 - p4_z, J15 = J55 * v18 - J65 * v17, J25 = J65 * v16 - J45 * v18,
+        J35 = J45 * v17 - J55 * v16, v19 = J21 - p5_x, v20 = v9 - p5_y, v21 = v10 - p5_z,
+        J26 = J66 * v19 + v7 * v21, J36 = v8 * v19 - v7 * v20;
     J[0] = -v9; J[1] = -(c1 * v11); J[2] = -(c1 * v12); J[3] = -(v6 * v15 + J64 * v14); J[4] = J15;
     J[5] = -(v8 * v21 + J66 * v20);
     J[6] = J21; J[7] = -(s1 * v11); J[8] = -(s1 * v12); J[9] = J24; J[10] = J25; J[11] = J26;
@@ -3746,70 +3731,92 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    abb_gofa_5_fk(x, P);
+    abb_gofa_5_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.6802721088435373, 0.6802721088435373, 0.6802721088435373,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        abb_gofa_5_fk(x, P);
-        abb_gofa_5_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int abb_gofa_5_ik(

@@ -86,17 +86,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -173,20 +176,6 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
     *r1 = a[1];
     *r2 = a[2];
     *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
 }
 
 HELPER four irregularity_four(const double T[16])
@@ -277,9 +266,8 @@ void bartell_rprpr_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c1 * c3, x3_y = s1 * c3;
-    const double T13_ = c1 * s3, T23_ = s1 * s3, T14_ = s1 * q[1] + T13_ * q[3],
-        T24_ = T23_ * q[3] - c1 * q[1], T34_ = d1 - c3 * q[3];
+    const double x3_x = c1 * c3, x3_y = s1 * c3, T13_ = c1 * s3, T23_ = s1 * s3,
+        T14_ = s1 * q[1] + T13_ * q[3], T24_ = T23_ * q[3] - c1 * q[1], T34_ = d1 - c3 * q[3];
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double T11_ = x3_x * c5 + s1 * s5, T21_ = x3_y * c5 - c1 * s5, T31_ = s3 * c5,
         T12_ = s1 * c5 - x3_x * s5;
@@ -293,13 +281,10 @@ void bartell_rprpr_fk(const double q[5], double T[16])
 void bartell_rprpr_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p2_x = s1 * q[1];
-    const double v1 = c1 * q[1];
+    const double p2_x = s1 * q[1], v1 = c1 * q[1];
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J14 = c1 * s3, J24 = s1 * s3, J21 = p2_x + J14 * q[3];
-    const double p4_y = J24 * q[3] - v1;
-    const double v2 = d1 - c3 * q[3] - d1;
-    const double J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x);
+    const double J14 = c1 * s3, J24 = s1 * s3, J21 = p2_x + J14 * q[3], p4_y = J24 * q[3] - v1,
+        v2 = d1 - c3 * q[3] - d1, J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x);
     J[0] = -p4_y; J[1] = s1; J[2] = -(c1 * v2); J[3] = J14; J[4] = 0.0;
     J[5] = J21; J[6] = -c1; J[7] = -(s1 * v2); J[8] = J24; J[9] = 0.0;
     J[10] = 0.0; J[11] = 0.0; J[12] = J33; J[13] = -c3; J[14] = 0.0;
@@ -585,85 +570,110 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[5])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
 {
-    static const double weights[6] = { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 };
-    double x[5], P[16], J[30];
-    int held[5] = { 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][11], square = 0.0;
-        bartell_rprpr_fk(x, P);
-        bartell_rprpr_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 5; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 11; j++)
-                row[j] = j < 5 ? held[j] ? 0.0 : weights[i] * J[5 * i + j] : j == 5 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 11; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 11; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 11; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 11; j++)
-                row[j] /= length;
-            for (int j = 0; j < 5; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    if (!revolute[joint])
+        return fabs(off) * 0.5;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.5000, 0.5000, 0.5000, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[5], double e[6], double J[30])
+{
+    double P[16], square = 0.0;
+    bartell_rprpr_fk(x, P);
+    bartell_rprpr_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[5], const double J[30], double e[6], double x[5])
+{
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 5; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[5 * i + j];
+        A[i][5 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 11; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 11; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 11; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 5; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[5])
+{
+    double x[5], J[30];
+    int settled = 0, held[5] = { 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 5; i++) {
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[5], double q[2][5],
     unsigned char status[2])
 {
     double x[5], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 5; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 5 && status[row] != BARTELL_RPRPR_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - (revolute[i] ? whole : 0.0)));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == BARTELL_RPRPR_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 5 && status[row] != BARTELL_RPRPR_UNREACHABLE; i++)
+            gap = fmax(gap, apart(i, q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

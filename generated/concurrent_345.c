@@ -493,37 +493,26 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void concurrent_345_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * f1;
-    const double y1_y = c1 * f1;
-    const double z1_x = s1 * f2;
-    const double v2 = c1 * f2;
+    const double v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2, v2 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2;
-    const double y2_x = z1_x * f4 - v3 * f5, y2_y = v4 * f5 - v2 * f4, y2_z = v5 * f5 + f6;
-    const double z2_x = v3 * f4 + z1_x * f5;
-    const double v6 = v4 * f4 + v2 * f5;
-    const double z2_z = f7 - v5 * f4;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, y2_x = z1_x * f4 - v3 * f5,
+        y2_y = v4 * f5 - v2 * f4, y2_z = v5 * f5 + f6, z2_x = v3 * f4 + z1_x * f5,
+        v6 = v4 * f4 + v2 * f5, z2_z = f7 - v5 * f4;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3;
-    const double y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
+        x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
         y4_z = y2_z * c3 - x2_z * s3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v6 * s4,
-        x4_z = x3_z * c4 + z2_z * s4;
-    const double z4_x = z2_x * c4 - x3_x * s4;
-    const double v7 = v6 * c4 + x3_y * s4;
-    const double z4_z = z2_z * c4 - x3_z * s4;
+        x4_z = x3_z * c4 + z2_z * s4, z4_x = z2_x * c4 - x3_x * s4, v7 = v6 * c4 + x3_y * s4,
+        z4_z = z2_z * c4 - x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5;
-    const double v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
-        v10 = y4_z * c5 - x4_z * s5;
-    const double y5_x = f4 * v8 + f5 * z4_x, y5_y = f4 * v9 - f5 * v7, y5_z = f4 * v10 + f5 * z4_z;
-    const double T13_ = f4 * z4_x - f5 * v8;
-    const double v11 = f5 * v9 + f4 * v7;
-    const double T33_ = f4 * z4_z - f5 * v10;
+        x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
+        v10 = y4_z * c5 - x4_z * s5, y5_x = f4 * v8 + f5 * z4_x, y5_y = f4 * v9 - f5 * v7,
+        y5_z = f4 * v10 + f5 * z4_z, T13_ = f4 * z4_x - f5 * v8, v11 = f5 * v9 + f4 * v7,
+        T33_ = f4 * z4_z - f5 * v10;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
         T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
@@ -542,55 +531,40 @@ void concurrent_345_fk(const double q[6], double T[16])
 void concurrent_345_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double v1 = s1 * g1;
-    const double y1_y = c1 * g1;
-    const double J42 = s1 * g2;
-    const double v2 = c1 * g2;
+    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * g1, y1_y = c1 * g1, J42 = s1 * g2,
+        v2 = c1 * g2;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
-        p2_z = d1 + x2_z * a2 + g3;
-    const double y2_x = J42 * g4 - v3 * g5, y2_y = v4 * g5 - v2 * g4, y2_z = v5 * g5 + g6;
-    const double J43 = v3 * g4 + J42 * g5;
-    const double v6 = v4 * g4 + v2 * g5;
-    const double J63 = g7 - v5 * g4;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2,
+        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
+        p2_z = d1 + x2_z * a2 + g3, y2_x = J42 * g4 - v3 * g5, y2_y = v4 * g5 - v2 * g4,
+        y2_z = v5 * g5 + g6, J43 = v3 * g4 + J42 * g5, v6 = v4 * g4 + v2 * g5, J63 = g7 - v5 * g4;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3;
-    const double y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
-        y4_z = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + J43 * d3, p3_y = p2_y - v6 * d3, p3_z = p2_z + J63 * d3;
+        x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
+        y4_z = y2_z * c3 - x2_z * s3, p3_x = p2_x + J43 * d3, p3_y = p2_y - v6 * d3,
+        p3_z = p2_z + J63 * d3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v6 * s4,
-        x4_z = x3_z * c4 + J63 * s4;
-    const double J45 = J43 * c4 - x3_x * s4;
-    const double v7 = v6 * c4 + x3_y * s4;
-    const double J65 = J63 * c4 - x3_z * s4;
+        x4_z = x3_z * c4 + J63 * s4, J45 = J43 * c4 - x3_x * s4, v7 = v6 * c4 + x3_y * s4,
+        J65 = J63 * c4 - x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5;
-    const double v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
-        v10 = y4_z * c5 - x4_z * s5;
-    const double p5_x = p3_x + x5_x * a5 + J45 * d5, p5_y = p3_y + x5_y * a5 - v7 * d5,
-        p5_z = p3_z + x5_z * a5 + J65 * d5;
-    const double J46 = g4 * J45 - g5 * v8;
-    const double v11 = g5 * v9 + g4 * v7;
-    const double J66 = g4 * J65 - g5 * v10;
+        x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
+        v10 = y4_z * c5 - x4_z * s5, p5_x = p3_x + x5_x * a5 + J45 * d5,
+        p5_y = p3_y + x5_y * a5 - v7 * d5, p5_z = p3_z + x5_z * a5 + J65 * d5,
+        J46 = g4 * J45 - g5 * v8, v11 = g5 * v9 + g4 * v7, J66 = g4 * J65 - g5 * v10;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6,
-        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6;
-    const double v12 = J21 - p1_x, v13 = p6_y - p1_y, v14 = p6_z - d1;
-    const double J22 = g1 * v12 - J42 * v14, J32 = J42 * v13 + v2 * v12;
-    const double v15 = J21 - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z;
-    const double J23 = J63 * v15 - J43 * v17, J33 = J43 * v16 + v6 * v15;
-    const double v18 = J21 - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z;
-    const double J14 = -y4_y * v20 - -y4_z * v19, J24 = -y4_z * v18 - -y4_x * v20,
-        J34 = -y4_x * v19 - -y4_y * v18, J25 = J65 * v18 - J45 * v20, J35 = J45 * v19 + v7 * v18;
-    const double v21 = J21 - p5_x, v22 = p6_y - p5_y, v23 = p6_z - p5_z;
-    const double J26 = J66 * v21 - J46 * v23, J36 = J46 * v22 + v11 * v21;
+    const double J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6,
+        p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6,
+        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6, v12 = J21 - p1_x,
+        v13 = p6_y - p1_y, v14 = p6_z - d1, J22 = g1 * v12 - J42 * v14, J32 = J42 * v13 + v2 * v12,
+        v15 = J21 - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z, J23 = J63 * v15 - J43 * v17,
+        J33 = J43 * v16 + v6 * v15, v18 = J21 - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z,
+        J14 = -y4_y * v20 - -y4_z * v19, J24 = -y4_z * v18 - -y4_x * v20,
+        J34 = -y4_x * v19 - -y4_y * v18, J25 = J65 * v18 - J45 * v20, J35 = J45 * v19 + v7 * v18,
+        v21 = J21 - p5_x, v22 = p6_y - p5_y, v23 = p6_z - p5_z, J26 = J66 * v21 - J46 * v23,
+        J36 = J46 * v22 + v11 * v21;
     J[0] = -p6_y; J[1] = -(v2 * v14 + g1 * v13); J[2] = -(v6 * v17 + J63 * v16); J[3] = J14;
     J[4] = -(v7 * v20 + J65 * v19); J[5] = -(v11 * v23 + J66 * v22);
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -1043,86 +1017,108 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[6])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 0.5405405405405406, 0.5405405405405406, 0.5405405405405406,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        concurrent_345_fk(x, P);
-        concurrent_345_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    concurrent_345_fk(x, P);
+    concurrent_345_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 6; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     double x[6], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != CONCURRENT_345_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == CONCURRENT_345_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 6 && status[row] != CONCURRENT_345_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

@@ -92,17 +92,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -172,20 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
 
 HELPER four irregularity_four(const double T[16])
 {
@@ -288,19 +277,13 @@ void craig_417_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v1 = c1 * s2 * f1, v2 = s1 * s2 * f1;
-    const double T33_ = c2 * f1;
-    const double v3 = s1 * f1;
-    const double T13_ = v1 - v3;
-    const double v4 = c1 * f1;
-    const double T23_ = v2 + v4;
-    const double v5 = v1 + v3, v6 = v4 - v2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2 * f1, v2 = s1 * s2 * f1,
+        T33_ = c2 * f1, v3 = s1 * f1, T13_ = v1 - v3, v4 = c1 * f1, T23_ = v2 + v4, v5 = v1 + v3,
+        v6 = v4 - v2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v5 * s3, x3_y = x2_y * c3 + v6 * s3;
-    const double v7 = s2 * c3 + T33_ * s3, v8 = v5 * c3 + x2_x * s3;
-    const double y3_y = v6 * c3 - x2_y * s3, y3_z = s2 * s3 - T33_ * c3;
-    const double T14_ = T13_ + x3_x * a3 + T13_ * d4, T24_ = T23_ + x3_y * a3 + T23_ * d4,
+    const double x3_x = x2_x * c3 - v5 * s3, x3_y = x2_y * c3 + v6 * s3, v7 = s2 * c3 + T33_ * s3,
+        v8 = v5 * c3 + x2_x * s3, y3_y = v6 * c3 - x2_y * s3, y3_z = s2 * s3 - T33_ * c3,
+        T14_ = T13_ + x3_x * a3 + T13_ * d4, T24_ = T23_ + x3_y * a3 + T23_ * d4,
         T34_ = T33_ - v7 * a3 + T33_ * d4;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double T11_ = x3_x * c4 - v8 * s4, T21_ = x3_y * c4 + y3_y * s4,
@@ -316,19 +299,14 @@ void craig_417_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double v1 = c1 * s2 * g1, v2 = s1 * s2 * g1;
-    const double J63 = c2 * g1;
-    const double v3 = s1 * g1;
-    const double J43 = v1 - v3;
-    const double v4 = c1 * g1;
-    const double J53 = v2 + v4;
+    const double v1 = c1 * s2 * g1, v2 = s1 * s2 * g1, J63 = c2 * g1, v3 = s1 * g1, J43 = v1 - v3,
+        v4 = c1 * g1, J53 = v2 + v4;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J21 = J43 + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + J43 * d4;
-    const double p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4,
-        p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4;
-    const double J12 = c1 * p4_z, J22 = s1 * p4_z;
-    const double v5 = J21 - J43, v6 = p4_y - J53, v7 = p4_z - J63;
-    const double J13 = J53 * v7 - J63 * v6, J23 = J63 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5;
+    const double J21 = J43 + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + J43 * d4,
+        p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4,
+        p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4, J12 = c1 * p4_z, J22 = s1 * p4_z,
+        v5 = J21 - J43, v6 = p4_y - J53, v7 = p4_z - J63, J13 = J53 * v7 - J63 * v6,
+        J23 = J63 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5;
     J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = 0.0;
     J[4] = J21; J[5] = J22; J[6] = J23; J[7] = 0.0;
     J[8] = 0.0; J[9] = -(s1 * p4_y + c1 * J21); J[10] = J33; J[11] = 0.0;
@@ -689,86 +667,108 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[4])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 0.3333333333333333, 0.3333333333333333, 0.3333333333333333,
-        1.0, 1.0, 1.0 };
-    double x[4], P[16], J[24];
-    int held[4] = { 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][10], square = 0.0;
-        craig_417_fk(x, P);
-        craig_417_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 4; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 10; j++)
-                row[j] = j < 4 ? held[j] ? 0.0 : weights[i] * J[4 * i + j] : j == 4 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 10; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 10; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 10; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 10; j++)
-                row[j] /= length;
-            for (int j = 0; j < 4; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[4], double e[6], double J[24])
+{
+    double P[16], square = 0.0;
+    craig_417_fk(x, P);
+    craig_417_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[4], const double J[24], double e[6], double x[4])
+{
+    double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 4; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[4 * i + j];
+        A[i][4 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 10; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 10; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 10; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 4; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[4])
+{
+    double x[4], J[24];
+    int settled = 0, held[4] = { 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 4; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
     double x[4], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 4; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 4 && status[row] != CRAIG_417_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == CRAIG_417_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 4 && status[row] != CRAIG_417_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

@@ -392,12 +392,10 @@ void cuspidal_3r_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double T13_ = c1 * s2, T23_ = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, T13_ = c1 * s2, T23_ = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - s1 * s3, T21_ = x2_y * c3 + c1 * s3;
-    const double v1 = s2 * c3;
-    const double T22_ = c1 * c3 - x2_y * s3, T32_ = s2 * s3,
+    const double T11_ = x2_x * c3 - s1 * s3, T21_ = x2_y * c3 + c1 * s3, v1 = s2 * c3,
+        T22_ = c1 * c3 - x2_y * s3, T32_ = s2 * s3,
         T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + T11_ * a3,
         T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + T21_ * a3;
     T[0] = T11_; T[1] = -(s1 * c3 + x2_x * s3); T[2] = T13_; T[3] = T14_;
@@ -412,15 +410,12 @@ void cuspidal_3r_jacobian(const double q[3], double J[18])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double J43 = c1 * s2, J53 = s1 * s2;
-    const double v1 = s2 * a2;
-    const double p2_x = p1_x + x2_x * a2 - s1 * d2, p2_y = p1_y + x2_y * a2 + c1 * d2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2, v1 = s2 * a2,
+        p2_x = p1_x + x2_x * a2 - s1 * d2, p2_y = p1_y + x2_y * a2 + c1 * d2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J21 = p2_x + (x2_x * c3 - s1 * s3) * a3;
-    const double p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3;
-    const double v2 = v1 + s2 * c3 * a3, v3 = J21 - p2_x, v4 = p3_y - p2_y, v5 = v1 - v2;
-    const double J13 = J53 * v5 - c2 * v4, J23 = c2 * v3 - J43 * v5, J33 = J43 * v4 - J53 * v3;
+    const double J21 = p2_x + (x2_x * c3 - s1 * s3) * a3, p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3,
+        v2 = v1 + s2 * c3 * a3, v3 = J21 - p2_x, v4 = p3_y - p2_y, v5 = v1 - v2,
+        J13 = J53 * v5 - c2 * v4, J23 = c2 * v3 - J43 * v5, J33 = J43 * v4 - J53 * v3;
     J[0] = -p3_y; J[1] = -(c1 * v2); J[2] = J13;
     J[3] = J21; J[4] = -(s1 * v2); J[5] = J23;
     J[6] = 0.0; J[7] = -(s1 * (p3_y - p1_y) + c1 * (J21 - p1_x)); J[8] = J33;
@@ -733,81 +728,103 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[3])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 0.18181818181818182, 0.18181818181818182,
-        0.18181818181818182, 0.0, 0.0, 0.0 };
-    double x[3], P[16], J[18];
-    int held[3] = { 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][9], square = 0.0;
-        cuspidal_3r_fk(x, P);
-        cuspidal_3r_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 3; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 9; j++)
-                row[j] = j < 3 ? held[j] ? 0.0 : weights[i] * J[3 * i + j] : j == 3 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 9; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 9; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 9; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 9; j++)
-                row[j] /= length;
-            for (int j = 0; j < 3; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[3], double e[6], double J[18])
+{
+    double P[16], square = 0.0;
+    cuspidal_3r_fk(x, P);
+    cuspidal_3r_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[3], const double J[18], double e[6], double x[3])
+{
+    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 3; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[3 * i + j];
+        A[i][3 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 9; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 9; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 9; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 3; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[3])
+{
+    double x[3], J[18];
+    int settled = 0, held[3] = { 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 3; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])
 {
     double x[3], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 3; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 3 && status[row] != CUSPIDAL_3R_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == CUSPIDAL_3R_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 3 && status[row] != CUSPIDAL_3R_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

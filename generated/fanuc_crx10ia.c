@@ -3603,23 +3603,19 @@ void fanuc_crx10ia_fk(const double q[6], double T[16])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double y2_x = c1 * s2, y2_y = s1 * s2;
-    const double v3 = q[2] + offset3;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
+        v3 = q[2] + offset3;
     const double c3 = cos(v3), s3 = sin(v3);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3;
-    const double z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
-        z3_y = x2_y * s3 - y2_y * c3;
-    const double v4 = q[3] + offset4;
+        x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
+        z3_y = x2_y * s3 - y2_y * c3, v4 = q[3] + offset4;
     const double c4 = cos(v4), s4 = sin(v4);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
-    const double z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4;
-    const double v5 = q[4] + offset5;
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
+        z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4,
+        v5 = q[4] + offset5;
     const double c5 = cos(v5), s5 = sin(v5);
     const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5;
-    const double T11_ = z3_x * c5 - x4_x * s5, T21_ = z3_y * c5 - x4_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5, T11_ = z3_x * c5 - x4_x * s5, T21_ = z3_y * c5 - x4_y * s5,
         T31_ = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T14_ = x2_x * a2 - z3_x * d4 + z4_x * d5 - -T11_ * d6,
@@ -3639,35 +3635,26 @@ void fanuc_crx10ia_jacobian(const double q[6], double J[36])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double y2_x = c1 * s2, y2_y = s1 * s2;
-    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
-    const double v3 = q[2] + offset3;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2, p2_x = x2_x * a2,
+        p2_y = x2_y * a2, p2_z = d1 + s2 * a2, v3 = q[2] + offset3;
     const double c3 = cos(v3), s3 = sin(v3);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3;
-    const double J64 = c2 * c3 + s2 * s3, J44 = x2_x * s3 - y2_x * c3, J54 = x2_y * s3 - y2_y * c3;
-    const double v4 = q[3] + offset4;
+        x3_z = s2 * c3 - c2 * s3, J64 = c2 * c3 + s2 * s3, J44 = x2_x * s3 - y2_x * c3,
+        J54 = x2_y * s3 - y2_y * c3, v4 = q[3] + offset4;
     const double c4 = cos(v4), s4 = sin(v4);
-    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4;
-    const double p4_x = p2_x - J44 * d4, p4_y = p2_y - J54 * d4, p4_z = p2_z - J64 * d4;
-    const double J55 = x3_y * s4 - c1 * c4;
-    const double v5 = q[4] + offset5;
+    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, p4_x = p2_x - J44 * d4,
+        p4_y = p2_y - J54 * d4, p4_z = p2_z - J64 * d4, J55 = x3_y * s4 - c1 * c4,
+        v5 = q[4] + offset5;
     const double c5 = cos(v5), s5 = sin(v5);
-    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
-        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
-        J21 = p5_x - J46 * d6;
-    const double v6 = p5_y - J56 * d6, v7 = p5_z - J66 * d6, v8 = v7 - d1;
-    const double J32 = s1 * v6 + c1 * J21;
-    const double v9 = J21 - p2_x, v10 = v6 - p2_y, v11 = v7 - p2_z;
-    const double J13 = c1 * v11, J23 = s1 * v11, J14 = J54 * v11 - J64 * v10,
-        J24 = J64 * v9 - J44 * v11, J34 = J44 * v10 - J54 * v9;
-    const double v12 = J21 - p4_x, v13 = v6 - p4_y, v14 = v7 - p4_z;
-    const double J15 = J55 * v14 - J65 * v13, J25 = J65 * v12 - J45 * v14,
-        J35 = J45 * v13 - J55 * v12;
-    const double v15 = J21 - p5_x, v16 = v6 - p5_y, v17 = v7 - p5_z;
-    const double J16 = J56 * v17 - J66 * v16, J26 = J66 * v15 - J46 * v17,
+    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5,
+        J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5, J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5,
+        J66 = x3_z * c4 * s5 - J64 * c5, J21 = p5_x - J46 * d6, v6 = p5_y - J56 * d6,
+        v7 = p5_z - J66 * d6, v8 = v7 - d1, J32 = s1 * v6 + c1 * J21, v9 = J21 - p2_x,
+        v10 = v6 - p2_y, v11 = v7 - p2_z, J13 = c1 * v11, J23 = s1 * v11,
+        J14 = J54 * v11 - J64 * v10, J24 = J64 * v9 - J44 * v11, J34 = J44 * v10 - J54 * v9,
+        v12 = J21 - p4_x, v13 = v6 - p4_y, v14 = v7 - p4_z, J15 = J55 * v14 - J65 * v13,
+        J25 = J65 * v12 - J45 * v14, J35 = J45 * v13 - J55 * v12, v15 = J21 - p5_x, v16 = v6 - p5_y,
+        v17 = v7 - p5_z, J16 = J56 * v17 - J66 * v16, J26 = J66 * v15 - J46 * v17,
         J36 = J46 * v16 - J56 * v15;
     J[0] = -v6; J[1] = -(c1 * v8); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v8); J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -3779,70 +3766,92 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.6116, 0.6116, 0.6116, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    fanuc_crx10ia_fk(x, P);
+    fanuc_crx10ia_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.6116207951070336, 0.6116207951070336, 0.6116207951070336,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        fanuc_crx10ia_fk(x, P);
-        fanuc_crx10ia_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int fanuc_crx10ia_ik(

@@ -86,17 +86,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -181,20 +184,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
 
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
@@ -304,27 +293,21 @@ void franka_panda_fk(const double q[7], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double z3_x = c1 * s2, z3_y = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2, z3_y = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3;
-    const double v1 = s2 * c3;
-    const double z4_x = s1 * c3 + x2_x * s3;
-    const double y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
+    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3,
+        z4_x = s1 * c3 + x2_x * s3, y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + z3_x * s4, x4_y = x3_y * c4 + z3_y * s4,
-        x4_z = c2 * s4 - v1 * c4;
-    const double y4_x = z3_x * c4 - x3_x * s4, y4_y = z3_y * c4 - x3_y * s4,
+        x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4, y4_y = z3_y * c4 - x3_y * s4,
         y4_z = c2 * c4 + v1 * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 - z4_x * s5, x5_y = x4_y * c5 + y3_y * s5,
-        x5_z = x4_z * c5 + y3_z * s5;
-    const double z6_x = z4_x * c5 + x4_x * s5, z6_y = x4_y * s5 - y3_y * c5,
+        x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5, z6_y = x4_y * s5 - y3_y * c5,
         z6_z = x4_z * s5 - y3_z * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double x6_x = x5_x * c6 + y4_x * s6, x6_y = x5_y * c6 + y4_y * s6,
-        x6_z = x5_z * c6 + y4_z * s6;
-    const double T13_ = x5_x * s6 - y4_x * c6, T23_ = x5_y * s6 - y4_y * c6,
+        x6_z = x5_z * c6 + y4_z * s6, T13_ = x5_x * s6 - y4_x * c6, T23_ = x5_y * s6 - y4_y * c6,
         T33_ = x5_z * s6 - y4_z * c6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
     const double T11_ = x6_x * c7 + z6_x * s7, T21_ = x6_y * c7 + z6_y * s7,
@@ -344,43 +327,34 @@ void franka_panda_jacobian(const double q[7], double J[42])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double J43 = c1 * s2, J53 = s1 * s2;
-    const double p3_x = J43 * d3, p3_y = J53 * d3, p3_z = d1 + c2 * d3;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2, p3_x = J43 * d3,
+        p3_y = J53 * d3, p3_z = d1 + c2 * d3;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3;
-    const double v1 = s2 * c3;
-    const double J44 = s1 * c3 + x2_x * s3;
-    const double y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
-    const double p4_x = p3_x + x3_x * a3, p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3;
+    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3,
+        J44 = s1 * c3 + x2_x * s3, y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3,
+        p4_x = p3_x + x3_x * a3, p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4, x4_z = c2 * s4 - v1 * c4;
-    const double J45 = J43 * c4 - x3_x * s4, J55 = J53 * c4 - x3_y * s4, J65 = c2 * c4 + v1 * s4;
-    const double p5_x = p4_x - x4_x * a4 + J45 * d5, p5_y = p4_y - x4_y * a4 + J55 * d5,
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4, x4_z = c2 * s4 - v1 * c4,
+        J45 = J43 * c4 - x3_x * s4, J55 = J53 * c4 - x3_y * s4, J65 = c2 * c4 + v1 * s4,
+        p5_x = p4_x - x4_x * a4 + J45 * d5, p5_y = p4_y - x4_y * a4 + J55 * d5,
         p5_z = p4_z - x4_z * a4 + J65 * d5;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 - J44 * s5, x5_y = x4_y * c5 + y3_y * s5,
-        x5_z = x4_z * c5 + y3_z * s5;
-    const double J46 = J44 * c5 + x4_x * s5, J56 = x4_y * s5 - y3_y * c5,
+        x5_z = x4_z * c5 + y3_z * s5, J46 = J44 * c5 + x4_x * s5, J56 = x4_y * s5 - y3_y * c5,
         J66 = x4_z * s5 - y3_z * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6,
-        p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6, p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
-    const double J47 = x5_x * s6 - J45 * c6, J57 = x5_y * s6 - J55 * c6, J67 = x5_z * s6 - J65 * c6,
-        J21 = p7_x + J47 * d7;
-    const double v2 = p7_y + J57 * d7, v3 = p7_z + J67 * d7, v4 = v3 - d1;
-    const double J12 = c1 * v4, J22 = s1 * v4;
-    const double v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z;
-    const double J13 = J53 * v7 - c2 * v6, J23 = c2 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5;
-    const double v8 = J21 - p4_x, v9 = v2 - p4_y, v10 = v3 - p4_z;
-    const double J14 = -y3_y * v10 + y3_z * v9, J34 = J44 * v9 - -y3_y * v8;
-    const double v11 = J21 - p5_x, v12 = v2 - p5_y, v13 = v3 - p5_z;
-    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13,
-        J35 = J45 * v12 - J55 * v11, J16 = J56 * v13 - J66 * v12, J26 = J66 * v11 - J46 * v13,
-        J36 = J46 * v12 - J56 * v11;
-    const double v14 = J21 - p7_x, v15 = v2 - p7_y, v16 = v3 - p7_z;
-    const double J17 = J57 * v16 - J67 * v15, J27 = J67 * v14 - J47 * v16,
-        J37 = J47 * v15 - J57 * v14;
+        p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6, p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6,
+        J47 = x5_x * s6 - J45 * c6, J57 = x5_y * s6 - J55 * c6, J67 = x5_z * s6 - J65 * c6,
+        J21 = p7_x + J47 * d7, v2 = p7_y + J57 * d7, v3 = p7_z + J67 * d7, v4 = v3 - d1,
+        J12 = c1 * v4, J22 = s1 * v4, v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z,
+        J13 = J53 * v7 - c2 * v6, J23 = c2 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5,
+        v8 = J21 - p4_x, v9 = v2 - p4_y, v10 = v3 - p4_z, J14 = -y3_y * v10 + y3_z * v9,
+        J34 = J44 * v9 - -y3_y * v8, v11 = J21 - p5_x, v12 = v2 - p5_y, v13 = v3 - p5_z,
+        J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13, J35 = J45 * v12 - J55 * v11,
+        J16 = J56 * v13 - J66 * v12, J26 = J66 * v11 - J46 * v13, J36 = J46 * v12 - J56 * v11,
+        v14 = J21 - p7_x, v15 = v2 - p7_y, v16 = v3 - p7_z, J17 = J57 * v16 - J67 * v15,
+        J27 = J67 * v14 - J47 * v16, J37 = J47 * v15 - J57 * v14;
     J[0] = -v2; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
     J[7] = J21; J[8] = J22; J[9] = J23; J[10] = -(y3_z * v8 + J44 * v10); J[11] = J25; J[12] = J26;
     J[13] = J27;
@@ -1071,92 +1045,112 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[7], double e[6], double J[42])
+{
+    double P[16], square = 0.0;
+    franka_panda_fk(x, P);
+    franka_panda_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[7], const double J[42], double e[6], double x[7])
+{
+    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 7; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[7 * i + j];
+        A[i][7 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 13; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 13; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 13; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 7; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[7])
 {
-    static const double weights[6] = { 0.7178750897343862, 0.7178750897343862, 0.7178750897343862,
-        1.0, 1.0, 1.0 };
-    double x[7], P[16], J[42];
-    int held[7] = { 0, 0, 0, 0, 0, 0, 1 };
+    double x[7], J[42];
+    int settled = 0, held[7] = { 0, 0, 0, 0, 0, 0, 1 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][13], square = 0.0;
-        franka_panda_fk(x, P);
-        franka_panda_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 7; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 13; j++)
-                row[j] = j < 7 ? held[j] ? 0.0 : weights[i] * J[7 * i + j] : j == 7 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 13; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 13; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 13; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 13; j++)
-                row[j] /= length;
-            for (int j = 0; j < 7; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 7; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
     double x[7], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 7; i++)
+        x[i] = seed[i] - overshoot(i, seed[i]);
     x[6] = free_joints[0];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 7 && status[row] != FRANKA_PANDA_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == FRANKA_PANDA_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 7 && status[row] != FRANKA_PANDA_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

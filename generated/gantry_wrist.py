@@ -246,7 +246,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "gantry_wrist 2c6c895dd15b702c"
+_KEY = "gantry_wrist 0c57d0ab019b0855"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -411,7 +411,7 @@ def _turned(joint, given, towards):
 
 _GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([4.545454545454546, 4.545454545454546, 4.545454545454546, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([4.545, 4.545, 4.545, 1.0, 1.0, 1.0])
 
 
 @_inner
@@ -441,10 +441,10 @@ def _miss(T, q, held, A):
 def _add_step(A, e, miss, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthonormal one after another
+    The rows of A, each with its share of the damping's root, are made orthogonal one after another
     (modified Gram-Schmidt): the product A A' would lose half of the digits.
     """
-    rows = np.zeros((6, 12))
+    rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
             rows[i, j] = A[i, j]
@@ -452,56 +452,67 @@ def _add_step(A, e, miss, q):
         for k in range(i):
             along = 0.0
             for j in range(12):
-                along += rows[k, j] * rows[i, j]
+                along += rows[k, j] * rows[i, j] / square[k]
             for j in range(12):
                 rows[i, j] -= along * rows[k, j]
             e[i] -= along * e[k]
-        square = 0.0
         for j in range(12):
-            square += rows[i, j] * rows[i, j]
-        e[i] /= math.sqrt(square)
-        for j in range(12):
-            rows[i, j] /= math.sqrt(square)
+            square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] * rows[i, j]
+            q[j] += e[i] / square[i] * rows[i, j]
+
+
+@_inner
+def _moved_by(joint, off):
+    """A difference of joint values, whole turns aside [rad, arm sizes]."""
+    if not _REVOLUTE[joint]:
+        return abs(off) * 4.545
+    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
 
 
 @_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
 def _settled(T, enough, q):
-    """Takes joint values to some that miss the pose by no more than enough or, if that is NaN, than
-    they do; False if it can't. Damped least squares."""
-    held, A = _GIVEN.copy(), np.empty((6, 6))
+    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
+
+    If enough is NaN, by no more than they do. Damped least squares, while
+    they gain.
+    """
+    held, A, x, settled = _GIVEN.copy(), np.empty((6, 6)), q.copy(), False
     for _ in range(20):
-        e, miss = _miss(T, q, held, A)
+        e, miss = _miss(T, x, held, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss <= enough:
+        elif miss < enough:
+            q[:] = x
+            settled = True
+            enough = 0.5 * miss
+        elif settled:
             return True
-        _add_step(A, e, miss, q)
-    return False
+        _add_step(A, e, miss, x)
+        for j in range(6):
+            if not _moved_by(j, x[j] - q[j]) <= 0.1:
+                return settled  # another solution
+    return settled
 
 
 @_inner
 def _settle(pose, enough, q):
-    """The same for joint values of the caller's, which stay as they were if it can't."""
+    """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    if not _settled(pose, enough, values):
-        return False
-    for i in range(6):
-        if not abs(values[i] - q[i]) <= 0.1:  # to another solution
-            return False
+    settled = _settled(pose, enough, values)
     for i in range(6):
         q[i] = values[i]
-    return True
+    return settled
 
 
 @_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one, one that is left or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
+    left, or the nearest.
     """
     x, place, least = np.empty(6), 0, math.inf
     for i in range(6):
@@ -509,14 +520,11 @@ def _stay(pose, seed, q, status):
     if not _settle(pose, 1e-12, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = -1.0
+        gap = 0.1 if status[row] == UNREACHABLE else 0.0
         if status[row] != UNREACHABLE:
             for i in range(6):
-                off = q[row, i] - x[i]
-                if _REVOLUTE[i]:
-                    off -= _TURN * math.floor(off / _TURN + 0.5)
-                gap = max(gap, abs(off))
-        if 0.0 <= gap < 0.001:
+                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
+        if gap < 0.001:
             return
         if gap <= least:
             place, least = row, gap

@@ -3134,48 +3134,34 @@ static const double weight[6] = { 1.0, 1.0, 0.33412409368839596, 1.0, 0.33412409
 void general_4r2p_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1;
-    const double y1_y = c1 * ca1;
-    const double z1_x = s1 * sa1;
-    const double v2 = c1 * sa1;
+    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
-        v6 = v3 * ca2 + z1_x * sa2;
-    const double y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f2;
-    const double z2_x = z1_x * ca2 - v3 * sa2, z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + f3;
-    const double x3_x = x2_x * cat3 - v6 * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
-        x3_z = x2_z * cat3 + y2_z * sat3;
-    const double v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
-        v9 = y2_z * cat3 - x2_z * sat3;
-    const double y3_x = v7 * ca3 + z2_x * sa3, y3_y = z2_y * sa3 - v8 * ca3,
-        y3_z = z2_z * sa3 - v9 * ca3;
-    const double z3_x = v7 * sa3 - z2_x * ca3;
-    const double v10 = v8 * sa3 + z2_y * ca3, v11 = v9 * sa3 + z2_z * ca3;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + z1_x * sa2,
+        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f2, z2_x = z1_x * ca2 - v3 * sa2,
+        z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + f3, x3_x = x2_x * cat3 - v6 * sat3,
+        x3_y = x2_y * cat3 + y2_y * sat3, x3_z = x2_z * cat3 + y2_z * sat3,
+        v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
+        v9 = y2_z * cat3 - x2_z * sat3, y3_x = v7 * ca3 + z2_x * sa3, y3_y = z2_y * sa3 - v8 * ca3,
+        y3_z = z2_z * sa3 - v9 * ca3, z3_x = v7 * sa3 - z2_x * ca3, v10 = v8 * sa3 + z2_y * ca3,
+        v11 = v9 * sa3 + z2_z * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
-        v14 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v12 * ca4 + z3_x * sa4, y4_y = v13 * ca4 - v10 * sa4,
-        y4_z = v14 * ca4 - v11 * sa4;
-    const double z4_x = z3_x * ca4 - v12 * sa4;
-    const double v15 = v13 * sa4 + v10 * ca4, v16 = v14 * sa4 + v11 * ca4;
-    const double x5_x = x4_x * cat5 - y4_x * sat5, x5_y = x4_y * cat5 - y4_y * sat5,
-        x5_z = x4_z * cat5 - y4_z * sat5;
-    const double v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
-        v19 = x4_z * sat5 + y4_z * cat5;
-    const double y5_x = v17 * ca5 - z4_x * sa5, y5_y = v18 * ca5 + v15 * sa5,
-        y5_z = v19 * ca5 + v16 * sa5;
-    const double z5_x = v17 * sa5 + z4_x * ca5, z5_y = v18 * sa5 - v15 * ca5,
-        z5_z = v19 * sa5 - v16 * ca5;
+        x4_z = x3_z * c4 + y3_z * s4, v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
+        v14 = y3_z * c4 - x3_z * s4, y4_x = v12 * ca4 + z3_x * sa4, y4_y = v13 * ca4 - v10 * sa4,
+        y4_z = v14 * ca4 - v11 * sa4, z4_x = z3_x * ca4 - v12 * sa4, v15 = v13 * sa4 + v10 * ca4,
+        v16 = v14 * sa4 + v11 * ca4, x5_x = x4_x * cat5 - y4_x * sat5,
+        x5_y = x4_y * cat5 - y4_y * sat5, x5_z = x4_z * cat5 - y4_z * sat5,
+        v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
+        v19 = x4_z * sat5 + y4_z * cat5, y5_x = v17 * ca5 - z4_x * sa5,
+        y5_y = v18 * ca5 + v15 * sa5, y5_z = v19 * ca5 + v16 * sa5, z5_x = v17 * sa5 + z4_x * ca5,
+        z5_y = v18 * sa5 - v15 * ca5, z5_z = v19 * sa5 - v16 * ca5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6;
-    const double v20 = y5_x * c6 - x5_x * s6, v21 = y5_y * c6 - x5_y * s6,
-        v22 = y5_z * c6 - x5_z * s6;
-    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x
-        * d4 + z4_x * q[4] + x5_x * a5 + T11_ * a6 + z5_x * d6,
+        T31_ = x5_z * c6 + y5_z * s6, v20 = y5_x * c6 - x5_x * s6, v21 = y5_y * c6 - x5_y * s6,
+        v22 = y5_z * c6 - x5_z * s6,
+        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 +
+            z4_x * q[4] + x5_x * a5 + T11_ * a6 + z5_x * d6,
         T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 * d4 - v15
             * q[4] + x5_y * a5 + T21_ * a6 + z5_y * d6,
         T34_ = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] +
@@ -3192,57 +3178,41 @@ void general_4r2p_fk(const double q[6], double T[16])
 void general_4r2p_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double v1 = s1 * ca1;
-    const double y1_y = c1 * ca1;
-    const double J42 = s1 * sa1;
-    const double v2 = c1 * sa1;
+    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
+        v2 = c1 * sa1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
-        v6 = v3 * ca2 + J42 * sa2;
-    const double y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - g2;
-    const double J13 = J42 * ca2 - v3 * sa2, J23 = v4 * sa2 - v2 * ca2, J33 = v5 * sa2 + g3;
-    const double x3_x = x2_x * cat3 - v6 * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
-        x3_z = x2_z * cat3 + y2_z * sat3;
-    const double v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
-        v9 = y2_z * cat3 - x2_z * sat3;
-    const double p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3,
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + J42 * sa2,
+        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - g2, J13 = J42 * ca2 - v3 * sa2,
+        J23 = v4 * sa2 - v2 * ca2, J33 = v5 * sa2 + g3, x3_x = x2_x * cat3 - v6 * sat3,
+        x3_y = x2_y * cat3 + y2_y * sat3, x3_z = x2_z * cat3 + y2_z * sat3,
+        v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
+        v9 = y2_z * cat3 - x2_z * sat3, p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3,
         p3_y = p1_y + x2_y * a2 - v2 * d2 + J23 * q[2] + x3_y * a3,
-        p3_z = d1 + x2_z * a2 + g1 + J33 * q[2] + x3_z * a3;
-    const double y3_x = v7 * ca3 + J13 * sa3, y3_y = J23 * sa3 - v8 * ca3,
-        y3_z = J33 * sa3 - v9 * ca3;
-    const double J44 = v7 * sa3 - J13 * ca3;
-    const double v10 = v8 * sa3 + J23 * ca3, v11 = v9 * sa3 + J33 * ca3;
+        p3_z = d1 + x2_z * a2 + g1 + J33 * q[2] + x3_z * a3, y3_x = v7 * ca3 + J13 * sa3,
+        y3_y = J23 * sa3 - v8 * ca3, y3_z = J33 * sa3 - v9 * ca3, J44 = v7 * sa3 - J13 * ca3,
+        v10 = v8 * sa3 + J23 * ca3, v11 = v9 * sa3 + J33 * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
-        v14 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v12 * ca4 + J44 * sa4, y4_y = v13 * ca4 - v10 * sa4,
-        y4_z = v14 * ca4 - v11 * sa4;
-    const double J15 = J44 * ca4 - v12 * sa4;
-    const double v15 = v13 * sa4 + v10 * ca4, v16 = v14 * sa4 + v11 * ca4;
-    const double x5_x = x4_x * cat5 - y4_x * sat5, x5_y = x4_y * cat5 - y4_y * sat5,
-        x5_z = x4_z * cat5 - y4_z * sat5;
-    const double v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
-        v19 = x4_z * sat5 + y4_z * cat5;
-    const double p5_x = p3_x + x4_x * a4 + J44 * d4 + J15 * q[4] + x5_x * a5,
+        x4_z = x3_z * c4 + y3_z * s4, v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
+        v14 = y3_z * c4 - x3_z * s4, y4_x = v12 * ca4 + J44 * sa4, y4_y = v13 * ca4 - v10 * sa4,
+        y4_z = v14 * ca4 - v11 * sa4, J15 = J44 * ca4 - v12 * sa4, v15 = v13 * sa4 + v10 * ca4,
+        v16 = v14 * sa4 + v11 * ca4, x5_x = x4_x * cat5 - y4_x * sat5,
+        x5_y = x4_y * cat5 - y4_y * sat5, x5_z = x4_z * cat5 - y4_z * sat5,
+        v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
+        v19 = x4_z * sat5 + y4_z * cat5,
+        p5_x = p3_x + x4_x * a4 + J44 * d4 + J15 * q[4] + x5_x * a5,
         p5_y = p3_y + x4_y * a4 - v10 * d4 - v15 * q[4] + x5_y * a5,
-        p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5;
-    const double J46 = v17 * sa5 + J15 * ca5, J56 = v18 * sa5 - v15 * ca5,
-        J66 = v19 * sa5 - v16 * ca5;
+        p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5, J46 = v17 * sa5 + J15 * ca5,
+        J56 = v18 * sa5 - v15 * ca5, J66 = v19 * sa5 - v16 * ca5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 + (v17 * ca5 - J15 * sa5) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + J66 * d6;
-    const double v20 = J21 - p1_x, v21 = p6_y - p1_y, v22 = p6_z - d1;
-    const double J22 = ca1 * v20 - J42 * v22, J32 = J42 * v21 + v2 * v20;
-    const double v23 = J21 - p3_x, v24 = p6_y - p3_y, v25 = p6_z - p3_z;
-    const double J14 = v11 * v24 - v10 * v25, J34 = J44 * v24 + v10 * v23;
-    const double v26 = J21 - p5_x, v27 = p6_y - p5_y, v28 = p6_z - p5_z;
-    const double J16 = J56 * v28 - J66 * v27, J26 = J66 * v26 - J46 * v28,
-        J36 = J46 * v27 - J56 * v26;
+    const double J21 = p5_x + (x5_x * c6 + (v17 * ca5 - J15 * sa5) * s6) * a6 + J46 * d6,
+        p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + J56 * d6,
+        p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + J66 * d6, v20 = J21 - p1_x,
+        v21 = p6_y - p1_y, v22 = p6_z - d1, J22 = ca1 * v20 - J42 * v22, J32 = J42 * v21 + v2 * v20,
+        v23 = J21 - p3_x, v24 = p6_y - p3_y, v25 = p6_z - p3_z, J14 = v11 * v24 - v10 * v25,
+        J34 = J44 * v24 + v10 * v23, v26 = J21 - p5_x, v27 = p6_y - p5_y, v28 = p6_z - p5_z,
+        J16 = J56 * v28 - J66 * v27, J26 = J66 * v26 - J46 * v28, J36 = J46 * v27 - J56 * v26;
     J[0] = -p6_y; J[1] = -(v2 * v22 + ca1 * v21); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(v11 * v23 + J44 * v25); J[10] = -v15; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = -v16; J[17] = J36;
@@ -3357,70 +3327,94 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
+{
+    if (!revolute[joint])
+        return fabs(off) * 0.5780346820809249;
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.5780, 0.5780, 0.5780, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    general_4r2p_fk(x, P);
+    general_4r2p_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.5780346820809249, 0.5780346820809249, 0.5780346820809249,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        general_4r2p_fk(x, P);
-        general_4r2p_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int general_4r2p_ik(

@@ -3430,19 +3430,13 @@ static const double weight[6] = { 0.3076157350370323, 1.0, 1.0, 1.0, 1.0, 1.0 };
 void general_5r1p_pair_fk(const double q[6], double T[16])
 {
     const double c2 = cos(-q[1]), s2 = sin(-q[1]);
-    const double v1 = s2 * f2;
-    const double y2_z = c2 * f2;
-    const double z2_x = s2 * f1;
-    const double z3_z = c2 * f1;
+    const double v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * f1, z3_z = c2 * f1;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c2 * c3 - v1 * s3;
-    const double v2 = f1 * s3;
-    const double x3_z = s2 * c3 + y2_z * s3;
-    const double y3_x = v1 * c3 + c2 * s3, y3_y = f1 * c3, y3_z = s2 * s3 - y2_z * c3;
+    const double x3_x = c2 * c3 - v1 * s3, v2 = f1 * s3, x3_z = s2 * c3 + y2_z * s3,
+        y3_x = v1 * c3 + c2 * s3, y3_y = f1 * c3, y3_z = s2 * s3 - y2_z * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = y3_y * s4 - v2 * c4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double z4_x = y3_x * c4 - x3_x * s4, z4_y = y3_y * c4 + v2 * s4,
+        x4_z = x3_z * c4 + y3_z * s4, z4_x = y3_x * c4 - x3_x * s4, z4_y = y3_y * c4 + v2 * s4,
         z4_z = y3_z * c4 - x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + z2_x * s5, x5_y = x4_y * c5 - f2 * s5,
@@ -3452,14 +3446,11 @@ void general_5r1p_pair_fk(const double q[6], double T[16])
         T31_ = x5_z * c6 + z4_z * s6,
         T14_ = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + T11_ * a6,
         T24_ = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + T21_ * a6,
-        T34_ = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + T31_ * a6;
-    const double v3 = (z4_x * c6 - x5_x * s6) * f5, v4 = (z4_y * c6 - x5_y * s6) * f5,
-        v5 = (z4_z * c6 - x5_z * s6) * f5, v6 = (x4_x * s5 - z2_x * c5) * f5;
-    const double T12_ = v3 + v6;
-    const double v7 = (f2 * c5 + x4_y * s5) * f5;
-    const double T22_ = v4 + v7;
-    const double v8 = (z3_z * c5 + x4_z * s5) * f5;
-    const double T32_ = v5 + v8, T13_ = v6 - v3, T23_ = v7 - v4, T33_ = v8 - v5;
+        T34_ = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + T31_ * a6,
+        v3 = (z4_x * c6 - x5_x * s6) * f5, v4 = (z4_y * c6 - x5_y * s6) * f5,
+        v5 = (z4_z * c6 - x5_z * s6) * f5, v6 = (x4_x * s5 - z2_x * c5) * f5, T12_ = v3 + v6,
+        v7 = (f2 * c5 + x4_y * s5) * f5, T22_ = v4 + v7, v8 = (z3_z * c5 + x4_z * s5) * f5,
+        T32_ = v5 + v8, T13_ = v6 - v3, T23_ = v7 - v4, T33_ = v8 - v5;
     T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
     T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
     T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
@@ -3470,44 +3461,28 @@ void general_5r1p_pair_fk(const double q[6], double T[16])
 void general_5r1p_pair_jacobian(const double q[6], double J[36])
 {
     const double c2 = cos(-q[1]), s2 = sin(-q[1]);
-    const double v1 = s2 * g2;
-    const double y2_z = c2 * g2;
-    const double J43 = s2 * g1, J64 = c2 * g1;
+    const double v1 = s2 * g2, y2_z = c2 * g2, J43 = s2 * g1, J64 = c2 * g1;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c2 * c3 - v1 * s3;
-    const double v2 = g1 * s3;
-    const double x3_z = s2 * c3 + y2_z * s3;
-    const double y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3;
-    const double p3_x = a1 + x3_x * a3 + J43 * d3;
-    const double v3 = d2 + v2 * a3 + g3;
-    const double p3_z = q[0] + x3_z * a3 - J64 * d3;
-    const double y3_z = s2 * s3 - y2_z * c3;
+    const double x3_x = c2 * c3 - v1 * s3, v2 = g1 * s3, x3_z = s2 * c3 + y2_z * s3,
+        y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3, p3_x = a1 + x3_x * a3 + J43 * d3,
+        v3 = d2 + v2 * a3 + g3, p3_z = q[0] + x3_z * a3 - J64 * d3, y3_z = s2 * s3 - y2_z * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = y3_y * s4 - v2 * c4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double J45 = y3_x * c4 - x3_x * s4, J55 = y3_y * c4 + v2 * s4,
-        J65 = y3_z * c4 - x3_z * s4;
-    const double p4_x = p3_x - J43 * d4, p4_y = g4 - v3, p4_z = p3_z + J64 * d4;
+        x4_z = x3_z * c4 + y3_z * s4, J45 = y3_x * c4 - x3_x * s4, J55 = y3_y * c4 + v2 * s4,
+        J65 = y3_z * c4 - x3_z * s4, p4_x = p3_x - J43 * d4, p4_y = g4 - v3, p4_z = p3_z + J64 * d4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J56 = g2 * c5 + x4_y * s5, J66 = J64 * c5 + x4_z * s5;
-    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
-    const double J46 = x4_x * s5 - J43 * c5;
+    const double J56 = g2 * c5 + x4_y * s5, J66 = J64 * c5 + x4_z * s5, p5_x = p4_x + J45 * d5,
+        p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5, J46 = x4_x * s5 - J43 * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double p6_x = p5_x + ((x4_x * c5 + J43 * s5) * c6 + J45 * s6) * a6,
         p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + J55 * s6) * a6,
-        p6_z = p5_z + ((x4_z * c5 - J64 * s5) * c6 + J65 * s6) * a6;
-    const double v4 = p6_x - a1;
-    const double J12 = p6_z - q[0];
-    const double v5 = d2 + p6_y;
-    const double J13 = J64 * v5 - g2 * J12, J33 = J43 * v5 + g2 * v4;
-    const double v6 = p6_x - p3_x, v7 = v3 + p6_y, v8 = p6_z - p3_z;
-    const double J14 = g2 * v8 - J64 * v7, J24 = J64 * v6 + J43 * v8;
-    const double v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z;
-    const double J15 = J55 * v11 - J65 * v10, J25 = J65 * v9 - J45 * v11,
-        J35 = J45 * v10 - J55 * v9;
-    const double v12 = p6_x - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
-    const double J16 = J56 * v14 - J66 * v13, J26 = J66 * v12 - J46 * v14,
-        J36 = J46 * v13 - J56 * v12;
+        p6_z = p5_z + ((x4_z * c5 - J64 * s5) * c6 + J65 * s6) * a6, v4 = p6_x - a1,
+        J12 = p6_z - q[0], v5 = d2 + p6_y, J13 = J64 * v5 - g2 * J12, J33 = J43 * v5 + g2 * v4,
+        v6 = p6_x - p3_x, v7 = v3 + p6_y, v8 = p6_z - p3_z, J14 = g2 * v8 - J64 * v7,
+        J24 = J64 * v6 + J43 * v8, v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z,
+        J15 = J55 * v11 - J65 * v10, J25 = J65 * v9 - J45 * v11, J35 = J45 * v10 - J55 * v9,
+        v12 = p6_x - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z, J16 = J56 * v14 - J66 * v13,
+        J26 = J66 * v12 - J46 * v14, J36 = J46 * v13 - J56 * v12;
     J[0] = 0.0; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = 0.0; J[7] = 0.0; J[8] = -(J64 * v4 + J43 * J12); J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 1.0; J[13] = -v4; J[14] = J33; J[15] = -(J43 * v7 + g2 * v6); J[16] = J35; J[17] = J36;
@@ -3622,70 +3597,94 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
+{
+    if (!revolute[joint])
+        return fabs(off) * 0.5546311702717693;
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    general_5r1p_pair_fk(x, P);
+    general_5r1p_pair_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.5546311702717693, 0.5546311702717693, 0.5546311702717693,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        general_5r1p_pair_fk(x, P);
-        general_5r1p_pair_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int general_5r1p_pair_ik(

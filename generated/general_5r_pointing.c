@@ -3406,45 +3406,32 @@ static const double highest[5] = {
 void general_5r_pointing_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * f1;
-    const double y1_y = c1 * f1;
-    const double z1_x = s1 * f2;
-    const double v2 = c1 * f2;
+    const double v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2, v2 = c1 * f2;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2;
-    const double y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f4;
-    const double z2_x = v3 * sa2 + z1_x * ca2;
-    const double v6 = v4 * sa2 + v2 * ca2;
-    const double z2_z = f5 - v5 * sa2;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2,
+        y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f4,
+        z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2, z2_z = f5 - v5 * sa2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
-    const double y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
-        y3_z = v9 * ca3 - z2_z * sa3;
-    const double z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
+        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
+        v9 = y2_z * c3 - x2_z * s3, y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
+        y3_z = v9 * ca3 - z2_z * sa3, z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
         z3_z = v9 * sa3 + z2_z * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
-        v12 = y3_z * c4 - x3_z * s4;
-    const double y4_x = v10 * ca4 + z3_x * sa4, y4_y = v11 * ca4 + z3_y * sa4,
-        y4_z = v12 * ca4 + z3_z * sa4;
-    const double z4_x = z3_x * ca4 - v10 * sa4, z4_y = z3_y * ca4 - v11 * sa4,
+        x4_z = x3_z * c4 + y3_z * s4, v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
+        v12 = y3_z * c4 - x3_z * s4, y4_x = v10 * ca4 + z3_x * sa4, y4_y = v11 * ca4 + z3_y * sa4,
+        y4_z = v12 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v10 * sa4, z4_y = z3_y * ca4 - v11 * sa4,
         z4_z = z3_z * ca4 - v12 * sa4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5;
-    const double v13 = y4_x * c5 - x4_x * s5, v14 = y4_y * c5 - x4_y * s5,
-        v15 = y4_z * c5 - x4_z * s5;
-    const double T12_ = v13 * ca5 - z4_x * sa5, T22_ = v14 * ca5 - z4_y * sa5,
-        T32_ = v15 * ca5 - z4_z * sa5;
-    const double z5_x = v13 * sa5 + z4_x * ca5, z5_y = v14 * sa5 + z4_y * ca5,
-        z5_z = v15 * sa5 + z4_z * ca5;
-    const double T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x *
-        d4 + x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez,
+        x5_z = x4_z * c5 + y4_z * s5, v13 = y4_x * c5 - x4_x * s5, v14 = y4_y * c5 - x4_y * s5,
+        v15 = y4_z * c5 - x4_z * s5, T12_ = v13 * ca5 - z4_x * sa5, T22_ = v14 * ca5 - z4_y * sa5,
+        T32_ = v15 * ca5 - z4_z * sa5, z5_x = v13 * sa5 + z4_x * ca5, z5_y = v14 * sa5 + z4_y * ca5,
+        z5_z = v15 * sa5 + z4_z * ca5,
+        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 +
+            x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez,
         T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y *
             a5 + z4_y * d5 + x5_y * ex + z5_y * ez,
         T34_ = d1 + x2_z * a2 + f3 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
@@ -3462,58 +3449,43 @@ void general_5r_pointing_fk(const double q[5], double T[16])
 void general_5r_pointing_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double v1 = s1 * g1;
-    const double y1_y = c1 * g1;
-    const double J42 = s1 * g2;
-    const double v2 = c1 * g2;
+    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * g1, y1_y = c1 * g1, J42 = s1 * g2,
+        v2 = c1 * g2;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
-        p2_z = d1 + x2_z * a2 + g3;
-    const double y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g4;
-    const double J43 = v3 * sa2 + J42 * ca2;
-    const double v6 = v4 * sa2 + v2 * ca2;
-    const double J63 = g5 - v5 * sa2;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2,
+        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
+        p2_z = d1 + x2_z * a2 + g3, y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
+        y2_z = v5 * ca2 + g4, J43 = v3 * sa2 + J42 * ca2, v6 = v4 * sa2 + v2 * ca2,
+        J63 = g5 - v5 * sa2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 - v6 * d3,
-        p3_z = p2_z + x3_z * a3 + J63 * d3;
-    const double y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3,
-        y3_z = v9 * ca3 - J63 * sa3;
-    const double J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
+        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
+        v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + J43 * d3,
+        p3_y = p2_y + x3_y * a3 - v6 * d3, p3_z = p2_z + x3_z * a3 + J63 * d3,
+        y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - J63 * sa3,
+        J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
-        v12 = y3_z * c4 - x3_z * s4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4, p4_y = p3_y + x4_y * a4 + J54 * d4,
-        p4_z = p3_z + x4_z * a4 + J64 * d4;
-    const double y4_x = v10 * ca4 + J44 * sa4, y4_y = v11 * ca4 + J54 * sa4,
-        y4_z = v12 * ca4 + J64 * sa4;
-    const double J45 = J44 * ca4 - v10 * sa4, J55 = J54 * ca4 - v11 * sa4,
-        J65 = J64 * ca4 - v12 * sa4;
+        x4_z = x3_z * c4 + y3_z * s4, v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
+        v12 = y3_z * c4 - x3_z * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
+        p4_y = p3_y + x4_y * a4 + J54 * d4, p4_z = p3_z + x4_z * a4 + J64 * d4,
+        y4_x = v10 * ca4 + J44 * sa4, y4_y = v11 * ca4 + J54 * sa4, y4_z = v12 * ca4 + J64 * sa4,
+        J45 = J44 * ca4 - v10 * sa4, J55 = J54 * ca4 - v11 * sa4, J65 = J64 * ca4 - v12 * sa4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5;
-    const double J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 +
-        J45 * ca5) * ez;
-    const double v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 +
-        J55 * ca5) * ez,
+        x5_z = x4_z * c5 + y4_z * s5,
+        J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5)
+            * ez,
+        v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5)
+            * ez,
         v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5)
-            * ez, v15 = J21 - p1_x, v16 = v13 - p1_y, v17 = v14 - d1;
-    const double J22 = g1 * v15 - J42 * v17, J32 = J42 * v16 + v2 * v15;
-    const double v18 = J21 - p2_x, v19 = v13 - p2_y, v20 = v14 - p2_z;
-    const double J23 = J63 * v18 - J43 * v20, J33 = J43 * v19 + v6 * v18;
-    const double v21 = J21 - p3_x, v22 = v13 - p3_y, v23 = v14 - p3_z;
-    const double J14 = J54 * v23 - J64 * v22, J24 = J64 * v21 - J44 * v23,
-        J34 = J44 * v22 - J54 * v21;
-    const double v24 = J21 - p4_x, v25 = v13 - p4_y, v26 = v14 - p4_z;
-    const double J15 = J55 * v26 - J65 * v25, J25 = J65 * v24 - J45 * v26,
-        J35 = J45 * v25 - J55 * v24;
+            * ez, v15 = J21 - p1_x, v16 = v13 - p1_y, v17 = v14 - d1, J22 = g1 * v15 - J42 * v17,
+        J32 = J42 * v16 + v2 * v15, v18 = J21 - p2_x, v19 = v13 - p2_y, v20 = v14 - p2_z,
+        J23 = J63 * v18 - J43 * v20, J33 = J43 * v19 + v6 * v18, v21 = J21 - p3_x, v22 = v13 - p3_y,
+        v23 = v14 - p3_z, J14 = J54 * v23 - J64 * v22, J24 = J64 * v21 - J44 * v23,
+        J34 = J44 * v22 - J54 * v21, v24 = J21 - p4_x, v25 = v13 - p4_y, v26 = v14 - p4_z,
+        J15 = J55 * v26 - J65 * v25, J25 = J65 * v24 - J45 * v26, J35 = J45 * v25 - J55 * v24;
     J[0] = -v13; J[1] = -(v2 * v17 + g1 * v16); J[2] = -(v6 * v20 + J63 * v19); J[3] = J14;
     J[4] = J15;
     J[5] = J21; J[6] = J22; J[7] = J23; J[8] = J24; J[9] = J25;
@@ -3609,76 +3581,98 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.5650, 0.5650, 0.5650, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[5], double e[6], double J[30])
+{
+    double P[16], square = 0.0;
+    general_5r_pointing_fk(x, P);
+    general_5r_pointing_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
+        e[3 + i] = P[j] * T[k] - P[k] * T[j];
+        square += (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
+        double *spin = J + 15 + j;
+        const double along = P[2] * spin[0] + P[6] * spin[5] + P[10] * spin[10];
+        for (int i = 0; i < 3; i++)
+            spin[5 * i] -= along * P[4 * i + 2];
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[5], const double J[30], double e[6], double x[5])
+{
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 5; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[5 * i + j];
+        A[i][5 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 11; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 11; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 11; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 5; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[5])
 {
-    static const double weights[6] = { 0.5649717514124294, 0.5649717514124294, 0.5649717514124294,
-        1.0, 1.0, 1.0 };
-    double x[5], P[16], J[30];
-    int held[5] = { 0, 0, 0, 0, 0 };
+    double x[5], J[30];
+    int settled = 0, held[5] = { 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][11], square = 0.0;
-        general_5r_pointing_fk(x, P);
-        general_5r_pointing_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 3; i++) {
-            const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
-            e[3 + i] = P[j] * T[k] - P[k] * T[j];
-            square += (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
-            double *spin = J + 15 + j;
-            const double along = P[2] * spin[0] + P[6] * spin[5] + P[10] * spin[10];
-            for (int i = 0; i < 3; i++)
-                spin[5 * i] -= along * P[4 * i + 2];
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 5; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 11; j++)
-                row[j] = j < 5 ? held[j] ? 0.0 : weights[i] * J[5 * i + j] : j == 5 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 11; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 11; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 11; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 11; j++)
-                row[j] /= length;
-            for (int j = 0; j < 5; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 5; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int general_5r_pointing_ik(

@@ -3200,37 +3200,31 @@ static const double weight[6] = { 0.32653061224489793, 1.0, 1.0, 0.3265306122448
 void general_prrprr_fk(const double q[6], double T[16])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = cat1 * c2 - f10 * s2, x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2;
-    const double v1 = f10 * c2 + cat1 * s2;
-    const double y2_y = f11 * c2 - f1 * s2, y2_z = f12 * c2 - f2 * s2;
-    const double v2 = v1 * ca3 + f17, v3 = y2_y * ca3 + f18, v4 = y2_z * ca3 - f19;
-    const double z3_x = f20 - v1 * sa3, z3_y = y2_y * sa3 - f21, z3_z = y2_z * sa3 + f22;
+    const double x2_x = cat1 * c2 - f10 * s2, x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2,
+        v1 = f10 * c2 + cat1 * s2, y2_y = f11 * c2 - f1 * s2, y2_z = f12 * c2 - f2 * s2,
+        v2 = v1 * ca3 + f17, v3 = y2_y * ca3 + f18, v4 = y2_z * ca3 - f19, z3_x = f20 - v1 * sa3,
+        z3_y = y2_y * sa3 - f21, z3_z = y2_z * sa3 + f22;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3;
-    const double v5 = v2 * c3 + x2_x * s3;
-    const double y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3;
-    const double x4_x = x3_x * cat4 - v5 * f23 + z3_x * f24,
-        x4_y = x3_y * cat4 + y3_y * f23 + z3_y * f24, x4_z = x3_z * cat4 + y3_z * f23 + z3_z * f24;
-    const double y4_x = z3_x * f26 - (x3_x * sat4 + v5 * f25),
-        y4_y = y3_y * f25 - x3_y * sat4 + z3_y * f26, y4_z = y3_z * f25 - x3_z * sat4 + z3_z * f26;
-    const double z4_x = v5 * sa4 + z3_x * ca4, z4_y = z3_y * ca4 - y3_y * sa4,
-        z4_z = z3_z * ca4 - y3_z * sa4;
-    const double v6 = z4_x * sa5 - y4_x * ca5, v7 = z4_y * sa5 - y4_y * ca5,
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3,
+        v5 = v2 * c3 + x2_x * s3, y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
+        x4_x = x3_x * cat4 - v5 * f23 + z3_x * f24, x4_y = x3_y * cat4 + y3_y * f23 + z3_y * f24,
+        x4_z = x3_z * cat4 + y3_z * f23 + z3_z * f24, y4_x = z3_x * f26 - (x3_x * sat4 + v5 * f25),
+        y4_y = y3_y * f25 - x3_y * sat4 + z3_y * f26, y4_z = y3_z * f25 - x3_z * sat4 + z3_z * f26,
+        z4_x = v5 * sa4 + z3_x * ca4, z4_y = z3_y * ca4 - y3_y * sa4,
+        z4_z = z3_z * ca4 - y3_z * sa4, v6 = z4_x * sa5 - y4_x * ca5, v7 = z4_y * sa5 - y4_y * ca5,
         v8 = z4_z * sa5 - y4_z * ca5, v9 = y4_x * sa5 + z4_x * ca5, v10 = y4_y * sa5 + z4_y * ca5,
         v11 = y4_z * sa5 + z4_z * ca5;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + v6 * s5, x5_y = x4_y * c5 + v7 * s5, x5_z = x4_z * c5 + v8 * s5;
-    const double y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5;
-    const double T14_ = f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x
-        * f27 - z4_x * f28 + x5_x * a6 + y5_x * f29 - v9 * f30,
+    const double x5_x = x4_x * c5 + v6 * s5, x5_y = x4_y * c5 + v7 * s5, x5_z = x4_z * c5 + v8 * s5,
+        y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5,
+        T14_ = f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * f27 -
+            z4_x * f28 + x5_x * a6 + y5_x * f29 - v9 * f30,
         T24_ = f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y * q[3] +
             x4_y * a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30,
         T34_ = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] +
-            x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30;
-    const double v12 = y5_x * ca6 + v9 * sa6, v13 = y5_y * ca6 + v10 * sa6,
-        v14 = y5_z * ca6 + v11 * sa6;
-    const double T13_ = y5_x * sa6 - v9 * ca6, T23_ = y5_y * sa6 - v10 * ca6,
-        T33_ = y5_z * sa6 - v11 * ca6;
+            x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30,
+        v12 = y5_x * ca6 + v9 * sa6, v13 = y5_y * ca6 + v10 * sa6, v14 = y5_z * ca6 + v11 * sa6,
+        T13_ = y5_x * sa6 - v9 * ca6, T23_ = y5_y * sa6 - v10 * ca6, T33_ = y5_z * sa6 - v11 * ca6;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + v12 * s6, T21_ = x5_y * c6 + v13 * s6,
         T31_ = x5_z * c6 + v14 * s6, T12_ = v12 * c6 - x5_x * s6, T22_ = v13 * c6 - x5_y * s6,
@@ -3246,44 +3240,34 @@ void general_prrprr_jacobian(const double q[6], double J[36])
 {
     const double p2_y = g3 - sa1 * q[0] - g6 - g8, p2_z = ca1 * q[0] + g4 - g7 + g9;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = cat1 * c2 - g10 * s2, x2_y = g1 * c2 + g11 * s2, x2_z = g2 * c2 + g12 * s2;
-    const double v1 = g10 * c2 + cat1 * s2;
-    const double y2_y = g11 * c2 - g1 * s2, y2_z = g12 * c2 - g2 * s2;
-    const double p3_x = g5 + x2_x * a3 - v1 * g16 + g17, p3_y = p2_y + x2_y * a3 + y2_y * g16 - g18,
-        p3_z = p2_z + x2_z * a3 + y2_z * g16 + g19;
-    const double v2 = v1 * ca3 + g20, v3 = y2_y * ca3 + g21, v4 = y2_z * ca3 - g22;
-    const double J43 = g23 - v1 * sa3, J53 = y2_y * sa3 - g24, J63 = y2_z * sa3 + g25;
+    const double x2_x = cat1 * c2 - g10 * s2, x2_y = g1 * c2 + g11 * s2, x2_z = g2 * c2 + g12 * s2,
+        v1 = g10 * c2 + cat1 * s2, y2_y = g11 * c2 - g1 * s2, y2_z = g12 * c2 - g2 * s2,
+        p3_x = g5 + x2_x * a3 - v1 * g16 + g17, p3_y = p2_y + x2_y * a3 + y2_y * g16 - g18,
+        p3_z = p2_z + x2_z * a3 + y2_z * g16 + g19, v2 = v1 * ca3 + g20, v3 = y2_y * ca3 + g21,
+        v4 = y2_z * ca3 - g22, J43 = g23 - v1 * sa3, J53 = y2_y * sa3 - g24, J63 = y2_z * sa3 + g25;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3;
-    const double v5 = v2 * c3 + x2_x * s3;
-    const double y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3;
-    const double x4_x = x3_x * cat4 - v5 * g26 + J43 * g27,
-        x4_y = x3_y * cat4 + y3_y * g26 + J53 * g27, x4_z = x3_z * cat4 + y3_z * g26 + J63 * g27;
-    const double y4_x = J43 * g29 - (x3_x * sat4 + v5 * g28),
-        y4_y = y3_y * g28 - x3_y * sat4 + J53 * g29, y4_z = y3_z * g28 - x3_z * sat4 + J63 * g29;
-    const double J14 = v5 * sa4 + J43 * ca4, J24 = J53 * ca4 - y3_y * sa4,
-        J34 = J63 * ca4 - y3_z * sa4;
-    const double p5_x = p3_x + x3_x * a4 + J14 * q[3] + x4_x * a5 - y4_x * g30 - J14 * g31,
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3,
+        v5 = v2 * c3 + x2_x * s3, y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
+        x4_x = x3_x * cat4 - v5 * g26 + J43 * g27, x4_y = x3_y * cat4 + y3_y * g26 + J53 * g27,
+        x4_z = x3_z * cat4 + y3_z * g26 + J63 * g27, y4_x = J43 * g29 - (x3_x * sat4 + v5 * g28),
+        y4_y = y3_y * g28 - x3_y * sat4 + J53 * g29, y4_z = y3_z * g28 - x3_z * sat4 + J63 * g29,
+        J14 = v5 * sa4 + J43 * ca4, J24 = J53 * ca4 - y3_y * sa4, J34 = J63 * ca4 - y3_z * sa4,
+        p5_x = p3_x + x3_x * a4 + J14 * q[3] + x4_x * a5 - y4_x * g30 - J14 * g31,
         p5_y = p3_y + x3_y * a4 + J24 * q[3] + x4_y * a5 - y4_y * g30 - J24 * g31,
-        p5_z = p3_z + x3_z * a4 + J34 * q[3] + x4_z * a5 - y4_z * g30 - J34 * g31;
-    const double v6 = J14 * sa5 - y4_x * ca5, v7 = J24 * sa5 - y4_y * ca5,
-        v8 = J34 * sa5 - y4_z * ca5, v9 = y4_x * sa5 + J14 * ca5, v10 = y4_y * sa5 + J24 * ca5,
-        v11 = y4_z * sa5 + J34 * ca5;
+        p5_z = p3_z + x3_z * a4 + J34 * q[3] + x4_z * a5 - y4_z * g30 - J34 * g31,
+        v6 = J14 * sa5 - y4_x * ca5, v7 = J24 * sa5 - y4_y * ca5, v8 = J34 * sa5 - y4_z * ca5,
+        v9 = y4_x * sa5 + J14 * ca5, v10 = y4_y * sa5 + J24 * ca5, v11 = y4_z * sa5 + J34 * ca5;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5;
-    const double p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33,
+    const double y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5,
+        p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33,
         p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * g32 - v10 * g33,
-        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33;
-    const double J46 = y5_x * sa6 - v9 * ca6, J56 = y5_y * sa6 - v10 * ca6,
-        J66 = y5_z * sa6 - v11 * ca6;
-    const double v12 = p6_x - g5, v13 = p6_y - p2_y, v14 = p6_z - p2_z;
-    const double J22 = g15 * v12 - g13 * v14, J32 = g13 * v13 + g14 * v12;
-    const double v15 = p6_x - p3_x, v16 = p6_y - p3_y, v17 = p6_z - p3_z;
-    const double J13 = J53 * v17 - J63 * v16, J23 = J63 * v15 - J43 * v17,
-        J33 = J43 * v16 - J53 * v15;
-    const double v18 = p6_x - p5_x, v19 = p6_y - p5_y, v20 = p6_z - p5_z;
-    const double J15 = v11 * v19 - v10 * v20, J25 = v9 * v20 - v11 * v18,
-        J35 = v10 * v18 - v9 * v19;
+        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33,
+        J46 = y5_x * sa6 - v9 * ca6, J56 = y5_y * sa6 - v10 * ca6, J66 = y5_z * sa6 - v11 * ca6,
+        v12 = p6_x - g5, v13 = p6_y - p2_y, v14 = p6_z - p2_z, J22 = g15 * v12 - g13 * v14,
+        J32 = g13 * v13 + g14 * v12, v15 = p6_x - p3_x, v16 = p6_y - p3_y, v17 = p6_z - p3_z,
+        J13 = J53 * v17 - J63 * v16, J23 = J63 * v15 - J43 * v17, J33 = J43 * v16 - J53 * v15,
+        v18 = p6_x - p5_x, v19 = p6_y - p5_y, v20 = p6_z - p5_z, J15 = v11 * v19 - v10 * v20,
+        J25 = v9 * v20 - v11 * v18, J35 = v10 * v18 - v9 * v19;
     J[0] = 0.0; J[1] = -(g14 * v14 + g15 * v13); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = 0.0;
     J[6] = -sa1; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = 0.0;
     J[12] = ca1; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = 0.0;
@@ -3398,70 +3382,94 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
+{
+    if (!revolute[joint])
+        return fabs(off) * 0.5714285714285714;
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    general_prrprr_fk(x, P);
+    general_prrprr_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.5714285714285714, 0.5714285714285714, 0.5714285714285714,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        general_prrprr_fk(x, P);
-        general_prrprr_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int general_prrprr_ik(

@@ -3175,33 +3175,24 @@ static const double weight[6] = { 1.0, 0.4822530864197531, 0.4822530864197531, 1
 void general_rpprrr_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1;
-    const double y1_y = c1 * ca1;
-    const double z1_x = s1 * sa1;
-    const double v2 = c1 * sa1;
-    const double x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2;
-    const double v3 = c1 * sat2 + v1 * cat2, v4 = y1_y * cat2 - s1 * sat2;
-    const double y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2;
-    const double z2_x = v3 * sa2 + z1_x * ca2;
-    const double v5 = v4 * sa2 + v2 * ca2;
-    const double x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3;
-    const double v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3;
-    const double y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3;
-    const double z3_x = v6 * sa3 + z2_x * ca3, z3_y = v7 * sa3 - v5 * ca3;
+    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1,
+        x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2, v3 = c1 * sat2 + v1 * cat2,
+        v4 = y1_y * cat2 - s1 * sat2, y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
+        z2_x = v3 * sa2 + z1_x * ca2, v5 = v4 * sa2 + v2 * ca2, x3_x = x2_x * cat3 - y2_x * sat3,
+        x3_y = x2_y * cat3 - y2_y * sat3, v6 = x2_x * sat3 + y2_x * cat3,
+        v7 = x2_y * sat3 + y2_y * cat3, y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3,
+        z3_x = v6 * sa3 + z2_x * ca3, z3_y = v7 * sa3 - v5 * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = f2 * c4 + f4 * s4;
-    const double v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4, v10 = f4 * c4 - f2 * s4;
-    const double y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4, y4_z = v10 * ca4 + f6;
-    const double z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4, z4_z = f7 - v10 * sa4;
+        x4_z = f2 * c4 + f4 * s4, v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4,
+        v10 = f4 * c4 - f2 * s4, y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4,
+        y4_z = v10 * ca4 + f6, z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4,
+        z4_z = f7 - v10 * sa4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5;
-    const double v11 = y4_x * c5 - x4_x * s5, v12 = y4_y * c5 - x4_y * s5,
-        v13 = y4_z * c5 - x4_z * s5;
-    const double y5_x = v11 * ca5 - z4_x * sa5, y5_y = v12 * ca5 - z4_y * sa5,
-        y5_z = v13 * ca5 - z4_z * sa5;
-    const double T13_ = v11 * sa5 + z4_x * ca5, T23_ = v12 * sa5 + z4_y * ca5,
+        x5_z = x4_z * c5 + y4_z * s5, v11 = y4_x * c5 - x4_x * s5, v12 = y4_y * c5 - x4_y * s5,
+        v13 = y4_z * c5 - x4_z * s5, y5_x = v11 * ca5 - z4_x * sa5, y5_y = v12 * ca5 - z4_y * sa5,
+        y5_z = v13 * ca5 - z4_z * sa5, T13_ = v11 * sa5 + z4_x * ca5, T23_ = v12 * sa5 + z4_y * ca5,
         T33_ = v13 * sa5 + z4_z * ca5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
@@ -3223,46 +3214,35 @@ void general_rpprrr_fk(const double q[6], double T[16])
 void general_rpprrr_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1;
-    const double y1_y = c1 * ca1;
-    const double J12 = s1 * sa1;
-    const double v2 = c1 * sa1;
-    const double x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2;
-    const double v3 = c1 * sat2 + v1 * cat2, v4 = y1_y * cat2 - s1 * sat2;
-    const double y2_x = J12 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2;
-    const double J13 = v3 * sa2 + J12 * ca2;
-    const double v5 = v4 * sa2 + v2 * ca2;
-    const double x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3;
-    const double v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3;
-    const double p3_x = c1 * a1 + J12 * q[1] + J13 * q[2] + x3_x * a3,
-        p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3, p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3;
-    const double y3_x = v6 * ca3 - J13 * sa3, y3_y = v7 * ca3 + v5 * sa3;
-    const double J44 = v6 * sa3 + J13 * ca3, J54 = v7 * sa3 - v5 * ca3;
+    const double v1 = s1 * ca1, y1_y = c1 * ca1, J12 = s1 * sa1, v2 = c1 * sa1,
+        x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2, v3 = c1 * sat2 + v1 * cat2,
+        v4 = y1_y * cat2 - s1 * sat2, y2_x = J12 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
+        J13 = v3 * sa2 + J12 * ca2, v5 = v4 * sa2 + v2 * ca2, x3_x = x2_x * cat3 - y2_x * sat3,
+        x3_y = x2_y * cat3 - y2_y * sat3, v6 = x2_x * sat3 + y2_x * cat3,
+        v7 = x2_y * sat3 + y2_y * cat3, p3_x = c1 * a1 + J12 * q[1] + J13 * q[2] + x3_x * a3,
+        p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3, p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3,
+        y3_x = v6 * ca3 - J13 * sa3, y3_y = v7 * ca3 + v5 * sa3, J44 = v6 * sa3 + J13 * ca3,
+        J54 = v7 * sa3 - v5 * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = g2 * c4 + g4 * s4;
-    const double v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4, v10 = g4 * c4 - g2 * s4;
-    const double p4_x = p3_x + x4_x * a4 + J44 * d4, p4_y = p3_y + x4_y * a4 + J54 * d4,
-        p4_z = p3_z + x4_z * a4 + g6;
-    const double y4_x = v8 * ca4 + J44 * sa4, y4_y = v9 * ca4 + J54 * sa4, y4_z = v10 * ca4 + g7;
-    const double J45 = J44 * ca4 - v8 * sa4, J55 = J54 * ca4 - v9 * sa4, J65 = g8 - v10 * sa4;
+        x4_z = g2 * c4 + g4 * s4, v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4,
+        v10 = g4 * c4 - g2 * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
+        p4_y = p3_y + x4_y * a4 + J54 * d4, p4_z = p3_z + x4_z * a4 + g6,
+        y4_x = v8 * ca4 + J44 * sa4, y4_y = v9 * ca4 + J54 * sa4, y4_z = v10 * ca4 + g7,
+        J45 = J44 * ca4 - v8 * sa4, J55 = J54 * ca4 - v9 * sa4, J65 = g8 - v10 * sa4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + J45 * d5,
         p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + J55 * d5,
-        p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + J65 * d5;
-    const double J46 = (y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5,
+        p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + J65 * d5,
+        J46 = (y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5,
         J56 = (y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5,
-        J66 = (y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5, J21 = p5_x + J46 * d6;
-    const double p6_y = p5_y + J56 * d6, p6_z = p5_z + J66 * d6;
-    const double v11 = J21 - p3_x, v12 = p6_y - p3_y, v13 = p6_z - p3_z;
-    const double J14 = J54 * v13 - g5 * v12, J24 = g5 * v11 - J44 * v13,
-        J34 = J44 * v12 - J54 * v11;
-    const double v14 = J21 - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z;
-    const double J15 = J55 * v16 - J65 * v15, J25 = J65 * v14 - J45 * v16,
-        J35 = J45 * v15 - J55 * v14;
-    const double v17 = J21 - p5_x, v18 = p6_y - p5_y, v19 = p6_z - p5_z;
-    const double J16 = J56 * v19 - J66 * v18, J26 = J66 * v17 - J46 * v19,
-        J36 = J46 * v18 - J56 * v17;
+        J66 = (y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5, J21 = p5_x + J46 * d6,
+        p6_y = p5_y + J56 * d6, p6_z = p5_z + J66 * d6, v11 = J21 - p3_x, v12 = p6_y - p3_y,
+        v13 = p6_z - p3_z, J14 = J54 * v13 - g5 * v12, J24 = g5 * v11 - J44 * v13,
+        J34 = J44 * v12 - J54 * v11, v14 = J21 - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z,
+        J15 = J55 * v16 - J65 * v15, J25 = J65 * v14 - J45 * v16, J35 = J45 * v15 - J55 * v14,
+        v17 = J21 - p5_x, v18 = p6_y - p5_y, v19 = p6_z - p5_z, J16 = J56 * v19 - J66 * v18,
+        J26 = J66 * v17 - J46 * v19, J36 = J46 * v18 - J56 * v17;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -v2; J[8] = -v5; J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = ca1; J[14] = g1; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -3377,70 +3357,94 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
+{
+    if (!revolute[joint])
+        return fabs(off) * 0.6944444444444444;
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    general_rpprrr_fk(x, P);
+    general_rpprrr_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.6944444444444444, 0.6944444444444444, 0.6944444444444444,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        general_rpprrr_fk(x, P);
-        general_rpprrr_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int general_rpprrr_ik(

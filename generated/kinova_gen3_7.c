@@ -3350,33 +3350,22 @@ void kinova_gen3_7_fk(const double q[7], double T[16])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double v2 = s1 * c2;
-    const double z2_x = c1 * s2;
-    const double v3 = s1 * s2, v4 = q[2] + offset3;
+    const double x2_x = c1 * c2, v2 = s1 * c2, z2_x = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
     const double c3 = cos(v4), s3 = sin(v4);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3;
-    const double v5 = s2 * c3, v6 = c1 * c3 + v2 * s3, v7 = s2 * s3;
-    const double z3_x = x2_x * s3 - s1 * c3;
-    const double v8 = q[3] + offset4;
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3, v5 = s2 * c3,
+        v6 = c1 * c3 + v2 * s3, v7 = s2 * s3, z3_x = x2_x * s3 - s1 * c3, v8 = q[3] + offset4;
     const double c4 = cos(v8), s4 = sin(v8);
-    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v5 * c4;
-    const double z4_y = v3 * c4 + x3_y * s4;
-    const double v9 = c2 * c4 + v5 * s4;
-    const double z4_x = x3_x * s4 - z2_x * c4;
-    const double v10 = q[4] + offset5;
+    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v5 * c4,
+        z4_y = v3 * c4 + x3_y * s4, v9 = c2 * c4 + v5 * s4, z4_x = x3_x * s4 - z2_x * c4,
+        v10 = q[4] + offset5;
     const double c5 = cos(v10), s5 = sin(v10);
     const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 - v6 * s5,
-        x5_z = x4_z * c5 - v7 * s5;
-    const double z5_y = v6 * c5 + x4_y * s5, z5_z = v7 * c5 + x4_z * s5,
-        z5_x = x4_x * s5 - z3_x * c5;
-    const double v11 = q[5] + offset6;
+        x5_z = x4_z * c5 - v7 * s5, z5_y = v6 * c5 + x4_y * s5, z5_z = v7 * c5 + x4_z * s5,
+        z5_x = x4_x * s5 - z3_x * c5, v11 = q[5] + offset6;
     const double c6 = cos(v11), s6 = sin(v11);
     const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
-        x6_z = x5_z * c6 - v9 * s6;
-    const double T33_ = v9 * c6 + x5_z * s6, T13_ = x5_x * s6 - z4_x * c6,
-        T23_ = x5_y * s6 - z4_y * c6;
-    const double v12 = q[6] + offset7;
+        x6_z = x5_z * c6 - v9 * s6, T33_ = v9 * c6 + x5_z * s6, T13_ = x5_x * s6 - z4_x * c6,
+        T23_ = x5_y * s6 - z4_y * c6, v12 = q[6] + offset7;
     const double c7 = cos(v12), s7 = sin(v12);
     const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
         T31_ = x6_z * c7 + z5_z * s7, T12_ = z5_x * c7 - x6_x * s7, T22_ = z5_y * c7 - x6_y * s7,
@@ -3396,50 +3385,34 @@ void kinova_gen3_7_jacobian(const double q[7], double J[42])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2;
-    const double v2 = s1 * c2;
-    const double J43 = c1 * s2;
-    const double v3 = s1 * s2, v4 = s1 * d2, v5 = c1 * d2, v6 = q[2] + offset3;
+    const double x2_x = c1 * c2, v2 = s1 * c2, J43 = c1 * s2, v3 = s1 * s2, v4 = s1 * d2,
+        v5 = c1 * d2, v6 = q[2] + offset3;
     const double c3 = cos(v6), s3 = sin(v6);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3;
-    const double v7 = s2 * c3, v8 = c1 * c3 + v2 * s3, v9 = s2 * s3, v10 = v4 + J43 * d3;
-    const double p3_y = v3 * d3 - v5, p3_z = d1 - c2 * d3;
-    const double J44 = x2_x * s3 - s1 * c3;
-    const double v11 = q[3] + offset4;
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3, v7 = s2 * c3,
+        v8 = c1 * c3 + v2 * s3, v9 = s2 * s3, v10 = v4 + J43 * d3, p3_y = v3 * d3 - v5,
+        p3_z = d1 - c2 * d3, J44 = x2_x * s3 - s1 * c3, v11 = q[3] + offset4;
     const double c4 = cos(v11), s4 = sin(v11);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v7 * c4;
-    const double J55 = v3 * c4 + x3_y * s4;
-    const double v12 = c2 * c4 + v7 * s4, v13 = v10 + J44 * d4;
-    const double p4_y = p3_y + v8 * d4, p4_z = p3_z + v9 * d4;
-    const double J45 = x3_x * s4 - J43 * c4;
-    const double v14 = q[4] + offset5;
+    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v7 * c4,
+        J55 = v3 * c4 + x3_y * s4, v12 = c2 * c4 + v7 * s4, v13 = v10 + J44 * d4,
+        p4_y = p3_y + v8 * d4, p4_z = p3_z + v9 * d4, J45 = x3_x * s4 - J43 * c4,
+        v14 = q[4] + offset5;
     const double c5 = cos(v14), s5 = sin(v14);
-    const double J56 = v8 * c5 + x4_y * s5, J66 = v9 * c5 + x4_z * s5;
-    const double v15 = v13 + J45 * d5;
-    const double p5_y = p4_y - J55 * d5, p5_z = p4_z + v12 * d5;
-    const double J46 = x4_x * s5 - J44 * c5;
-    const double v16 = q[5] + offset6;
+    const double J56 = v8 * c5 + x4_y * s5, J66 = v9 * c5 + x4_z * s5, v15 = v13 + J45 * d5,
+        p5_y = p4_y - J55 * d5, p5_z = p4_z + v12 * d5, J46 = x4_x * s5 - J44 * c5,
+        v16 = q[5] + offset6;
     const double c6 = cos(v16), s6 = sin(v16);
-    const double J67 = v12 * c6 + (x4_z * c5 - v9 * s5) * s6;
-    const double v17 = v15 + J46 * d6;
-    const double p6_y = p5_y - J56 * d6, p6_z = p5_z - J66 * d6;
-    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6,
-        J57 = (x4_y * c5 - v8 * s5) * s6 - J55 * c6, J21 = v17 + J47 * d7, J11 = p6_y - J57 * d7;
-    const double p7_z = p6_z - J67 * d7;
-    const double v18 = p7_z - d1;
-    const double J12 = c1 * v18, J32 = s1 * J11 + c1 * J21;
-    const double v19 = v4 - J21, v20 = v5 + J11;
-    const double J23 = c2 * v19 - J43 * v18, J33 = J43 * v20 + v3 * v19;
-    const double v21 = v10 - J21, v22 = J11 - p3_y, v23 = p7_z - p3_z;
-    const double J14 = v9 * v22 - v8 * v23, J34 = J44 * v22 + v8 * v21;
-    const double v24 = v13 - J21, v25 = J11 - p4_y, v26 = p7_z - p4_z;
-    const double J15 = J55 * v26 + v12 * v25, J35 = J45 * v25 - J55 * v24;
-    const double v27 = v15 - J21, v28 = J11 - p5_y, v29 = p7_z - p5_z;
-    const double J16 = J56 * v29 - J66 * v28, J26 = J66 * v27 - J46 * v29,
-        J36 = J46 * v28 - J56 * v27;
-    const double v30 = v17 - J21, v31 = J11 - p6_y, v32 = p7_z - p6_z;
-    const double J17 = J57 * v32 - J67 * v31, J27 = J67 * v30 - J47 * v32,
-        J37 = J47 * v31 - J57 * v30;
+    const double J67 = v12 * c6 + (x4_z * c5 - v9 * s5) * s6, v17 = v15 + J46 * d6,
+        p6_y = p5_y - J56 * d6, p6_z = p5_z - J66 * d6,
+        J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6, J57 = (x4_y * c5 - v8 * s5) * s6 - J55 * c6,
+        J21 = v17 + J47 * d7, J11 = p6_y - J57 * d7, p7_z = p6_z - J67 * d7, v18 = p7_z - d1,
+        J12 = c1 * v18, J32 = s1 * J11 + c1 * J21, v19 = v4 - J21, v20 = v5 + J11,
+        J23 = c2 * v19 - J43 * v18, J33 = J43 * v20 + v3 * v19, v21 = v10 - J21, v22 = J11 - p3_y,
+        v23 = p7_z - p3_z, J14 = v9 * v22 - v8 * v23, J34 = J44 * v22 + v8 * v21, v24 = v13 - J21,
+        v25 = J11 - p4_y, v26 = p7_z - p4_z, J15 = J55 * v26 + v12 * v25,
+        J35 = J45 * v25 - J55 * v24, v27 = v15 - J21, v28 = J11 - p5_y, v29 = p7_z - p5_z,
+        J16 = J56 * v29 - J66 * v28, J26 = J66 * v27 - J46 * v29, J36 = J46 * v28 - J56 * v27,
+        v30 = v17 - J21, v31 = J11 - p6_y, v32 = p7_z - p6_z, J17 = J57 * v32 - J67 * v31,
+        J27 = J67 * v30 - J47 * v32, J37 = J47 * v31 - J57 * v30;
     J[0] = J11; J[1] = J12; J[2] = -(v3 * v18 + c2 * v20); J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J17;
     J[7] = J21; J[8] = -(s1 * v18); J[9] = J23; J[10] = -(v9 * v21 + J44 * v23);
@@ -3554,70 +3527,92 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.8690, 0.8690, 0.8690, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[7], double e[6], double J[42])
+{
+    double P[16], square = 0.0;
+    kinova_gen3_7_fk(x, P);
+    kinova_gen3_7_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[7], const double J[42], double e[6], double x[7])
+{
+    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 7; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[7 * i + j];
+        A[i][7 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 13; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 13; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 13; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 7; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[7])
 {
-    static const double weights[6] = { 0.8690286866369458, 0.8690286866369458, 0.8690286866369458,
-        1.0, 1.0, 1.0 };
-    double x[7], P[16], J[42];
-    int held[7] = { 0, 0, 1, 0, 0, 0, 0 };
+    double x[7], J[42];
+    int settled = 0, held[7] = { 0, 0, 1, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][13], square = 0.0;
-        kinova_gen3_7_fk(x, P);
-        kinova_gen3_7_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 7; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 13; j++)
-                row[j] = j < 7 ? held[j] ? 0.0 : weights[i] * J[7 * i + j] : j == 7 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 13; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 13; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 13; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 13; j++)
-                row[j] /= length;
-            for (int j = 0; j < 7; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 7; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int kinova_gen3_7_ik(

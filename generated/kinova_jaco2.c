@@ -3292,27 +3292,24 @@ void kinova_jaco2_fk(const double q[6], double T[16])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double y2_x = c1 * s2, y2_y = s1 * s2;
-    const double v2 = q[2] + offset3;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
+        v2 = q[2] + offset3;
     const double c3 = cos(v2), s3 = sin(v2);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3;
-    const double z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
+        x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
         z3_y = x2_y * s3 - y2_y * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4;
-    const double v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4;
-    const double y4_x = z3_x * f3 - v3 * f2, y4_y = v4 * f2 + z3_y * f3, y4_z = z3_z * f3 - v5 * f2;
-    const double z4_x = v3 * f3 + z3_x * f2, z4_y = z3_y * f2 - v4 * f3, z4_z = v5 * f3 + z3_z * f2;
-    const double v6 = q[4] + offset5;
+    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
+        v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4,
+        y4_x = z3_x * f3 - v3 * f2, y4_y = v4 * f2 + z3_y * f3, y4_z = z3_z * f3 - v5 * f2,
+        z4_x = v3 * f3 + z3_x * f2, z4_y = z3_y * f2 - v4 * f3, z4_z = v5 * f3 + z3_z * f2,
+        v6 = q[4] + offset5;
     const double c5 = cos(v6), s5 = sin(v6);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5;
-    const double v7 = y4_x * c5 - x4_x * s5, v8 = y4_y * c5 - x4_y * s5, v9 = y4_z * c5 - x4_z * s5;
-    const double y5_x = f2 * v7 + f3 * z4_x, y5_y = f2 * v8 + f3 * z4_y, y5_z = f2 * v9 + f3 * z4_z;
-    const double z5_x = f2 * z4_x - f3 * v7, z5_y = f2 * z4_y - f3 * v8, z5_z = f2 * z4_z - f3 * v9;
-    const double v10 = q[5] + offset6;
+        x5_z = x4_z * c5 + y4_z * s5, v7 = y4_x * c5 - x4_x * s5, v8 = y4_y * c5 - x4_y * s5,
+        v9 = y4_z * c5 - x4_z * s5, y5_x = f2 * v7 + f3 * z4_x, y5_y = f2 * v8 + f3 * z4_y,
+        y5_z = f2 * v9 + f3 * z4_z, z5_x = f2 * z4_x - f3 * v7, z5_y = f2 * z4_y - f3 * v8,
+        z5_z = f2 * z4_z - f3 * v9, v10 = q[5] + offset6;
     const double c6 = cos(v10), s6 = sin(v10);
     const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
         T31_ = x5_z * c6 + y5_z * s6,
@@ -3332,39 +3329,29 @@ void kinova_jaco2_jacobian(const double q[6], double J[36])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double y2_x = c1 * s2, y2_y = s1 * s2;
-    const double p2_x = x2_x * D2, p2_y = x2_y * D2, p2_z = D1 + s2 * D2;
-    const double v2 = q[2] + offset3;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2, p2_x = x2_x * D2,
+        p2_y = x2_y * D2, p2_z = D1 + s2 * D2, v2 = q[2] + offset3;
     const double c3 = cos(v2), s3 = sin(v2);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3;
-    const double J64 = c2 * c3 + s2 * s3;
-    const double p3_x = p2_x + s1 * e2, p3_y = p2_y - c1 * e2;
-    const double J44 = x2_x * s3 - y2_x * c3, J54 = x2_y * s3 - y2_y * c3;
+        x3_z = s2 * c3 - c2 * s3, J64 = c2 * c3 + s2 * s3, p3_x = p2_x + s1 * e2,
+        p3_y = p2_y - c1 * e2, J44 = x2_x * s3 - y2_x * c3, J54 = x2_y * s3 - y2_y * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4;
-    const double p4_x = p3_x - J44 * g1, p4_y = p3_y - J54 * g1, p4_z = p2_z - J64 * g1;
-    const double J45 = v3 * g3 + J44 * g2, J55 = J54 * g2 - v4 * g3, J65 = v5 * g3 + J64 * g2;
-    const double v6 = q[4] + offset5;
+    const double v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4,
+        p4_x = p3_x - J44 * g1, p4_y = p3_y - J54 * g1, p4_z = p2_z - J64 * g1,
+        J45 = v3 * g3 + J44 * g2, J55 = J54 * g2 - v4 * g3, J65 = v5 * g3 + J64 * g2,
+        v6 = q[4] + offset5;
     const double c5 = cos(v6), s5 = sin(v6);
-    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
-    const double J46 = g2 * J45 - g3 * ((J44 * g3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5),
+    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5,
+        J46 = g2 * J45 - g3 * ((J44 * g3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5),
         J56 = g2 * J55 - g3 * ((v4 * g2 + J54 * g3) * c5 - (x3_y * c4 + c1 * s4) * s5),
-        J66 = g2 * J65 - g3 * ((J64 * g3 - v5 * g2) * c5 - x3_z * c4 * s5), J21 = p5_x - J46 * g4;
-    const double p6_y = p5_y - J56 * g4, p6_z = p5_z - J66 * g4;
-    const double v7 = p6_z - D1;
-    const double J32 = s1 * p6_y + c1 * J21;
-    const double v8 = p6_z - p2_z;
-    const double J13 = c1 * v8, J23 = s1 * v8;
-    const double v9 = J21 - p3_x, v10 = p6_y - p3_y;
-    const double J14 = J54 * v8 - J64 * v10, J24 = J64 * v9 - J44 * v8, J34 = J44 * v10 - J54 * v9;
-    const double v11 = J21 - p4_x, v12 = p6_y - p4_y, v13 = p6_z - p4_z;
-    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13,
-        J35 = J45 * v12 - J55 * v11;
-    const double v14 = J21 - p5_x, v15 = p6_y - p5_y, v16 = p6_z - p5_z;
-    const double J16 = J56 * v16 - J66 * v15, J26 = J66 * v14 - J46 * v16,
-        J36 = J46 * v15 - J56 * v14;
+        J66 = g2 * J65 - g3 * ((J64 * g3 - v5 * g2) * c5 - x3_z * c4 * s5), J21 = p5_x - J46 * g4,
+        p6_y = p5_y - J56 * g4, p6_z = p5_z - J66 * g4, v7 = p6_z - D1, J32 = s1 * p6_y + c1 * J21,
+        v8 = p6_z - p2_z, J13 = c1 * v8, J23 = s1 * v8, v9 = J21 - p3_x, v10 = p6_y - p3_y,
+        J14 = J54 * v8 - J64 * v10, J24 = J64 * v9 - J44 * v8, J34 = J44 * v10 - J54 * v9,
+        v11 = J21 - p4_x, v12 = p6_y - p4_y, v13 = p6_z - p4_z, J15 = J55 * v13 - J65 * v12,
+        J25 = J65 * v11 - J45 * v13, J35 = J45 * v12 - J55 * v11, v14 = J21 - p5_x,
+        v15 = p6_y - p5_y, v16 = p6_z - p5_z, J16 = J56 * v16 - J66 * v15,
+        J26 = J66 * v14 - J46 * v16, J36 = J46 * v15 - J56 * v14;
     J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v7); J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)); J[15] = J34;

@@ -409,7 +409,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 c60ef5c6910abfb4"
+_KEY = "kuka_iiwa14 b73f422a7641fc20"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -873,7 +873,7 @@ def _choose(pose, q_free, seed, q, status):
 
 _GIVEN = np.array([False, False, True, False, False, False, False])  # joints whose values the caller gives
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.7656967840735068, 0.7656967840735068, 0.7656967840735068, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0])
 
 
 @_inner
@@ -903,10 +903,10 @@ def _miss(T, q, held, A):
 def _add_step(A, e, miss, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthonormal one after another
+    The rows of A, each with its share of the damping's root, are made orthogonal one after another
     (modified Gram-Schmidt): the product A A' would lose half of the digits.
     """
-    rows = np.zeros((6, 13))
+    rows, square = np.zeros((6, 13)), np.zeros(6)
     for i in range(6):
         for j in range(7):
             rows[i, j] = A[i, j]
@@ -914,74 +914,82 @@ def _add_step(A, e, miss, q):
         for k in range(i):
             along = 0.0
             for j in range(13):
-                along += rows[k, j] * rows[i, j]
+                along += rows[k, j] * rows[i, j] / square[k]
             for j in range(13):
                 rows[i, j] -= along * rows[k, j]
             e[i] -= along * e[k]
-        square = 0.0
         for j in range(13):
-            square += rows[i, j] * rows[i, j]
-        e[i] /= math.sqrt(square)
-        for j in range(13):
-            rows[i, j] /= math.sqrt(square)
+            square[i] += rows[i, j] * rows[i, j]
         for j in range(7):
-            q[j] += e[i] * rows[i, j]
+            q[j] += e[i] / square[i] * rows[i, j]
+
+
+@_inner
+def _moved_by(off):
+    """A difference of joint values, whole turns aside [rad, arm sizes]."""
+    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
 
 
 @_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
 def _settled(T, enough, q):
-    """Takes joint values to some that miss the pose by no more than enough or, if that is NaN, than
-    they do, inside their limits; False if it can't. Damped least squares."""
-    held, A = _GIVEN.copy(), np.empty((6, 7))
+    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
+
+    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
+    they gain.
+    """
+    held, A, x, settled = _GIVEN.copy(), np.empty((6, 7)), q.copy(), False
     for _ in range(20):
-        e, miss = _miss(T, q, held, A)
+        e, miss = _miss(T, x, held, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss <= enough:
+        elif miss < enough:
+            q[:] = x
+            settled = True
+            enough = 0.5 * miss
+        elif settled:
             return True
-        _add_step(A, e, miss, q)
+        _add_step(A, e, miss, x)
         for j in range(7):
-            off = 0.0 if held[j] else _overshoot(j, q[j])
+            off = 0.0 if held[j] else _overshoot(j, x[j])
             held[j] = held[j] or off != 0.0
-            q[j] -= off
-    return False
+            x[j] -= off
+        for j in range(7):
+            if not _moved_by(x[j] - q[j]) <= 0.1:
+                return settled  # another solution
+    return settled
 
 
 @_inner
 def _settle(pose, enough, q):
-    """The same for joint values of the caller's, which stay as they were if it can't."""
+    """The same for joint values of the caller's."""
     values = np.empty(7)
     for i in range(7):
         values[i] = q[i]
-    if not _settled(pose, enough, values):
-        return False
-    for i in range(7):
-        if not abs(values[i] - q[i]) <= 0.1:  # to another solution
-            return False
+    settled = _settled(pose, enough, values)
     for i in range(7):
         q[i] = values[i]
-    return True
+    return settled
 
 
 @_inner
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one, one that is left or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
+    left, or the nearest.
     """
     x, place, least = np.empty(7), 0, math.inf
     for i in range(7):
-        x[i] = seed[i]
+        x[i] = seed[i] - _overshoot(i, seed[i])
     x[2] = q_free[0]
     if not _settle(pose, 1e-12, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = -1.0
+        gap = 0.1 if status[row] == UNREACHABLE else 0.0
         if status[row] != UNREACHABLE:
             for i in range(7):
-                off = q[row, i] - x[i]
-                gap = max(gap, abs(off - _TURN * math.floor(off / _TURN + 0.5)))
-        if 0.0 <= gap < 0.001:
+                gap = max(gap, _moved_by(q[row, i] - x[i]))
+        if gap < 0.001:
             return
         if gap <= least:
             place, least = row, gap

@@ -94,17 +94,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -189,20 +192,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
 
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
@@ -315,27 +304,21 @@ void kuka_iiwa14_arm_angle_fk(const double q[7], double T[16])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2, z2_y = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
-    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
-    const double v3 = q[3] + offset4;
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
+        z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
     const double c4 = cos(v3), s4 = sin(v3);
     const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
-        x4_z = x3_z * c4 - c2 * s4;
-    const double z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
+        x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
         z4_y = x3_y * s4 - z2_y * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5;
-    const double z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
-        z5_z = x4_z * s5 - z3_z * c5;
-    const double v4 = q[5] + offset6;
+        x5_z = x4_z * c5 + z3_z * s5, z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
+        z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6;
     const double c6 = cos(v4), s6 = sin(v4);
     const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
-        x6_z = x5_z * c6 + z4_z * s6;
-    const double T13_ = x5_x * s6 - z4_x * c6, T23_ = x5_y * s6 - z4_y * c6,
+        x6_z = x5_z * c6 + z4_z * s6, T13_ = x5_x * s6 - z4_x * c6, T23_ = x5_y * s6 - z4_y * c6,
         T33_ = x5_z * s6 - z4_z * c6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
     const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
@@ -355,35 +338,28 @@ void kuka_iiwa14_arm_angle_jacobian(const double q[7], double J[42])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double J43 = c1 * s2, J53 = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
-    const double J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3;
-    const double p3_x = J43 * d3, p3_y = J53 * d3, p3_z = d1 - c2 * d3;
-    const double J44 = x2_x * s3 - s1 * c3;
-    const double v3 = q[3] + offset4;
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
+        J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3, p3_x = J43 * d3, p3_y = J53 * d3,
+        p3_z = d1 - c2 * d3, J44 = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
     const double c4 = cos(v3), s4 = sin(v3);
     const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
-        x4_z = x3_z * c4 - c2 * s4;
-    const double J65 = c2 * c4 + x3_z * s4, J45 = x3_x * s4 - J43 * c4, J55 = x3_y * s4 - J53 * c4;
+        x4_z = x3_z * c4 - c2 * s4, J65 = c2 * c4 + x3_z * s4, J45 = x3_x * s4 - J43 * c4,
+        J55 = x3_y * s4 - J53 * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
-    const double J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5;
-    const double v4 = q[5] + offset6;
+    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5,
+        J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5,
+        v4 = q[5] + offset6;
     const double c6 = cos(v4), s6 = sin(v4);
     const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6,
         J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6, J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6,
-        J21 = p5_x + J47 * d7;
-    const double p7_y = p5_y + J57 * d7, p7_z = p5_z + J67 * d7;
-    const double v5 = p7_z - d1;
-    const double J32 = s1 * p7_y + c1 * J21, J13 = J53 * v5 + c2 * p7_y,
-        J33 = J43 * p7_y - J53 * J21;
-    const double v6 = J21 - p3_x, v7 = p7_y - p3_y, v8 = p7_z - p3_z;
-    const double J14 = J54 * v8 - J64 * v7, J24 = J64 * v6 - J44 * v8, J34 = J44 * v7 - J54 * v6,
-        J15 = J55 * v8 - J65 * v7, J25 = J65 * v6 - J45 * v8, J35 = J45 * v7 - J55 * v6;
-    const double v9 = J21 - p5_x, v10 = p7_y - p5_y, v11 = p7_z - p5_z;
-    const double J16 = J56 * v11 - J66 * v10, J26 = J66 * v9 - J46 * v11,
+        J21 = p5_x + J47 * d7, p7_y = p5_y + J57 * d7, p7_z = p5_z + J67 * d7, v5 = p7_z - d1,
+        J32 = s1 * p7_y + c1 * J21, J13 = J53 * v5 + c2 * p7_y, J33 = J43 * p7_y - J53 * J21,
+        v6 = J21 - p3_x, v7 = p7_y - p3_y, v8 = p7_z - p3_z, J14 = J54 * v8 - J64 * v7,
+        J24 = J64 * v6 - J44 * v8, J34 = J44 * v7 - J54 * v6, J15 = J55 * v8 - J65 * v7,
+        J25 = J65 * v6 - J45 * v8, J35 = J45 * v7 - J55 * v6, v9 = J21 - p5_x, v10 = p7_y - p5_y,
+        v11 = p7_z - p5_z, J16 = J56 * v11 - J66 * v10, J26 = J66 * v9 - J46 * v11,
         J36 = J46 * v10 - J56 * v9, J17 = J57 * v11 - J67 * v10, J27 = J67 * v9 - J47 * v11,
         J37 = J47 * v10 - J57 * v9;
     J[0] = -p7_y; J[1] = -(c1 * v5); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
@@ -401,17 +377,14 @@ double kuka_iiwa14_arm_angle_arm_angle(const double q[7])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2, z2_y = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3;
-    const double p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = d1 - c2 * d3;
-    const double z3_x = x2_x * s3 - s1 * c3;
-    const double v3 = q[3] + offset4;
+    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, p3_x = z2_x * d3, p3_y = z2_y * d3,
+        p3_z = d1 - c2 * d3, z3_x = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
     const double c4 = cos(v3), s4 = sin(v3);
     const double p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5,
-        p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5;
-    const double v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1, v5 = p3_z - d1,
+        p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5,
+        v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1, v5 = p3_z - d1,
         v6 = p3_x * z3_x + z3_y * p3_y + z3_z * v5, v7 = p3_x - z3_x * v6, v8 = p3_y - z3_y * v6,
         v9 = v5 - z3_z * v6,
         v10 = z3_x * (p5_y * v9 - v4 * v8) + z3_y * (v4 * v7 - p5_x * v9) + z3_z * (p5_x * v8 - p5_y

@@ -92,17 +92,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -179,20 +182,6 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
     *r1 = a[1];
     *r2 = a[2];
     *r3 = a[3];
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
 }
 
 HELPER four irregularity_four(const double T[16])
@@ -302,17 +291,14 @@ void kuka_youbot_fk(const double q[5], double T[16])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v2 = c1 * s2, v3 = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2, v3 = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v4 = v2 * c3 + x2_x * s3, v5 = v3 * c3 + x2_y * s3;
-    const double y3_z = c2 * c3 - s2 * s3;
-    const double v6 = q[3] + offset4;
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3,
+        v4 = v2 * c3 + x2_x * s3, v5 = v3 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
+        v6 = q[3] + offset4;
     const double c4 = cos(v6), s4 = sin(v6);
     const double x4_x = x3_x * c4 - v4 * s4, x4_y = x3_y * c4 - v5 * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double T13_ = v4 * c4 + x3_x * s4, T23_ = v5 * c4 + x3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4, T13_ = v4 * c4 + x3_x * s4, T23_ = v5 * c4 + x3_y * s4,
         T33_ = x3_z * s4 - y3_z * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double T11_ = x4_x * c5 + s1 * s5, T21_ = x4_y * c5 - c1 * s5, T31_ = x4_z * c5,
@@ -329,28 +315,22 @@ void kuka_youbot_fk(const double q[5], double T[16])
 void kuka_youbot_jacobian(const double q[5], double J[30])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double v1 = q[1] + offset2;
+    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = q[1] + offset2;
     const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v2 = c1 * s2, v3 = s1 * s2;
-    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 + s2 * a2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2, v3 = s1 * s2,
+        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 + s2 * a2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
-    const double v4 = q[3] + offset4;
+    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + c2 * s3,
+        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3,
+        v4 = q[3] + offset4;
     const double c4 = cos(v4), s4 = sin(v4);
     const double J45 = (v2 * c3 + x2_x * s3) * c4 + x3_x * s4,
         J55 = (v3 * c3 + x2_y * s3) * c4 + x3_y * s4, J65 = x3_z * s4 - (c2 * c3 - s2 * s3) * c4,
-        J21 = p3_x + J45 * d5;
-    const double p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
-    const double v5 = p5_z - d1;
-    const double J32 = s1 * (p5_y - p1_y) + c1 * (J21 - p1_x);
-    const double v6 = p5_z - p2_z;
-    const double J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x);
-    const double v7 = J21 - p3_x, v8 = p5_y - p3_y, v9 = p5_z - p3_z;
-    const double J34 = s1 * v8 + c1 * v7, J15 = J55 * v9 - J65 * v8, J25 = J65 * v7 - J45 * v9,
-        J35 = J45 * v8 - J55 * v7;
+        J21 = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5, v5 = p5_z - d1,
+        J32 = s1 * (p5_y - p1_y) + c1 * (J21 - p1_x), v6 = p5_z - p2_z,
+        J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x), v7 = J21 - p3_x, v8 = p5_y - p3_y,
+        v9 = p5_z - p3_z, J34 = s1 * v8 + c1 * v7, J15 = J55 * v9 - J65 * v8,
+        J25 = J65 * v7 - J45 * v9, J35 = J45 * v8 - J55 * v7;
     J[0] = -p5_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(c1 * v9); J[4] = J15;
     J[5] = J21; J[6] = -(s1 * v5); J[7] = -(s1 * v6); J[8] = -(s1 * v9); J[9] = J25;
     J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
@@ -905,86 +885,108 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[5])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 1.4545454545454546, 1.4545454545454546, 1.4545454545454546,
-        1.0, 1.0, 1.0 };
-    double x[5], P[16], J[30];
-    int held[5] = { 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][11], square = 0.0;
-        kuka_youbot_fk(x, P);
-        kuka_youbot_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 5; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 11; j++)
-                row[j] = j < 5 ? held[j] ? 0.0 : weights[i] * J[5 * i + j] : j == 5 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 11; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 11; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 11; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 11; j++)
-                row[j] /= length;
-            for (int j = 0; j < 5; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 1.455, 1.455, 1.455, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[5], double e[6], double J[30])
+{
+    double P[16], square = 0.0;
+    kuka_youbot_fk(x, P);
+    kuka_youbot_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[5], const double J[30], double e[6], double x[5])
+{
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 5; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[5 * i + j];
+        A[i][5 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 11; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 11; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 11; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 5; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[5])
+{
+    double x[5], J[30];
+    int settled = 0, held[5] = { 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 5; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[5], double q[4][5],
     unsigned char status[4])
 {
     double x[5], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 5; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 5 && status[row] != KUKA_YOUBOT_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == KUKA_YOUBOT_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 5 && status[row] != KUKA_YOUBOT_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

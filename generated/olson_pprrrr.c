@@ -92,17 +92,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -181,20 +184,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = shuffle(second, second, 0, 1);
     *(two_at *)r2 = shuffle(first, first, 2, 3);
     *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
 }
 
 HELPER four irregularity_four(const double T[16])
@@ -297,14 +286,11 @@ void olson_pprrrr_fk(const double q[6], double T[16])
 {
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = s3 * c4;
-    const double v1 = c3 * c4, v2 = s3 * s4;
-    const double y4_y = c3 * s4;
+    const double x4_x = s3 * c4, v1 = c3 * c4, v2 = s3 * s4, y4_y = c3 * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v2 * s5, x5_y = y4_y * s5 - v1 * c5, x5_z = s4 * c5 + c4 * s5;
-    const double T13_ = v2 * c5 + x4_x * s5;
-    const double y5_y = y4_y * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5;
-    const double T14_ = q[1] + x4_x * a4 + T13_ * d6, T24_ = q[0] - v1 * a4 - y5_y * d6,
+    const double x5_x = x4_x * c5 - v2 * s5, x5_y = y4_y * s5 - v1 * c5, x5_z = s4 * c5 + c4 * s5,
+        T13_ = v2 * c5 + x4_x * s5, y5_y = y4_y * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5,
+        T14_ = q[1] + x4_x * a4 + T13_ * d6, T24_ = q[0] - v1 * a4 - y5_y * d6,
         T34_ = d3 + s4 * a4 - y5_z * d6;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 - c3 * s6, T21_ = x5_y * c6 - s3 * s6, T31_ = x5_z * c6;
@@ -319,18 +305,14 @@ void olson_pprrrr_jacobian(const double q[6], double J[36])
 {
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = s3 * c4;
-    const double v1 = c3 * c4;
-    const double p5_x = q[1] + x4_x * a4, p5_y = q[0] - v1 * a4, p5_z = d3 + s4 * a4;
+    const double x4_x = s3 * c4, v1 = c3 * c4, p5_x = q[1] + x4_x * a4, p5_y = q[0] - v1 * a4,
+        p5_z = d3 + s4 * a4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = s3 * s4 * c5 + x4_x * s5;
-    const double y5_y = c3 * s4 * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5;
-    const double p6_x = p5_x + J46 * d6, p6_y = p5_y - y5_y * d6, p6_z = p5_z - y5_z * d6;
-    const double J23 = p6_x - q[1];
-    const double v2 = p6_y - q[0], v3 = p6_z - d3;
-    const double J24 = c3 * v3, J34 = s3 * J23 - c3 * v2;
-    const double v4 = p6_z - p5_z;
-    const double J25 = c3 * v4, J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y);
+    const double J46 = s3 * s4 * c5 + x4_x * s5, y5_y = c3 * s4 * c5 + v1 * s5,
+        y5_z = c4 * c5 - s4 * s5, p6_x = p5_x + J46 * d6, p6_y = p5_y - y5_y * d6,
+        p6_z = p5_z - y5_z * d6, J23 = p6_x - q[1], v2 = p6_y - q[0], v3 = p6_z - d3, J24 = c3 * v3,
+        J34 = s3 * J23 - c3 * v2, v4 = p6_z - p5_z, J25 = c3 * v4,
+        J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y);
     J[0] = 0.0; J[1] = 1.0; J[2] = -v2; J[3] = -(s3 * v3); J[4] = -(s3 * v4); J[5] = 0.0;
     J[6] = 1.0; J[7] = 0.0; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = 0.0;
     J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = J34; J[16] = J35; J[17] = 0.0;
@@ -795,86 +777,110 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[6])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
 {
-    static const double weights[6] = { 0.14285714285714285, 0.14285714285714285,
-        0.14285714285714285, 1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        olson_pprrrr_fk(x, P);
-        olson_pprrrr_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    if (!revolute[joint])
+        return fabs(off) * 0.14285714285714285;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    olson_pprrrr_fk(x, P);
+    olson_pprrrr_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 6; i++) {
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[6], double q[4][6],
     unsigned char status[4])
 {
     double x[6], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != OLSON_PPRRRR_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - (revolute[i] ? whole : 0.0)));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == OLSON_PPRRRR_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 6 && status[row] != OLSON_PPRRRR_UNREACHABLE; i++)
+            gap = fmax(gap, apart(i, q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

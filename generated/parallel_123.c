@@ -480,19 +480,15 @@ void parallel_123_fk(const double q[6], double T[16])
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4, x4_y = x3_y * c4;
-    const double v1 = x3_x * s4, v2 = x3_y * s4;
-    const double y4_z = c4 * f2, y4_x = x3_y * f3 - v1 * f2, y4_y = -x3_x * f3 - v2 * f2;
-    const double v3 = c4 * f3;
-    const double z4_x = v1 * f3 + x3_y * f2, z4_y = v2 * f3 + -x3_x * f2;
+    const double x4_x = x3_x * c4, x4_y = x3_y * c4, v1 = x3_x * s4, v2 = x3_y * s4, y4_z = c4 * f2,
+        y4_x = x3_y * f3 - v1 * f2, y4_y = -x3_x * f3 - v2 * f2, v3 = c4 * f3,
+        z4_x = v1 * f3 + x3_y * f2, z4_y = v2 * f3 + -x3_x * f2;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = s4 * c5 + y4_z * s5;
-    const double v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5;
-    const double y5_x = v4 * ca5 + z4_x * sa5, y5_y = v5 * ca5 + z4_y * sa5,
-        y5_z = v6 * ca5 - v3 * sa5;
-    const double T13_ = z4_x * ca5 - v4 * sa5, T23_ = z4_y * ca5 - v5 * sa5;
-    const double v7 = v6 * sa5 + v3 * ca5;
+        x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5,
+        v6 = y4_z * c5 - s4 * s5, y5_x = v4 * ca5 + z4_x * sa5, y5_y = v5 * ca5 + z4_y * sa5,
+        y5_z = v6 * ca5 - v3 * sa5, T13_ = z4_x * ca5 - v4 * sa5, T23_ = z4_y * ca5 - v5 * sa5,
+        v7 = v6 * sa5 + v3 * ca5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
         T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
@@ -513,39 +509,32 @@ void parallel_123_jacobian(const double q[6], double J[36])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2;
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + x2_x * a2,
+        p2_y = p1_y + x2_y * a2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3;
-    const double J44 = x2_y * c3 + x2_x * s3;
-    const double p3_x = p2_x + x3_x * a3, p3_y = p2_y + J44 * a3;
+    const double x3_x = x2_x * c3 - x2_y * s3, J44 = x2_y * c3 + x2_x * s3, p3_x = p2_x + x3_x * a3,
+        p3_y = p2_y + J44 * a3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4, x4_y = J44 * c4;
-    const double v1 = x3_x * s4, v2 = J44 * s4;
-    const double p4_z = g1 + s4 * a4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 + -x3_x * d4;
-    const double y4_z = c4 * g2, y4_x = J44 * g3 - v1 * g2, y4_y = -x3_x * g3 - v2 * g2;
-    const double v3 = c4 * g3;
-    const double J45 = v1 * g3 + J44 * g2, J55 = v2 * g3 + -x3_x * g2;
+    const double x4_x = x3_x * c4, x4_y = J44 * c4, v1 = x3_x * s4, v2 = J44 * s4,
+        p4_z = g1 + s4 * a4, p4_x = p3_x + x4_x * a4 + J44 * d4,
+        p4_y = p3_y + x4_y * a4 + -x3_x * d4, y4_z = c4 * g2, y4_x = J44 * g3 - v1 * g2,
+        y4_y = -x3_x * g3 - v2 * g2, v3 = c4 * g3, J45 = v1 * g3 + J44 * g2,
+        J55 = v2 * g3 + -x3_x * g2;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = s4 * c5 + y4_z * s5;
-    const double v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5;
-    const double p5_x = p4_x + x5_x * a5 + J45 * d5, p5_y = p4_y + x5_y * a5 + J55 * d5,
-        p5_z = p4_z + x5_z * a5 - v3 * d5;
-    const double J46 = J45 * ca5 - v4 * sa5, J56 = J55 * ca5 - v5 * sa5;
-    const double v7 = v6 * sa5 + v3 * ca5;
+        x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5,
+        v6 = y4_z * c5 - s4 * s5, p5_x = p4_x + x5_x * a5 + J45 * d5,
+        p5_y = p4_y + x5_y * a5 + J55 * d5, p5_z = p4_z + x5_z * a5 - v3 * d5,
+        J46 = J45 * ca5 - v4 * sa5, J56 = J55 * ca5 - v5 * sa5, v7 = v6 * sa5 + v3 * ca5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6;
-    const double p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6;
-    const double J22 = J21 - p1_x, J12 = p1_y - p6_y, J23 = J21 - p2_x, J13 = p2_y - p6_y;
-    const double v8 = p6_z - g1;
-    const double J14 = -x3_x * v8, J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x);
-    const double v9 = J21 - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z;
-    const double J15 = J55 * v11 + v3 * v10, J35 = J45 * v10 - J55 * v9;
-    const double v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
-    const double J16 = J56 * v14 + v7 * v13, J36 = J46 * v13 - J56 * v12;
+    const double J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6,
+        p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6,
+        p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6, J22 = J21 - p1_x,
+        J12 = p1_y - p6_y, J23 = J21 - p2_x, J13 = p2_y - p6_y, v8 = p6_z - g1, J14 = -x3_x * v8,
+        J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x), v9 = J21 - p4_x, v10 = p6_y - p4_y,
+        v11 = p6_z - p4_z, J15 = J55 * v11 + v3 * v10, J35 = J45 * v10 - J55 * v9, v12 = J21 - p5_x,
+        v13 = p6_y - p5_y, v14 = p6_z - p5_z, J16 = J56 * v14 + v7 * v13,
+        J36 = J46 * v13 - J56 * v12;
     J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(J44 * v8); J[10] = -(v3 * v9 + J45 * v11);
     J[11] = -(v7 * v12 + J46 * v14);
@@ -1120,85 +1109,108 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[6])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        parallel_123_fk(x, P);
-        parallel_123_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    parallel_123_fk(x, P);
+    parallel_123_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 6; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     double x[6], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != PARALLEL_123_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == PARALLEL_123_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 6 && status[row] != PARALLEL_123_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

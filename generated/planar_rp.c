@@ -76,17 +76,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -162,20 +165,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = shuffle(second, second, 0, 1);
     *(two_at *)r2 = shuffle(first, first, 2, 3);
     *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
 }
 
 HELPER four irregularity_four(const double T[16])
@@ -556,84 +545,107 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
+{
+    if (!revolute[joint])
+        return fabs(off) * 1.0;
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 1.000, 1.000, 0.0, 0.0, 0.0, 0.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[2], double e[6], double J[12])
+{
+    double P[16], square = 0.0;
+    planar_rp_fk(x, P);
+    planar_rp_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[2], const double J[12], double e[6], double x[2])
+{
+    double A[6][8] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 2; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[2 * i + j];
+        A[i][2 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 8; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 8; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 8; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 2; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[2])
 {
-    static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
-    double x[2], P[16], J[12];
-    int held[2] = { 0, 0 };
+    double x[2], J[12];
+    int settled = 0, held[2] = { 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][8], square = 0.0;
-        planar_rp_fk(x, P);
-        planar_rp_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 2; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 8; j++)
-                row[j] = j < 2 ? held[j] ? 0.0 : weights[i] * J[2 * i + j] : j == 2 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 8; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 8; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 8; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 8; j++)
-                row[j] /= length;
-            for (int j = 0; j < 2; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 2; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[2], double q[2][2],
     unsigned char status[2])
 {
     double x[2], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 2; i++)
+        x[i] = seed[i] - overshoot(i, seed[i]);
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 2 && status[row] != PLANAR_RP_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - (revolute[i] ? whole : 0.0)));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == PLANAR_RP_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 2 && status[row] != PLANAR_RP_UNREACHABLE; i++)
+            gap = fmax(gap, apart(i, q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

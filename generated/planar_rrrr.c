@@ -289,16 +289,15 @@ void planar_rrrr_jacobian(const double q[4], double J[24])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p1_x = c1 * a, p1_y = s1 * a;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const double p2_x = p1_x + a * x2_x, p2_y = p1_y + a * x2_y;
+    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + a * x2_x,
+        p2_y = p1_y + a * x2_y;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
-    const double p3_x = p2_x + a * x3_x, p3_y = p2_y + a * x3_y;
+    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3, p3_x = p2_x + a * x3_x,
+        p3_y = p2_y + a * x3_y;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4);
-    const double p4_y = p3_y + a * (x3_y * c4 + x3_x * s4);
-    const double J22 = J21 - p1_x, J12 = p1_y - p4_y, J23 = J21 - p2_x, J13 = p2_y - p4_y,
-        J24 = J21 - p3_x, J14 = p3_y - p4_y;
+    const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4),
+        p4_y = p3_y + a * (x3_y * c4 + x3_x * s4), J22 = J21 - p1_x, J12 = p1_y - p4_y,
+        J23 = J21 - p2_x, J13 = p2_y - p4_y, J24 = J21 - p3_x, J14 = p3_y - p4_y;
     J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
     J[8] = 0.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
@@ -381,63 +380,86 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 1.000, 1.000, 0.0, 0.0, 0.0, 0.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[4], double e[6], double J[24])
+{
+    double P[16], square = 0.0;
+    planar_rrrr_fk(x, P);
+    planar_rrrr_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[4], const double J[24], double e[6], double x[4])
+{
+    double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 4; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[4 * i + j];
+        A[i][4 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 10; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 10; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 10; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 4; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[4])
 {
-    static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
-    double x[4], P[16], J[24];
-    int held[4] = { 0, 0, 0, 0 };
+    double x[4], J[24];
+    int settled = 0, held[4] = { 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][10], square = 0.0;
-        planar_rrrr_fk(x, P);
-        planar_rrrr_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 4; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 10; j++)
-                row[j] = j < 4 ? held[j] ? 0.0 : weights[i] * J[4 * i + j] : j == 4 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 10; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 10; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 10; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 10; j++)
-                row[j] /= length;
-            for (int j = 0; j < 4; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 4; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int planar_rrrr_ik(

@@ -85,17 +85,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -174,20 +177,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = shuffle(second, second, 0, 1);
     *(two_at *)r2 = shuffle(first, first, 2, 3);
     *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
 }
 
 HELPER four irregularity_four(const double T[16])
@@ -274,17 +263,14 @@ void rrprrr_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double z3_x = c1 * s2, z3_y = s1 * s2;
-    const double T14_ = z3_x * q[2], T24_ = z3_y * q[2];
+    const double x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2, z3_y = s1 * s2, T14_ = z3_x * q[2],
+        T24_ = z3_y * q[2];
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x2_x * c4 + s1 * s4, x4_y = x2_y * c4 - c1 * s4, x4_z = s2 * c4;
-    const double y4_x = s1 * c4 - x2_x * s4;
-    const double v1 = c1 * c4 + x2_y * s4, v2 = s2 * s4;
+    const double x4_x = x2_x * c4 + s1 * s4, x4_y = x2_y * c4 - c1 * s4, x4_z = s2 * c4,
+        y4_x = s1 * c4 - x2_x * s4, v1 = c1 * c4 + x2_y * s4, v2 = s2 * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 - z3_x * s5, x5_y = x4_y * c5 - z3_y * s5,
-        x5_z = x4_z * c5 + c2 * s5;
-    const double T13_ = z3_x * c5 + x4_x * s5, T23_ = z3_y * c5 + x4_y * s5,
+        x5_z = x4_z * c5 + c2 * s5, T13_ = z3_x * c5 + x4_x * s5, T23_ = z3_y * c5 + x4_y * s5,
         T33_ = x4_z * s5 - c2 * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + y4_x * s6, T21_ = x5_y * c6 - v1 * s6,
@@ -300,10 +286,8 @@ void rrprrr_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double J13 = c1 * s2, J23 = s1 * s2, J21 = J13 * q[2];
-    const double p3_y = J23 * q[2];
-    const double v1 = c2 * q[2];
+    const double x2_x = c1 * c2, x2_y = s1 * c2, J13 = c1 * s2, J23 = s1 * s2, J21 = J13 * q[2],
+        p3_y = J23 * q[2], v1 = c2 * q[2];
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double J45 = s1 * c4 - x2_x * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
@@ -627,85 +611,110 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[6])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(int joint, double off)
 {
-    static const double weights[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        rrprrr_fk(x, P);
-        rrprrr_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    if (!revolute[joint])
+        return fabs(off) * 1.0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 1.000, 1.000, 1.000, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    rrprrr_fk(x, P);
+    rrprrr_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 6; i++) {
+            if (!(apart(i, x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     double x[6], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != RRPRRR_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - (revolute[i] ? whole : 0.0)));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == RRPRRR_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 6 && status[row] != RRPRRR_UNREACHABLE; i++)
+            gap = fmax(gap, apart(i, q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

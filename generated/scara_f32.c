@@ -183,12 +183,12 @@ void scara_f32_jacobian(const float q[4], float J[24])
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
     const float p1_x = c1 * L1, p1_y = s1 * L1;
     const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const float p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2;
+    const float x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + x2_x * L2,
+        p2_y = p1_y + x2_y * L2;
     const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4;
-    const float v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4;
-    const float J22 = J21 - p1_x, J12 = p1_y - v1, J24 = J21 - p2_x, J14 = p2_y - v1;
+    const float J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4,
+        v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4, J22 = J21 - p1_x, J12 = p1_y - v1,
+        J24 = J21 - p2_x, J14 = p2_y - v1;
     J[0] = -v1; J[1] = J12; J[2] = 0.0f; J[3] = J14;
     J[4] = J21; J[5] = J22; J[6] = 0.0f; J[7] = J24;
     J[8] = 0.0f; J[9] = 0.0f; J[10] = 1.0f; J[11] = 0.0f;
@@ -513,90 +513,113 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static float apart(int joint, float off)
+{
+    if (!revolute[joint])
+        return fabsf(off) * 1.25f;
+    return fabsf(off - turn * floorf(off / turn + 0.5f));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static float off_pose(
+    const float T[16], const float x[4], float e[6], float J[24])
+{
+    float P[16], square = 0.0f;
+    scara_f32_fk(x, P);
+    scara_f32_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0f;
+    }
+    return sqrtf(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    float share, const int held[4], const float J[24], float e[6], float x[4])
+{
+    float A[6][10] = { { 0.0f } }, square[6] = { 0.0f };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 4; j++)
+            A[i][j] = held[j] ? 0.0f : weights[i] * J[4 * i + j];
+        A[i][4 + i] = share;
+        for (int k = 0; k < i; k++) {
+            float along = 0.0f;
+            for (int j = 0; j < 10; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 10; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 10; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 4; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const float T[16], float enough, float q[4])
 {
-    static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
-    float x[4], P[16], J[24];
-    int held[4] = { 0, 0, 0, 0 };
+    float x[4], J[24];
+    int settled = 0, held[4] = { 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        float e[6] = { 0.0f }, A[6][10], square = 0.0f;
-        scara_f32_fk(x, P);
-        scara_f32_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0f;
-        }
-        if (isnan(enough))
-            enough = sqrtf(square) + 1e-06f;
-        else if (sqrtf(square) <= enough) {
-            for (int i = 0; i < 4; i++)
-                if (fabsf(x[i] - q[i]) > 0.1f)
-                    return 0;
+        float e[6] = { 0.0f };
+        const float miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-06f;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5f * miss;
+        } else if (settled) {
+            break;
         }
-        const float share = sqrtf(0.1f * square + 1e-26f);
-        for (int i = 0; i < 6; i++) {
-            float *row = A[i], length = 0.0f;
-            for (int j = 0; j < 10; j++)
-                row[j] = j < 4 ? held[j] ? 0.0f : weights[i] * J[4 * i + j] : j == 4 + i ? share :
-                    0.0f;
-            for (int k = 0; k < i; k++) {
-                float along = 0.0f;
-                for (int j = 0; j < 10; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 10; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 10; j++)
-                length += row[j] * row[j];
-            length = sqrtf(length);
-            e[i] /= length;
-            for (int j = 0; j < 10; j++)
-                row[j] /= length;
-            for (int j = 0; j < 4; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
         for (int i = 0; i < 4; i++) {
             const float off = held[i] ? 0.0f : overshoot(i, x[i]);
             held[i] |= fabsf(off) > 0.0f;
             x[i] -= off;
+            if (!(apart(i, x[i] - q[i]) <= 0.1f))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const float T[16], const float seed[4], float q[2][4],
     unsigned char status[2])
 {
     float x[4], least = HUGE_VALF;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 4; i++)
+        x[i] = seed[i] - overshoot(i, seed[i]);
     if (!settle(T, 5e-05f, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        float gap = -1.0f;
-        for (int i = 0; i < 4 && status[row] != SCARA_F32_UNREACHABLE; i++) {
-            const float off = q[row][i] - x[i], whole = turn * floorf(off / turn + 0.5f);
-            gap = fmaxf(gap, fabsf(off - (revolute[i] ? whole : 0.0f)));
-        }
-        if (0.0f <= gap && gap < 0.03f)
+        float gap = status[row] == SCARA_F32_UNREACHABLE ? 0.1f : 0.0f;
+        for (int i = 0; i < 4 && status[row] != SCARA_F32_UNREACHABLE; i++)
+            gap = fmaxf(gap, apart(i, q[row][i] - x[i]));
+        if (gap < 0.03f)
             return;
         if (gap <= least) {
             least = gap;

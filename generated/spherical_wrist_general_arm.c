@@ -471,34 +471,25 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1;
-    const double y1_y = c1 * ca1;
-    const double z1_x = s1 * sa1;
-    const double v2 = c1 * sa1;
+    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2;
-    const double y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2;
-    const double z2_x = v3 * sa2 + z1_x * ca2;
-    const double v6 = v4 * sa2 + v2 * ca2;
-    const double z2_z = f3 - v5 * sa2;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
+        y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2,
+        z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2, z2_z = f3 - v5 * sa2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
-    const double y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
-        y3_z = v9 * ca3 - z2_z * sa3;
-    const double z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
+        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
+        v9 = y2_z * c3 - x2_z * s3, y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
+        y3_z = v9 * ca3 - z2_z * sa3, z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
         z3_z = v9 * sa3 + z2_z * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double y5_x = y3_x * c4 - x3_x * s4, y5_y = y3_y * c4 - x3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4, y5_x = y3_x * c4 - x3_x * s4, y5_y = y3_y * c4 - x3_y * s4,
         y5_z = y3_z * c4 - x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5;
-    const double T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5, T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
         T33_ = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
@@ -517,49 +508,37 @@ void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 void spherical_wrist_general_arm_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double v1 = s1 * ca1;
-    const double y1_y = c1 * ca1;
-    const double J42 = s1 * sa1;
-    const double v2 = c1 * sa1;
+    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
+        v2 = c1 * sa1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2;
-    const double v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2;
-    const double p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
-        p2_z = d1 + x2_z * a2 + g1;
-    const double y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g2;
-    const double J43 = v3 * sa2 + J42 * ca2;
-    const double v6 = v4 * sa2 + v2 * ca2;
-    const double J63 = g3 - v5 * sa2;
+    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
+        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
+        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
+        p2_z = d1 + x2_z * a2 + g1, y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
+        y2_z = v5 * ca2 + g2, J43 = v3 * sa2 + J42 * ca2, v6 = v4 * sa2 + v2 * ca2,
+        J63 = g3 - v5 * sa2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3;
-    const double v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3;
-    const double p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 - v6 * d3,
-        p3_z = p2_z + x3_z * a3 + J63 * d3;
-    const double y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3,
-        y3_z = v9 * ca3 - J63 * sa3;
-    const double J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
+        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
+        v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + J43 * d3,
+        p3_y = p2_y + x3_y * a3 - v6 * d3, p3_z = p2_z + x3_z * a3 + J63 * d3,
+        y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - J63 * sa3,
+        J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double p4_x = p3_x + J44 * d4, p4_y = p3_y + J54 * d4, p4_z = p3_z + J64 * d4;
-    const double J45 = x3_x * s4 - y3_x * c4, J55 = x3_y * s4 - y3_y * c4,
-        J65 = x3_z * s4 - y3_z * c4;
+    const double p4_x = p3_x + J44 * d4, p4_y = p3_y + J54 * d4, p4_z = p3_z + J64 * d4,
+        J45 = x3_x * s4 - y3_x * c4, J55 = x3_y * s4 - y3_y * c4, J65 = x3_z * s4 - y3_z * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5,
         J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5,
-        J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5, J21 = p4_x + J46 * d6;
-    const double p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6;
-    const double v10 = J21 - p1_x, v11 = p6_y - p1_y, v12 = p6_z - d1;
-    const double J22 = ca1 * v10 - J42 * v12, J32 = J42 * v11 + v2 * v10;
-    const double v13 = J21 - p2_x, v14 = p6_y - p2_y, v15 = p6_z - p2_z;
-    const double J23 = J63 * v13 - J43 * v15, J33 = J43 * v14 + v6 * v13;
-    const double v16 = J21 - p3_x, v17 = p6_y - p3_y, v18 = p6_z - p3_z;
-    const double J14 = J54 * v18 - J64 * v17, J24 = J64 * v16 - J44 * v18,
-        J34 = J44 * v17 - J54 * v16;
-    const double v19 = J21 - p4_x, v20 = p6_y - p4_y, v21 = p6_z - p4_z;
-    const double J15 = J55 * v21 - J65 * v20, J25 = J65 * v19 - J45 * v21,
-        J35 = J45 * v20 - J55 * v19, J16 = J56 * v21 - J66 * v20, J26 = J66 * v19 - J46 * v21,
-        J36 = J46 * v20 - J56 * v19;
+        J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5, J21 = p4_x + J46 * d6,
+        p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6, v10 = J21 - p1_x, v11 = p6_y - p1_y,
+        v12 = p6_z - d1, J22 = ca1 * v10 - J42 * v12, J32 = J42 * v11 + v2 * v10, v13 = J21 - p2_x,
+        v14 = p6_y - p2_y, v15 = p6_z - p2_z, J23 = J63 * v13 - J43 * v15,
+        J33 = J43 * v14 + v6 * v13, v16 = J21 - p3_x, v17 = p6_y - p3_y, v18 = p6_z - p3_z,
+        J14 = J54 * v18 - J64 * v17, J24 = J64 * v16 - J44 * v18, J34 = J44 * v17 - J54 * v16,
+        v19 = J21 - p4_x, v20 = p6_y - p4_y, v21 = p6_z - p4_z, J15 = J55 * v21 - J65 * v20,
+        J25 = J65 * v19 - J45 * v21, J35 = J45 * v20 - J55 * v19, J16 = J56 * v21 - J66 * v20,
+        J26 = J66 * v19 - J46 * v21, J36 = J46 * v20 - J56 * v19;
     J[0] = -p6_y; J[1] = -(v2 * v12 + ca1 * v11); J[2] = -(v6 * v15 + J63 * v14); J[3] = J14;
     J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
@@ -980,86 +959,108 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[6])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 0.6097560975609756, 0.6097560975609756, 0.6097560975609756,
-        1.0, 1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        spherical_wrist_general_arm_fk(x, P);
-        spherical_wrist_general_arm_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    spherical_wrist_general_arm_fk(x, P);
+    spherical_wrist_general_arm_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[6])
+{
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 6; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     double x[6], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 6 && status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

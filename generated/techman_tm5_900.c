@@ -93,17 +93,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -182,20 +185,6 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
     *(two_at *)r1 = shuffle(second, second, 0, 1);
     *(two_at *)r2 = shuffle(first, first, 2, 3);
     *(two_at *)r3 = shuffle(second, second, 2, 3);
-}
-
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
 }
 
 HELPER four irregularity_four(const double T[16])
@@ -314,21 +303,18 @@ void techman_tm5_900_fk(const double q[6], double T[16])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v3 = c1 * s2, v4 = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
-    const double y3_z = c2 * c3 - s2 * s3;
-    const double v7 = q[3] + offset4;
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
+        v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
+        v7 = q[3] + offset4;
     const double c4 = cos(v7), s4 = sin(v7);
     const double x4_x = x3_x * c4 - v5 * s4, x4_y = x3_y * c4 - v6 * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double z4_x = v5 * c4 + x3_x * s4, z4_y = v6 * c4 + x3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4, z4_x = v5 * c4 + x3_x * s4, z4_y = v6 * c4 + x3_y * s4,
         z4_z = x3_z * s4 - y3_z * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5;
-    const double T23_ = c1 * c5 + x4_y * s5, T33_ = x4_z * s5, T13_ = x4_x * s5 - s1 * c5;
+    const double x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5,
+        T23_ = c1 * c5 + x4_y * s5, T33_ = x4_z * s5, T13_ = x4_x * s5 - s1 * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
         T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
@@ -349,33 +335,25 @@ void techman_tm5_900_jacobian(const double q[6], double J[36])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v3 = c1 * s2, v4 = s1 * s2;
-    const double p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2, p2_x = x2_x * a2,
+        p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3;
-    const double y3_z = c2 * c3 - s2 * s3;
-    const double p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 - s1 * d3,
-        p3_y = p2_y + x3_y * a3 + c1 * d3;
-    const double v7 = q[3] + offset4;
+    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
+        v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
+        p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 - s1 * d3,
+        p3_y = p2_y + x3_y * a3 + c1 * d3, v7 = q[3] + offset4;
     const double c4 = cos(v7), s4 = sin(v7);
     const double J45 = v5 * c4 + x3_x * s4, J55 = v6 * c4 + x3_y * s4, J65 = x3_z * s4 - y3_z * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J56 = c1 * c5 + (x3_y * c4 - v6 * s4) * s5, J66 = (x3_z * c4 + y3_z * s4) * s5;
-    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5;
-    const double J46 = (x3_x * c4 - v5 * s4) * s5 - s1 * c5, J21 = p5_x + J46 * d6;
-    const double p6_y = p5_y + J56 * d6, p6_z = p5_z + J66 * d6;
-    const double v8 = p6_z - d1;
-    const double J32 = s1 * p6_y + c1 * J21;
-    const double v9 = p6_z - p2_z;
-    const double J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
-    const double v10 = J21 - p3_x, v11 = p6_y - p3_y, v12 = p6_z - p3_z;
-    const double J34 = s1 * v11 + c1 * v10, J15 = J55 * v12 - J65 * v11,
-        J25 = J65 * v10 - J45 * v12, J35 = J45 * v11 - J55 * v10;
-    const double v13 = J21 - p5_x, v14 = p6_y - p5_y, v15 = p6_z - p5_z;
-    const double J16 = J56 * v15 - J66 * v14, J26 = J66 * v13 - J46 * v15,
-        J36 = J46 * v14 - J56 * v13;
+    const double J56 = c1 * c5 + (x3_y * c4 - v6 * s4) * s5, J66 = (x3_z * c4 + y3_z * s4) * s5,
+        p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5,
+        J46 = (x3_x * c4 - v5 * s4) * s5 - s1 * c5, J21 = p5_x + J46 * d6, p6_y = p5_y + J56 * d6,
+        p6_z = p5_z + J66 * d6, v8 = p6_z - d1, J32 = s1 * p6_y + c1 * J21, v9 = p6_z - p2_z,
+        J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x), v10 = J21 - p3_x, v11 = p6_y - p3_y,
+        v12 = p6_z - p3_z, J34 = s1 * v11 + c1 * v10, J15 = J55 * v12 - J65 * v11,
+        J25 = J65 * v10 - J45 * v12, J35 = J45 * v11 - J55 * v10, v13 = J21 - p5_x,
+        v14 = p6_y - p5_y, v15 = p6_z - p5_z, J16 = J56 * v15 - J66 * v14,
+        J26 = J66 * v13 - J46 * v15, J36 = J46 * v14 - J56 * v13;
     J[0] = -p6_y; J[1] = -(c1 * v8); J[2] = -(c1 * v9); J[3] = -(c1 * v12); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = -(s1 * v12); J[10] = J25; J[11] = J26;
     J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
@@ -1028,91 +1006,111 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[6], double e[6], double J[36])
+{
+    double P[16], square = 0.0;
+    techman_tm5_900_fk(x, P);
+    techman_tm5_900_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[6], const double J[36], double e[6], double x[6])
+{
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    static const double weights[6] = { 0.753494329955167, 0.753494329955167, 0.753494329955167, 1.0,
-        1.0, 1.0 };
-    double x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][12], square = 0.0;
-        techman_tm5_900_fk(x, P);
-        techman_tm5_900_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0 : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
     double x[6], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i] - overshoot(i, seed[i]);
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 6 && status[row] != TECHMAN_TM5_900_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == TECHMAN_TM5_900_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 6 && status[row] != TECHMAN_TM5_900_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

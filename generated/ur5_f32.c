@@ -170,21 +170,17 @@ void ur5_f32_fk(const float q[6], float T[16])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
     const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2, x2_y = s1 * c2;
-    const float v1 = c1 * s2, v2 = s1 * s2;
+    const float x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
     const float c3 = cosf(q[2]), s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
-    const float v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
-    const float y3_z = c2 * c3 - s2 * s3;
+    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
+        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
     const float c4 = cosf(q[3]), s4 = sinf(q[3]);
     const float x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const float z4_x = v3 * c4 + x3_x * s4, z4_y = v4 * c4 + x3_y * s4;
-    const float y5_z = y3_z * c4 - x3_z * s4;
+        x4_z = x3_z * c4 + y3_z * s4, z4_x = v3 * c4 + x3_x * s4, z4_y = v4 * c4 + x3_y * s4,
+        y5_z = y3_z * c4 - x3_z * s4;
     const float c5 = cosf(q[4]), s5 = sinf(q[4]);
-    const float x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5;
-    const float T13_ = s1 * c5 - x4_x * s5;
-    const float v5 = c1 * c5 + x4_y * s5, v6 = x4_z * s5;
+    const float x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5,
+        T13_ = s1 * c5 - x4_x * s5, v5 = c1 * c5 + x4_y * s5, v6 = x4_z * s5;
     const float c6 = cosf(q[5]), s6 = sinf(q[5]);
     const float T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 - z4_y * s6,
         T31_ = x5_z * c6 + y5_z * s6, T32_ = y5_z * c6 - x5_z * s6,
@@ -202,35 +198,25 @@ void ur5_f32_jacobian(const float q[6], float J[36])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
     const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2, x2_y = s1 * c2;
-    const float v1 = c1 * s2, v2 = s1 * s2;
-    const float p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const float x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2, p2_x = x2_x * a2,
+        p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
     const float c3 = cosf(q[2]), s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
-    const float v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
-    const float y3_z = c2 * c3 - s2 * s3;
-    const float p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
+        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
+        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
     const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4;
-    const float p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4;
-    const float J65 = x3_z * s4 - y3_z * c4;
+    const float J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4, p4_x = p3_x + s1 * d4,
+        p4_y = p3_y - c1 * d4, J65 = x3_z * s4 - y3_z * c4;
     const float c5 = cosf(q[4]), s5 = sinf(q[4]);
-    const float J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5;
-    const float v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5, v6 = (x3_z * c4 + y3_z * s4) * s5;
-    const float p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p3_z + J65 * d5;
-    const float J21 = p5_x + J46 * d6;
-    const float p6_y = p5_y - v5 * d6, p6_z = p5_z - v6 * d6;
-    const float v7 = p6_z - d1;
-    const float J32 = s1 * p6_y + c1 * J21;
-    const float v8 = p6_z - p2_z;
-    const float J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x);
-    const float v9 = p6_z - p3_z;
-    const float J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x);
-    const float v10 = J21 - p4_x, v11 = p6_y - p4_y;
-    const float J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
-        J35 = J45 * v11 - J55 * v10;
-    const float v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
-    const float J16 = v6 * v13 - v5 * v14, J36 = J46 * v13 + v5 * v12;
+    const float J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5,
+        v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5, v6 = (x3_z * c4 + y3_z * s4) * s5,
+        p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p3_z + J65 * d5,
+        J21 = p5_x + J46 * d6, p6_y = p5_y - v5 * d6, p6_z = p5_z - v6 * d6, v7 = p6_z - d1,
+        J32 = s1 * p6_y + c1 * J21, v8 = p6_z - p2_z, J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x),
+        v9 = p6_z - p3_z, J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x), v10 = J21 - p4_x,
+        v11 = p6_y - p4_y, J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
+        J35 = J45 * v11 - J55 * v10, v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z,
+        J16 = v6 * v13 - v5 * v14, J36 = J46 * v13 + v5 * v12;
     J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15; J[5] = J16;
     J[6] = J21; J[7] = -(s1 * v7); J[8] = -(s1 * v8); J[9] = -(s1 * v9); J[10] = J25;
     J[11] = -(v6 * v12 + J46 * v14);
@@ -749,91 +735,111 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static float apart(float off)
+{
+    return fabsf(off - turn * floorf(off / turn + 0.5f));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const float weights[6] = { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static float off_pose(
+    const float T[16], const float x[6], float e[6], float J[36])
+{
+    float P[16], square = 0.0f;
+    ur5_f32_fk(x, P);
+    ur5_f32_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0f;
+    }
+    return sqrtf(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    float share, const int held[6], const float J[36], float e[6], float x[6])
+{
+    float A[6][12] = { { 0.0f } }, square[6] = { 0.0f };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 6; j++)
+            A[i][j] = held[j] ? 0.0f : weights[i] * J[6 * i + j];
+        A[i][6 + i] = share;
+        for (int k = 0; k < i; k++) {
+            float along = 0.0f;
+            for (int j = 0; j < 12; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 12; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 12; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 6; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const float T[16], float enough, float q[6])
 {
-    static const float weights[6] = { 0.8385681f, 0.8385681f, 0.8385681f,
-        1.0f, 1.0f, 1.0f };
-    float x[6], P[16], J[36];
-    int held[6] = { 0, 0, 0, 0, 0, 0 };
+    float x[6], J[36];
+    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        float e[6] = { 0.0f }, A[6][12], square = 0.0f;
-        ur5_f32_fk(x, P);
-        ur5_f32_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0f;
-        }
-        if (isnan(enough))
-            enough = sqrtf(square) + 1e-06f;
-        else if (sqrtf(square) <= enough) {
-            for (int i = 0; i < 6; i++)
-                if (fabsf(x[i] - q[i]) > 0.1f)
-                    return 0;
+        float e[6] = { 0.0f };
+        const float miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-06f;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5f * miss;
+        } else if (settled) {
+            break;
         }
-        const float share = sqrtf(0.1f * square + 1e-26f);
-        for (int i = 0; i < 6; i++) {
-            float *row = A[i], length = 0.0f;
-            for (int j = 0; j < 12; j++)
-                row[j] = j < 6 ? held[j] ? 0.0f : weights[i] * J[6 * i + j] : j == 6 + i ? share :
-                    0.0f;
-            for (int k = 0; k < i; k++) {
-                float along = 0.0f;
-                for (int j = 0; j < 12; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 12; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 12; j++)
-                length += row[j] * row[j];
-            length = sqrtf(length);
-            e[i] /= length;
-            for (int j = 0; j < 12; j++)
-                row[j] /= length;
-            for (int j = 0; j < 6; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
         for (int i = 0; i < 6; i++) {
             const float off = held[i] ? 0.0f : overshoot(i, x[i]);
             held[i] |= fabsf(off) > 0.0f;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1f))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
 {
     float x[6], least = HUGE_VALF;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 6; i++)
+        x[i] = seed[i] - overshoot(i, seed[i]);
     if (!settle(T, 5e-05f, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        float gap = -1.0f;
-        for (int i = 0; i < 6 && status[row] != UR5_F32_UNREACHABLE; i++) {
-            const float off = q[row][i] - x[i], whole = turn * floorf(off / turn + 0.5f);
-            gap = fmaxf(gap, fabsf(off - whole));
-        }
-        if (0.0f <= gap && gap < 0.03f)
+        float gap = status[row] == UR5_F32_UNREACHABLE ? 0.1f : 0.0f;
+        for (int i = 0; i < 6 && status[row] != UR5_F32_UNREACHABLE; i++)
+            gap = fmaxf(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.03f)
             return;
         if (gap <= least) {
             least = gap;

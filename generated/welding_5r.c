@@ -3283,16 +3283,13 @@ void welding_5r_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v1 = c1 * s2, v2 = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
-    const double y3_z = c2 * c3 - s2 * s3;
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
+        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double T12_ = v3 * c4 + x3_x * s4, T22_ = v4 * c4 + x3_y * s4,
+        x4_z = x3_z * c4 + y3_z * s4, T12_ = v3 * c4 + x3_x * s4, T22_ = v4 * c4 + x3_y * s4,
         T32_ = x3_z * s4 - y3_z * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double T11_ = x4_x * c5 + s1 * s5, T21_ = x4_y * c5 - c1 * s5, T31_ = x4_z * c5,
@@ -3312,32 +3309,24 @@ void welding_5r_jacobian(const double q[5], double J[30])
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double p1_x = c1 * a1, p1_y = s1 * a1;
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double v1 = c1 * s2, v2 = s1 * s2;
-    const double p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2, p2_z = d1 + s2 * L2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2,
+        p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2, p2_z = d1 + s2 * L2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3;
-    const double v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3;
-    const double y3_z = c2 * c3 - s2 * s3;
-    const double p3_x = p2_x + x3_x * L3, p3_y = p2_y + x3_y * L3, p3_z = p2_z + x3_z * L3;
+    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
+        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
+        p3_x = p2_x + x3_x * L3, p3_y = p2_y + x3_y * L3, p3_z = p2_z + x3_z * L3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
-        x4_z = x3_z * c4 + y3_z * s4;
-    const double J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4;
-    const double p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4;
-    const double J65 = x3_z * s4 - y3_z * c4;
+        x4_z = x3_z * c4 + y3_z * s4, J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4,
+        p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4, J65 = x3_z * s4 - y3_z * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J21 = p4_x + J45 * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez;
-    const double v5 = p4_y + J55 * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez,
-        v6 = p3_z + J65 * d5 + x4_z * c5 * ex + x4_z * s5 * ez, v7 = v6 - d1;
-    const double J32 = s1 * (v5 - p1_y) + c1 * (J21 - p1_x);
-    const double v8 = v6 - p2_z;
-    const double J33 = s1 * (v5 - p2_y) + c1 * (J21 - p2_x);
-    const double v9 = v6 - p3_z;
-    const double J34 = s1 * (v5 - p3_y) + c1 * (J21 - p3_x);
-    const double v10 = J21 - p4_x, v11 = v5 - p4_y;
-    const double J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
-        J35 = J45 * v11 - J55 * v10;
+    const double J21 = p4_x + J45 * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez,
+        v5 = p4_y + J55 * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez,
+        v6 = p3_z + J65 * d5 + x4_z * c5 * ex + x4_z * s5 * ez, v7 = v6 - d1,
+        J32 = s1 * (v5 - p1_y) + c1 * (J21 - p1_x), v8 = v6 - p2_z,
+        J33 = s1 * (v5 - p2_y) + c1 * (J21 - p2_x), v9 = v6 - p3_z,
+        J34 = s1 * (v5 - p3_y) + c1 * (J21 - p3_x), v10 = J21 - p4_x, v11 = v5 - p4_y,
+        J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9, J35 = J45 * v11 - J55 * v10;
     J[0] = -v5; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15;
     J[5] = J21; J[6] = -(s1 * v7); J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = J25;
     J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
@@ -3432,75 +3421,98 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
+{
+    return fabs(off - turn * floor(off / turn + 0.5));
+}
+
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[5], double e[6], double J[30])
+{
+    double P[16], square = 0.0;
+    welding_5r_fk(x, P);
+    welding_5r_jacobian(x, J);
+    e[0] = T[3] - P[3];
+    e[1] = T[7] - P[7];
+    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
+        e[3 + i] = P[j] * T[k] - P[k] * T[j];
+        square += (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
+        double *spin = J + 15 + j;
+        const double along = P[2] * spin[0] + P[6] * spin[5] + P[10] * spin[10];
+        for (int i = 0; i < 3; i++)
+            spin[5 * i] -= along * P[4 * i + 2];
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[5], const double J[30], double e[6], double x[5])
+{
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 5; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[5 * i + j];
+        A[i][5 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 11; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 11; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 11; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 5; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
 /* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[5])
 {
-    static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
-    double x[5], P[16], J[30];
-    int held[5] = { 0, 0, 0, 0, 0 };
+    double x[5], J[30];
+    int settled = 0, held[5] = { 0, 0, 0, 0, 0 };
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][11], square = 0.0;
-        welding_5r_fk(x, P);
-        welding_5r_jacobian(x, J);
-        e[0] = T[3] - P[3];
-        e[1] = T[7] - P[7];
-        e[2] = T[11] - P[11];
-        for (int i = 0; i < 3; i++) {
-            const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
-            e[3 + i] = P[j] * T[k] - P[k] * T[j];
-            square += (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
-            double *spin = J + 15 + j;
-            const double along = P[2] * spin[0] + P[6] * spin[5] + P[10] * spin[10];
-            for (int i = 0; i < 3; i++)
-                spin[5 * i] -= along * P[4 * i + 2];
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 5; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
             take(x, q);
-            return 1;
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
         }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 11; j++)
-                row[j] = j < 5 ? held[j] ? 0.0 : weights[i] * J[5 * i + j] : j == 5 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 11; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 11; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 11; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 11; j++)
-                row[j] /= length;
-            for (int j = 0; j < 5; j++)
-                x[j] += e[i] * row[j];
-        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         for (int i = 0; i < 5; i++) {
             const double off = held[i] ? 0.0 : overshoot(i, x[i]);
             held[i] |= fabs(off) > 0.0;
             x[i] -= off;
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
         }
     }
-    return 0;
+    return settled;
 }
 
 int welding_5r_ik(

@@ -86,17 +86,20 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define maximum_wide _mm512_max_pd
 #define minimum_wide _mm512_min_pd
 #define sqrt_wide _mm512_sqrt_pd
+#define bits_wide(m) ((unsigned)_mm512_movepi64_mask((__m512i)(m)))
 #else
 #define LANES 4
 #define pick_wide pick_four
 #define maximum_wide maximum_four
 #define minimum_wide minimum_four
 #define sqrt_wide sqrt_four
+#define bits_wide bits_four
 #endif
 #define pick_four(m, yes, no) _mm256_blendv_pd(no, yes, (__m256d)(m))
 #define maximum_four _mm256_max_pd
 #define minimum_four _mm256_min_pd
 #define sqrt_four _mm256_sqrt_pd
+#define bits_four(m) ((unsigned)_mm256_movemask_pd((__m256d)(m)))
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
@@ -184,20 +187,6 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
     *r3 = a[3];
 }
 
-HELPER unsigned bits_four(four_mask m)
-{
-    return (unsigned)_mm256_movemask_pd((four)m);
-}
-
-HELPER unsigned bits_wide(wide_mask m)
-{
-#if LANES == 8
-    return (unsigned)_mm512_movepi64_mask((__m512i)m);
-#else
-    return (unsigned)_mm256_movemask_pd((wide)m);
-#endif
-}
-
 HELPER four irregularity_four(const double T[16])
 {
     const four x = *(const four_at *)(T + 0);
@@ -274,9 +263,7 @@ void wrist_zxz_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double T13_ = s1 * s2;
-    const double y2_x = s1 * c2;
-    const double v1 = c1 * c2;
+    const double T13_ = s1 * s2, y2_x = s1 * c2, v1 = c1 * c2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double T11_ = c1 * c3 - y2_x * s3, T21_ = s1 * c3 + v1 * s3, T31_ = s2 * s3,
         T22_ = v1 * c3 - s1 * s3, T32_ = s2 * c3;
@@ -483,82 +470,105 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if it did. Damped least squares. */
-static int settle(const double T[16], double enough, double q[3])
+/* A difference of joint values but for whole turns [rad, arm sizes]. */
+static double apart(double off)
 {
-    static const double weights[6] = { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 };
-    double x[3], P[16], J[18];
-    int held[3] = { 0, 0, 0 };
-    take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
-        double e[6] = { 0.0 }, A[6][9], square = 0.0;
-        wrist_zxz_fk(x, P);
-        wrist_zxz_jacobian(x, J);
-        for (int i = 0; i < 9; i++) {
-            const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
-            e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
-            square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]); /* e is zero half a turn away, too */
-        }
-        for (int i = 0; i < 6; i++) {
-            e[i] *= weights[i];
-            square += i < 3 ? e[i] * e[i] : 0.0;
-        }
-        if (isnan(enough))
-            enough = sqrt(square) + 1e-14;
-        else if (sqrt(square) <= enough) {
-            for (int i = 0; i < 3; i++)
-                if (fabs(x[i] - q[i]) > 0.1)
-                    return 0;
-            take(x, q);
-            return 1;
-        }
-        const double share = sqrt(0.1 * square + 1e-26);
-        for (int i = 0; i < 6; i++) {
-            double *row = A[i], length = 0.0;
-            for (int j = 0; j < 9; j++)
-                row[j] = j < 3 ? held[j] ? 0.0 : weights[i] * J[3 * i + j] : j == 3 + i ? share :
-                    0.0;
-            for (int k = 0; k < i; k++) {
-                double along = 0.0;
-                for (int j = 0; j < 9; j++)
-                    along += A[k][j] * row[j];
-                for (int j = 0; j < 9; j++)
-                    row[j] -= along * A[k][j];
-                e[i] -= along * e[k];
-            }
-            for (int j = 0; j < 9; j++)
-                length += row[j] * row[j];
-            length = sqrt(length);
-            e[i] /= length;
-            for (int j = 0; j < 9; j++)
-                row[j] /= length;
-            for (int j = 0; j < 3; j++)
-                x[j] += e[i] * row[j];
-        }
-    }
-    return 0;
+    return fabs(off - turn * floor(off / turn + 0.5));
 }
 
-/* Where rounding can't tell solutions apart the arm goes on with the one that it is at: the
- * solution
- * next to the seed gets a row unless it has one, one that is left or the nearest. */
+/* What the entries of a miss count: lengths in arm sizes. */
+static const double weights[6] = { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 };
+
+/* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
+ * too. */
+static double off_pose(
+    const double T[16], const double x[3], double e[6], double J[18])
+{
+    double P[16], square = 0.0;
+    wrist_zxz_fk(x, P);
+    wrist_zxz_jacobian(x, J);
+    for (int i = 0; i < 9; i++) {
+        const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
+        e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
+        square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
+    }
+    for (int i = 0; i < 6; i++) {
+        e[i] *= weights[i];
+        square += i < 3 ? e[i] * e[i] : 0.0;
+    }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
+ * of the damping's root, are made orthogonal one after another. */
+static void add_step(
+    double share, const int held[3], const double J[18], double e[6], double x[3])
+{
+    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
+    for (int i = 0; i < 6; i++) {
+        for (int j = 0; j < 3; j++)
+            A[i][j] = held[j] ? 0.0 : weights[i] * J[3 * i + j];
+        A[i][3 + i] = share;
+        for (int k = 0; k < i; k++) {
+            double along = 0.0;
+            for (int j = 0; j < 9; j++)
+                along += A[k][j] * A[i][j] / square[k];
+            for (int j = 0; j < 9; j++)
+                A[i][j] -= along * A[k][j];
+            e[i] -= along * e[k];
+        }
+        for (int j = 0; j < 9; j++)
+            square[i] += A[i][j] * A[i][j];
+        for (int j = 0; j < 3; j++)
+            x[j] += e[i] / square[i] * A[i][j];
+    }
+}
+
+/* Takes joint values to some near them that miss the pose by no more than
+ * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double q[3])
+{
+    double x[3], J[18];
+    int settled = 0, held[3] = { 0, 0, 0 };
+    take(q, x);
+    for (int tried = 0; tried < 20; tried++) {
+        double e[6] = { 0.0 };
+        const double miss = off_pose(T, x, e, J);
+        if (isnan(enough)) {
+            enough = miss + 1e-14;
+        } else if (miss < enough) {
+            take(x, q);
+            settled = 1;
+            enough = 0.5 * miss;
+        } else if (settled) {
+            break;
+        }
+        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        for (int i = 0; i < 3; i++) {
+            if (!(apart(x[i] - q[i]) <= 0.1))
+                return settled; /* another solution */
+        }
+    }
+    return settled;
+}
+
+/* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
+ * a row unless it has one: one beside it, one that is left, or the nearest. */
 static void stay(
     const double T[16], const double seed[3], double q[2][3],
     unsigned char status[2])
 {
     double x[3], least = HUGE_VAL;
     int place = 0;
-    take(seed, x);
+    for (int i = 0; i < 3; i++)
+        x[i] = seed[i];
     if (!settle(T, 1e-12, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = -1.0;
-        for (int i = 0; i < 3 && status[row] != WRIST_ZXZ_UNREACHABLE; i++) {
-            const double off = q[row][i] - x[i], whole = turn * floor(off / turn + 0.5);
-            gap = fmax(gap, fabs(off - whole));
-        }
-        if (0.0 <= gap && gap < 0.001)
+        double gap = status[row] == WRIST_ZXZ_UNREACHABLE ? 0.1 : 0.0;
+        for (int i = 0; i < 3 && status[row] != WRIST_ZXZ_UNREACHABLE; i++)
+            gap = fmax(gap, apart(q[row][i] - x[i]));
+        if (gap < 0.001)
             return;
         if (gap <= least) {
             least = gap;

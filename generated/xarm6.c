@@ -3477,22 +3477,18 @@ void xarm6_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * s2, x2_y = s1 * s2;
-    const double y2_x = c1 * c2, y2_y = s1 * c2;
+    const double x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2, y2_y = s1 * c2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * c3 - s2 * s3;
-    const double y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3;
-    const double v1 = s2 * c3 + c2 * s3;
+        x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3,
+        v1 = s2 * c3 + c2 * s3;
     const double c4 = cos(-q[3]), s4 = sin(-q[3]);
-    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4;
-    const double v2 = v1 * c4, v3 = s1 * c4 + y3_x * s4;
-    const double y4_y = c1 * c4 - y3_y * s4, y4_z = v1 * s4;
+    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4, v2 = v1 * c4,
+        v3 = s1 * c4 + y3_x * s4, y4_y = c1 * c4 - y3_y * s4, y4_z = v1 * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x3_x * c5 + x4_x * s5, x5_y = x3_y * c5 + x4_y * s5,
-        x5_z = x3_z * c5 - v2 * s5;
-    const double y5_x = x4_x * c5 - x3_x * s5, y5_y = x4_y * c5 - x3_y * s5;
-    const double v4 = v2 * c5 + x3_z * s5;
+        x5_z = x3_z * c5 - v2 * s5, y5_x = x4_x * c5 - x3_x * s5, y5_y = x4_y * c5 - x3_y * s5,
+        v4 = v2 * c5 + x3_z * s5;
     const double c6 = cos(-q[5]), s6 = sin(-q[5]);
     const double T11_ = y5_x * c6 - v3 * s6, T21_ = y5_y * c6 + y4_y * s6,
         T31_ = y4_z * s6 - v4 * c6, T12_ = v3 * c6 + y5_x * s6,
@@ -3511,37 +3507,27 @@ void xarm6_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * s2, x2_y = s1 * s2;
-    const double y2_x = c1 * c2, y2_y = s1 * c2;
-    const double p3_x = x2_x * h2 + y2_x * b2, p3_y = x2_y * h2 + y2_y * b2,
-        p3_z = d1 + c2 * h2 - s2 * b2;
+    const double x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2, y2_y = s1 * c2,
+        p3_x = x2_x * h2 + y2_x * b2, p3_y = x2_y * h2 + y2_y * b2, p3_z = d1 + c2 * h2 - s2 * b2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
     const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * c3 - s2 * s3;
-    const double y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3;
-    const double v1 = s2 * c3 + c2 * s3;
-    const double p4_x = p3_x + y3_x * a3, p4_y = p3_y + y3_y * a3, p4_z = p3_z - v1 * a3;
+        x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3,
+        v1 = s2 * c3 + c2 * s3, p4_x = p3_x + y3_x * a3, p4_y = p3_y + y3_y * a3,
+        p4_z = p3_z - v1 * a3;
     const double c4 = cos(-q[3]), s4 = sin(-q[3]);
-    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4;
-    const double v2 = v1 * c4, v3 = s1 * c4 + y3_x * s4;
-    const double J55 = c1 * c4 - y3_y * s4, J65 = v1 * s4;
-    const double p5_x = p4_x - x3_x * d4, p5_y = p4_y - x3_y * d4, p5_z = p4_z - x3_z * d4;
+    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4, v2 = v1 * c4,
+        v3 = s1 * c4 + y3_x * s4, J55 = c1 * c4 - y3_y * s4, J65 = v1 * s4, p5_x = p4_x - x3_x * d4,
+        p5_y = p4_y - x3_y * d4, p5_z = p4_z - x3_z * d4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x3_x * c5 + x4_x * s5, x5_y = x3_y * c5 + x4_y * s5,
-        x5_z = x3_z * c5 - v2 * s5;
-    const double p6_x = p5_x + (x4_x * c5 - x3_x * s5) * a5,
-        p6_y = p5_y + (x4_y * c5 - x3_y * s5) * a5, p6_z = p5_z - (v2 * c5 + x3_z * s5) * a5;
-    const double J21 = p6_x - x5_x * d6;
-    const double v4 = p6_y - x5_y * d6, v5 = p6_z - x5_z * d6, v6 = v5 - d1;
-    const double J12 = c1 * v6, J22 = s1 * v6;
-    const double v7 = v5 - p3_z;
-    const double J13 = c1 * v7, J23 = s1 * v7;
-    const double v8 = J21 - p4_x, v9 = v4 - p4_y, v10 = v5 - p4_z;
-    const double J24 = -x3_z * v8 + x3_x * v10, J34 = x3_y * v8 - x3_x * v9;
-    const double v11 = J21 - p5_x, v12 = v4 - p5_y, v13 = v5 - p5_z;
-    const double J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 + v3 * v13;
-    const double v14 = J21 - p6_x, v15 = v4 - p6_y, v16 = v5 - p6_z;
-    const double J26 = -x5_z * v14 + x5_x * v16, J36 = x5_y * v14 - x5_x * v15;
+        x5_z = x3_z * c5 - v2 * s5, p6_x = p5_x + (x4_x * c5 - x3_x * s5) * a5,
+        p6_y = p5_y + (x4_y * c5 - x3_y * s5) * a5, p6_z = p5_z - (v2 * c5 + x3_z * s5) * a5,
+        J21 = p6_x - x5_x * d6, v4 = p6_y - x5_y * d6, v5 = p6_z - x5_z * d6, v6 = v5 - d1,
+        J12 = c1 * v6, J22 = s1 * v6, v7 = v5 - p3_z, J13 = c1 * v7, J23 = s1 * v7, v8 = J21 - p4_x,
+        v9 = v4 - p4_y, v10 = v5 - p4_z, J24 = -x3_z * v8 + x3_x * v10, J34 = x3_y * v8 - x3_x * v9,
+        v11 = J21 - p5_x, v12 = v4 - p5_y, v13 = v5 - p5_z, J15 = J55 * v13 - J65 * v12,
+        J25 = J65 * v11 + v3 * v13, v14 = J21 - p6_x, v15 = v4 - p6_y, v16 = v5 - p6_z,
+        J26 = -x5_z * v14 + x5_x * v16, J36 = x5_y * v14 - x5_x * v15;
     J[0] = -v4; J[1] = J12; J[2] = J13; J[3] = -(x3_y * v10 + -x3_z * v9); J[4] = J15;
     J[5] = -(x5_y * v16 + -x5_z * v15);
     J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;

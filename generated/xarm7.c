@@ -3250,25 +3250,21 @@ void xarm7_fk(const double q[7], double T[16])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double z2_x = c1 * s2, z2_y = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2, z2_y = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
-    const double z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
+        z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
-        x4_z = x3_z * c4 - c2 * s4;
-    const double z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
+        x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
         z4_y = x3_y * s4 - z2_y * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5;
-    const double y6_x = z3_x * c5 - x4_x * s5, y6_y = z3_y * c5 - x4_y * s5,
+        x5_z = x4_z * c5 + z3_z * s5, y6_x = z3_x * c5 - x4_x * s5, y6_y = z3_y * c5 - x4_y * s5,
         y6_z = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
     const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
-        x6_z = x5_z * c6 + z4_z * s6;
-    const double T13_ = z4_x * c6 - x5_x * s6, T23_ = z4_y * c6 - x5_y * s6,
+        x6_z = x5_z * c6 + z4_z * s6, T13_ = z4_x * c6 - x5_x * s6, T23_ = z4_y * c6 - x5_y * s6,
         T33_ = z4_z * c6 - x5_z * s6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
     const double T11_ = x6_x * c7 + y6_x * s7, T21_ = x6_y * c7 + y6_y * s7,
@@ -3290,44 +3286,34 @@ void xarm7_jacobian(const double q[7], double J[42])
     const double c1 = cos(v1), s1 = sin(v1);
     const double v2 = q[1] + offset2;
     const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2;
-    const double J43 = c1 * s2, J53 = s1 * s2;
+    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3;
-    const double J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3;
-    const double p3_x = x3_x * a3 + J43 * d3, p3_y = x3_y * a3 + J53 * d3,
-        p3_z = d1 + x3_z * a3 - c2 * d3;
-    const double J44 = x2_x * s3 - s1 * c3;
+    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
+        J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3, p3_x = x3_x * a3 + J43 * d3,
+        p3_y = x3_y * a3 + J53 * d3, p3_z = d1 + x3_z * a3 - c2 * d3, J44 = x2_x * s3 - s1 * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
     const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
-        x4_z = x3_z * c4 - c2 * s4;
-    const double J65 = c2 * c4 + x3_z * s4;
-    const double p4_x = p3_x + x4_x * a4, p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4;
-    const double J45 = x3_x * s4 - J43 * c4, J55 = x3_y * s4 - J53 * c4;
+        x4_z = x3_z * c4 - c2 * s4, J65 = c2 * c4 + x3_z * s4, p4_x = p3_x + x4_x * a4,
+        p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4, J45 = x3_x * s4 - J43 * c4,
+        J55 = x3_y * s4 - J53 * c4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
     const double x5_x = x4_x * c5 + J44 * s5, x5_y = x4_y * c5 + J54 * s5,
-        x5_z = x4_z * c5 + J64 * s5;
-    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5;
-    const double J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5;
+        x5_z = x4_z * c5 + J64 * s5, p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5,
+        p5_z = p4_z + J65 * d5, J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5,
+        J66 = x4_z * s5 - J64 * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J47 = J45 * c6 - x5_x * s6, J57 = J55 * c6 - x5_y * s6, J67 = J65 * c6 - x5_z * s6;
-    const double p6_x = p5_x + (x5_x * c6 + J45 * s6) * a6,
-        p6_y = p5_y + (x5_y * c6 + J55 * s6) * a6, p6_z = p5_z + (x5_z * c6 + J65 * s6) * a6;
-    const double J21 = p6_x + J47 * d7;
-    const double p7_y = p6_y + J57 * d7, p7_z = p6_z + J67 * d7;
-    const double v3 = p7_z - d1;
-    const double J32 = s1 * p7_y + c1 * J21, J13 = J53 * v3 + c2 * p7_y,
-        J33 = J43 * p7_y - J53 * J21;
-    const double v4 = J21 - p3_x, v5 = p7_y - p3_y, v6 = p7_z - p3_z;
-    const double J14 = J54 * v6 - J64 * v5, J24 = J64 * v4 - J44 * v6, J34 = J44 * v5 - J54 * v4;
-    const double v7 = J21 - p4_x, v8 = p7_y - p4_y, v9 = p7_z - p4_z;
-    const double J15 = J55 * v9 - J65 * v8, J25 = J65 * v7 - J45 * v9, J35 = J45 * v8 - J55 * v7;
-    const double v10 = J21 - p5_x, v11 = p7_y - p5_y, v12 = p7_z - p5_z;
-    const double J16 = J56 * v12 - J66 * v11, J26 = J66 * v10 - J46 * v12,
-        J36 = J46 * v11 - J56 * v10;
-    const double v13 = J21 - p6_x, v14 = p7_y - p6_y, v15 = p7_z - p6_z;
-    const double J17 = J57 * v15 - J67 * v14, J27 = J67 * v13 - J47 * v15,
-        J37 = J47 * v14 - J57 * v13;
+    const double J47 = J45 * c6 - x5_x * s6, J57 = J55 * c6 - x5_y * s6, J67 = J65 * c6 - x5_z * s6,
+        p6_x = p5_x + (x5_x * c6 + J45 * s6) * a6, p6_y = p5_y + (x5_y * c6 + J55 * s6) * a6,
+        p6_z = p5_z + (x5_z * c6 + J65 * s6) * a6, J21 = p6_x + J47 * d7, p7_y = p6_y + J57 * d7,
+        p7_z = p6_z + J67 * d7, v3 = p7_z - d1, J32 = s1 * p7_y + c1 * J21,
+        J13 = J53 * v3 + c2 * p7_y, J33 = J43 * p7_y - J53 * J21, v4 = J21 - p3_x, v5 = p7_y - p3_y,
+        v6 = p7_z - p3_z, J14 = J54 * v6 - J64 * v5, J24 = J64 * v4 - J44 * v6,
+        J34 = J44 * v5 - J54 * v4, v7 = J21 - p4_x, v8 = p7_y - p4_y, v9 = p7_z - p4_z,
+        J15 = J55 * v9 - J65 * v8, J25 = J65 * v7 - J45 * v9, J35 = J45 * v8 - J55 * v7,
+        v10 = J21 - p5_x, v11 = p7_y - p5_y, v12 = p7_z - p5_z, J16 = J56 * v12 - J66 * v11,
+        J26 = J66 * v10 - J46 * v12, J36 = J46 * v11 - J56 * v10, v13 = J21 - p6_x,
+        v14 = p7_y - p6_y, v15 = p7_z - p6_z, J17 = J57 * v15 - J67 * v14,
+        J27 = J67 * v13 - J47 * v15, J37 = J47 * v14 - J57 * v13;
     J[0] = -p7_y; J[1] = -(c1 * v3); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
     J[7] = J21; J[8] = -(s1 * v3); J[9] = -(c2 * J21 + J43 * v3); J[10] = J24; J[11] = J25;
     J[12] = J26; J[13] = J27;

@@ -12,8 +12,8 @@ from dhgen.targets.layout import WIDTH, wrapped
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-# Values without a name of the derivation's, and entries of a matrix.
-_NUMBERED = re.compile(r"(v|angle|packed|J|T)\d+")
+# Values without a name of the derivation's, entries of a matrix, and columns of frames.
+_NUMBERED = re.compile(r"(?:v|angle|packed|[JTpxyz])\d+")
 _COSINE_OR_SINE = re.compile(r"[cs](\d+)")
 
 
@@ -29,8 +29,10 @@ class Declaration:
     def family(self) -> tuple[str, str]:
         """What may stand in one statement: branches of a value, an angle's cosine and sine ..."""
         stem = self.name.partition("_")[0]
-        alike = _NUMBERED.fullmatch(stem) or _COSINE_OR_SINE.fullmatch(stem)
-        return self.kind, alike[1] if alike else stem
+        if _NUMBERED.fullmatch(stem):
+            return self.kind, ""
+        angle = _COSINE_OR_SINE.fullmatch(stem)
+        return self.kind, angle[1] if angle else stem
 
 
 def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:

@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
-MOVED = 0.1  # [rad or length] joints that move by more lead to another solution
+MOVED = 0.1  # [rad, arm sizes] joints that move by more lead to another solution
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
 def standing(module: SolverModule) -> dict[str, object]:
     """Whether joints are put on limits and follow the seed, and what a pose is missed by."""
     chain, rows = module.chain, module.position_entries
-    length = repr(1.0 / chain.size)
+    length = f"{1.0 / chain.size:#.4g}"  # a scale: more digits tell nothing
     turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
     given = [joint.number in chain.free for joint in chain.joints]
     return {
@@ -36,6 +36,7 @@ def standing(module: SolverModule) -> dict[str, object]:
         "together": repr(max(TOGETHER, BEYOND_TOLD * module.precision.tolerances.told)),
         "doubts_limits": stands_on_limits(module) and module.precision.tolerances.blur_limits,
         "coordinates": position_rows(rows),
+        "per_length": length,
         "miss_weights": ", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         "given_flags": ", ".join(str(int(each)) for each in given),
         "given_truths": ", ".join(str(each) for each in given),
