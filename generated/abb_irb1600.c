@@ -109,7 +109,6 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
@@ -175,6 +174,8 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
+
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -816,16 +817,18 @@ static double off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+    double share, const double pace[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             double along = 0.0;
             for (int j = 0; j < 12; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -836,7 +839,7 @@ static void add_step(
         for (int j = 0; j < 12; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -844,8 +847,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    double x[6], J[36];
-    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         double e[6] = { 0.0 };
@@ -859,7 +862,7 @@ static int settle(const double T[16], double enough, double q[6])
         } else if (settled) {
             break;
         }
-        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -882,7 +885,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double gap = status[row] == ABB_IRB1600_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6 && status[row] != ABB_IRB1600_UNREACHABLE; i++)
+        for (int i = 0; i < 6; i++) /* NaN is no gap */
             gap = fmax(gap, apart(q[row][i] - x[i]));
         if (gap < 0.001)
             return;
@@ -902,7 +905,9 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 6; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;

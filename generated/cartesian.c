@@ -86,7 +86,6 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
@@ -149,6 +148,8 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
+
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -358,7 +359,9 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3],
     const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 3; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 1; row++) {
         status[row] = valid ? CARTESIAN_UNREACHABLE : CARTESIAN_INVALID_POSE;
         for (int i = 0; i < 3; i++)

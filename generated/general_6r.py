@@ -450,7 +450,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_6r d44fdb7c821e3780"
+_KEY = "general_6r 5bc8fb5b03c9ca61"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2231,7 +2231,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated nowhere. numba compiles
+    Memory is allocated at every pose. numba compiles
     once more for arrays of another type or layout.
 
     Args:

@@ -378,7 +378,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n d977ef6ef70b3ca8"
+_KEY = "kawasaki_rs007n b5005bf1c11abd61"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -787,13 +787,14 @@ def _choose(pose, seed, q, status):
             q[row, i] = rows[row, i]
 
 
-_GIVEN = np.array([False, False, False, False, False, False])  # joints whose values the caller gives
+# What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
+_PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, held, A):
+def _miss(T, q, pace, A):
     """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
 
     The former is zero half a turn away, too.
@@ -809,26 +810,26 @@ def _miss(T, q, held, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = 0.0 if held[j] else _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, q):
+def _add_step(A, e, miss, pace, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt): the product A A' would lose half of the digits.
+    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
             rows[i, j] = A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
-        for k in range(i):
-            along = 0.0
+        for n in range(2 * i):
+            k, along = n % i, 0.0
             for j in range(12):
                 along += rows[k, j] * rows[i, j] / square[k]
             for j in range(12):
@@ -837,7 +838,7 @@ def _add_step(A, e, miss, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j]
+            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
 
 
 @_inner
@@ -853,9 +854,9 @@ def _settled(T, enough, q):
     If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
     they gain.
     """
-    held, A, x, settled = _GIVEN.copy(), np.empty((6, 6)), q.copy(), False
+    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
     for _ in range(20):
-        e, miss = _miss(T, x, held, A)
+        e, miss = _miss(T, x, pace, A)
         if math.isnan(enough):
             enough = miss + 1e-14
         elif miss < enough:
@@ -864,10 +865,11 @@ def _settled(T, enough, q):
             enough = 0.5 * miss
         elif settled:
             return True
-        _add_step(A, e, miss, x)
+        _add_step(A, e, miss, pace, x)
         for j in range(6):
-            off = 0.0 if held[j] else _overshoot(j, x[j])
-            held[j] = held[j] or off != 0.0
+            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            if off != 0.0:
+                pace[j] = 0.0
             x[j] -= off
         for j in range(6):
             if not _moved_by(x[j] - q[j]) <= 0.1:

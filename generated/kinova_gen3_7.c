@@ -3560,16 +3560,18 @@ static double off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    double share, const int held[7], const double J[42], double e[6], double x[7])
+    double share, const double pace[7], const double J[42], double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
-            A[i][j] = held[j] ? 0.0 : weights[i] * J[7 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[7 * i + j];
         A[i][7 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             double along = 0.0;
             for (int j = 0; j < 13; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -3580,7 +3582,7 @@ static void add_step(
         for (int j = 0; j < 13; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 7; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -3588,8 +3590,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[7])
 {
-    double x[7], J[42];
-    int settled = 0, held[7] = { 0, 0, 1, 0, 0, 0, 0 };
+    double x[7], J[42], pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         double e[6] = { 0.0 };
@@ -3603,10 +3605,11 @@ static int settle(const double T[16], double enough, double q[7])
         } else if (settled) {
             break;
         }
-        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 7; i++) {
-            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
-            held[i] |= fabs(off) > 0.0;
+            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            if (fabs(off) > 0.0)
+                pace[i] = 0.0;
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -3622,7 +3625,9 @@ int kinova_gen3_7_ik(
     const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    for (int i = 0; i < 7; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? KINOVA_GEN3_7_UNREACHABLE : KINOVA_GEN3_7_INVALID_POSE;
         for (int i = 0; i < 7; i++)

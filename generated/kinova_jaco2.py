@@ -354,7 +354,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 d64ce309aa5ab07e"
+_KEY = "kinova_jaco2 e7720bb4d596aae6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2137,7 +2137,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated nowhere. numba compiles
+    Memory is allocated at every pose. numba compiles
     once more for arrays of another type or layout.
 
     Args:

@@ -109,7 +109,6 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
@@ -1078,16 +1077,18 @@ static double off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    double share, const int held[7], const double J[42], double e[6], double x[7])
+    double share, const double pace[7], const double J[42], double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
-            A[i][j] = held[j] ? 0.0 : weights[i] * J[7 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[7 * i + j];
         A[i][7 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             double along = 0.0;
             for (int j = 0; j < 13; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -1098,7 +1099,7 @@ static void add_step(
         for (int j = 0; j < 13; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 7; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -1106,8 +1107,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[7])
 {
-    double x[7], J[42];
-    int settled = 0, held[7] = { 0, 0, 1, 0, 0, 0, 0 };
+    double x[7], J[42], pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         double e[6] = { 0.0 };
@@ -1121,10 +1122,11 @@ static int settle(const double T[16], double enough, double q[7])
         } else if (settled) {
             break;
         }
-        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 7; i++) {
-            const double off = held[i] ? 0.0 : overshoot(i, x[i]);
-            held[i] |= fabs(off) > 0.0;
+            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            if (fabs(off) > 0.0)
+                pace[i] = 0.0;
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -1148,7 +1150,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double gap = status[row] == KUKA_IIWA14_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 7 && status[row] != KUKA_IIWA14_UNREACHABLE; i++)
+        for (int i = 0; i < 7; i++) /* NaN is no gap */
             gap = fmax(gap, apart(q[row][i] - x[i]));
         if (gap < 0.001)
             return;
@@ -1169,7 +1171,9 @@ APART int ik_carefully(
     const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    for (int i = 0; i < 7; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     if (valid == 2 && (count = solve_regular(pose, free_joints, q, status)) >= 0)
         return count;
     count = 0;

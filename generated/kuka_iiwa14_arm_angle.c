@@ -111,7 +111,6 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
@@ -1049,7 +1048,9 @@ APART int ik_carefully(
     const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    for (int i = 0; i < 7; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     if (valid == 2 && (count = solve_regular(pose, free_joints, q, status)) >= 0)
         return count;
     count = 0;

@@ -3433,7 +3433,9 @@ int manseur_doty_ik(
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 6; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? MANSEUR_DOTY_UNREACHABLE : MANSEUR_DOTY_INVALID_POSE;
         for (int i = 0; i < 6; i++)

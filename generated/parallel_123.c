@@ -1142,16 +1142,18 @@ static double off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+    double share, const double pace[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0 : weights[i] * J[6 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             double along = 0.0;
             for (int j = 0; j < 12; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -1162,7 +1164,7 @@ static void add_step(
         for (int j = 0; j < 12; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -1170,8 +1172,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[6])
 {
-    double x[6], J[36];
-    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         double e[6] = { 0.0 };
@@ -1185,7 +1187,7 @@ static int settle(const double T[16], double enough, double q[6])
         } else if (settled) {
             break;
         }
-        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -1208,7 +1210,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double gap = status[row] == PARALLEL_123_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6 && status[row] != PARALLEL_123_UNREACHABLE; i++)
+        for (int i = 0; i < 6; i++) /* NaN is no gap */
             gap = fmax(gap, apart(q[row][i] - x[i]));
         if (gap < 0.001)
             return;
@@ -1227,7 +1229,9 @@ int parallel_123_ik(
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 6; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 8; row++) {
         status[row] = valid ? PARALLEL_123_UNREACHABLE : PARALLEL_123_INVALID_POSE;
         for (int i = 0; i < 6; i++)

@@ -3564,7 +3564,9 @@ int puma560_calibrated_ik(
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 6; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? PUMA560_CALIBRATED_UNREACHABLE : PUMA560_CALIBRATED_INVALID_POSE;
         for (int i = 0; i < 6; i++)

@@ -655,16 +655,18 @@ static float off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    float share, const int held[6], const float J[36], float e[6], float x[6])
+    float share, const float pace[6], const float J[36], float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = held[j] ? 0.0f : weights[i] * J[6 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             float along = 0.0f;
             for (int j = 0; j < 12; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -675,7 +677,7 @@ static void add_step(
         for (int j = 0; j < 12; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 6; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -683,8 +685,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const float T[16], float enough, float q[6])
 {
-    float x[6], J[36];
-    int settled = 0, held[6] = { 0, 0, 0, 0, 0, 0 };
+    float x[6], J[36], pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         float e[6] = { 0.0f };
@@ -698,10 +700,11 @@ static int settle(const float T[16], float enough, float q[6])
         } else if (settled) {
             break;
         }
-        add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
+        add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const float off = held[i] ? 0.0f : overshoot(i, x[i]);
-            held[i] |= fabsf(off) > 0.0f;
+            const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
+            if (fabsf(off) > 0.0f)
+                pace[i] = 0.0f;
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1f))
                 return settled; /* another solution */
@@ -724,7 +727,7 @@ static void stay(
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float gap = status[row] == PUMA560_F32_UNREACHABLE ? 0.1f : 0.0f;
-        for (int i = 0; i < 6 && status[row] != PUMA560_F32_UNREACHABLE; i++)
+        for (int i = 0; i < 6; i++) /* NaN is no gap */
             gap = fmaxf(gap, apart(q[row][i] - x[i]));
         if (gap < 0.03f)
             return;
@@ -744,7 +747,9 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     const float zeros[6] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 6; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;

@@ -548,16 +548,18 @@ static float off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    float share, const int held[4], const float J[24], float e[6], float x[4])
+    float share, const float pace[4], const float J[24], float e[6], float x[4])
 {
     float A[6][10] = { { 0.0f } }, square[6] = { 0.0f };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
-            A[i][j] = held[j] ? 0.0f : weights[i] * J[4 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[4 * i + j];
         A[i][4 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             float along = 0.0f;
             for (int j = 0; j < 10; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -568,7 +570,7 @@ static void add_step(
         for (int j = 0; j < 10; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 4; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -576,8 +578,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const float T[16], float enough, float q[4])
 {
-    float x[4], J[24];
-    int settled = 0, held[4] = { 0, 0, 0, 0 };
+    float x[4], J[24], pace[4] = { 1.0f, 1.0f, 0.8f, 1.0f }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         float e[6] = { 0.0f };
@@ -591,10 +593,11 @@ static int settle(const float T[16], float enough, float q[4])
         } else if (settled) {
             break;
         }
-        add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
+        add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 4; i++) {
-            const float off = held[i] ? 0.0f : overshoot(i, x[i]);
-            held[i] |= fabsf(off) > 0.0f;
+            const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
+            if (fabsf(off) > 0.0f)
+                pace[i] = 0.0f;
             x[i] -= off;
             if (!(apart(i, x[i] - q[i]) <= 0.1f))
                 return settled; /* another solution */
@@ -617,7 +620,7 @@ static void stay(
         return;
     for (int row = 2 - 1; row >= 0; row--) {
         float gap = status[row] == SCARA_F32_UNREACHABLE ? 0.1f : 0.0f;
-        for (int i = 0; i < 4 && status[row] != SCARA_F32_UNREACHABLE; i++)
+        for (int i = 0; i < 4; i++) /* NaN is no gap */
             gap = fmaxf(gap, apart(i, q[row][i] - x[i]));
         if (gap < 0.03f)
             return;
@@ -637,7 +640,9 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
     const float zeros[4] = { 0.0f }, *seed = q_seed ? q_seed : zeros;
     float pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 4; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     if (valid == 2 && (count = solve_regular(pose, q, status)) >= 0)
         return count;
     count = 0;

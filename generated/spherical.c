@@ -87,7 +87,6 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define where_four(truth) ((four_mask)_mm256_set1_epi64x(-(long long)(truth)))
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
-typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
@@ -150,6 +149,8 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
+
+typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
 {
@@ -479,16 +480,18 @@ static double off_pose(
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another. */
+ * of the damping's root, are made orthogonal one after another, twice: beside singular places
+ * rounding would make the step miss otherwise. */
 static void add_step(
-    double share, const int held[3], const double J[18], double e[6], double x[3])
+    double share, const double pace[3], const double J[18], double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
-            A[i][j] = held[j] ? 0.0 : weights[i] * J[3 * i + j];
+            A[i][j] = pace[j] * weights[i] * J[3 * i + j];
         A[i][3 + i] = share;
-        for (int k = 0; k < i; k++) {
+        for (int n = 0; n < 2 * i; n++) {
+            const int k = n % i;
             double along = 0.0;
             for (int j = 0; j < 9; j++)
                 along += A[k][j] * A[i][j] / square[k];
@@ -499,7 +502,7 @@ static void add_step(
         for (int j = 0; j < 9; j++)
             square[i] += A[i][j] * A[i][j];
         for (int j = 0; j < 3; j++)
-            x[j] += e[i] / square[i] * A[i][j];
+            x[j] += e[i] / square[i] * A[i][j] * pace[j];
     }
 }
 
@@ -507,8 +510,8 @@ static void add_step(
  * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
 static int settle(const double T[16], double enough, double q[3])
 {
-    double x[3], J[18];
-    int settled = 0, held[3] = { 0, 0, 0 };
+    double x[3], J[18], pace[3] = { 1.0, 1.0, 0.5000 }; /* 0 holds */
+    int settled = 0;
     take(q, x);
     for (int tried = 0; tried < 20; tried++) {
         double e[6] = { 0.0 };
@@ -522,7 +525,7 @@ static int settle(const double T[16], double enough, double q[3])
         } else if (settled) {
             break;
         }
-        add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 3; i++) {
             if (!(apart(i, x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -545,7 +548,7 @@ static void stay(
         return;
     for (int row = 4 - 1; row >= 0; row--) {
         double gap = status[row] == SPHERICAL_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 3 && status[row] != SPHERICAL_UNREACHABLE; i++)
+        for (int i = 0; i < 3; i++) /* NaN is no gap */
             gap = fmax(gap, apart(i, q[row][i] - x[i]));
         if (gap < 0.001)
             return;
@@ -565,7 +568,9 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[4][3],
     const double zeros[3] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 3; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 4; row++) {
         status[row] = valid ? SPHERICAL_UNREACHABLE : SPHERICAL_INVALID_POSE;
         for (int i = 0; i < 3; i++)

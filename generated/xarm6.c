@@ -3624,7 +3624,9 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
     const double zeros[6] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = read_pose(T, pose);
+    int valid = read_pose(T, pose);
+    for (int i = 0; i < 6; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? XARM6_UNREACHABLE : XARM6_INVALID_POSE;
         for (int i = 0; i < 6; i++)

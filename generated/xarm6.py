@@ -324,7 +324,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 7619331b17d2cde9"
+_KEY = "xarm6 fb5e868f950ae379"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2303,7 +2303,7 @@ def _unseeded(T, q, status):
 def ik_into(T, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated nowhere. numba compiles
+    Memory is allocated at every pose. numba compiles
     once more for arrays of another type or layout.
 
     Args:

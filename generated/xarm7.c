@@ -3413,7 +3413,9 @@ int xarm7_ik(
     const double zeros[7] = { 0.0 }, *seed = q_seed ? q_seed : zeros;
     double pose[16];
     int count = 0;
-    const int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    int valid = isfinite(free_joints[0]) ? read_pose(T, pose) : 0;
+    for (int i = 0; i < 7; i++)
+        valid = isfinite(seed[i]) ? valid : 0;
     for (int row = 0; row < 16; row++) {
         status[row] = valid ? XARM7_UNREACHABLE : XARM7_INVALID_POSE;
         for (int i = 0; i < 7; i++)

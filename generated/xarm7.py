@@ -363,7 +363,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 3db6dbf99c0a844e"
+_KEY = "xarm7 c607a5ad439b2109"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2161,7 +2161,7 @@ def _unseeded(T, q_free, q, status):
 def ik_into(T, q_free, q, status, q_seed=None):
     """All solutions into the caller's arrays, for control loops and for other numba functions.
 
-    Memory is allocated nowhere. numba compiles
+    Memory is allocated at every pose. numba compiles
     once more for arrays of another type or layout.
 
     Args:

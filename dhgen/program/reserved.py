@@ -23,7 +23,8 @@ named nearest off outer reached read_pose repeats result right serves sum tighte
 search served square start step straighten summit third towards valid value way why x xx xy y yy z
 zz zeros exact exactly beyond_limits choosable fan_step gap hopeless inside keep_limits over
 overshoot shortfall within begun fault seek take settle P e p s w weights tried held slope
-A add_step apart off_pose place settled share stay along spin part to bend rest other d u any next steps
+A add_step apart off_pose pace place settled share stay along spin part to bend rest other d u any
+next steps
 """
 
 _LANES = """

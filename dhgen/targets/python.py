@@ -188,6 +188,8 @@ def _missed_entries(module: SolverModule) -> list[dict[str, object]]:
 
 def _allocates(module: SolverModule) -> str:
     """Where memory is allocated."""
+    if regular_solver(module) is None:
+        return "at every pose"
     if module.solver.tightened is not None or settles(module):
         return "only where a pose is singular or rounded"
     if searches(module):

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import DAMPING, FINE, TOGETHER
 from dhgen.numerical.texts import given_places, position_rows
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.walk import whole_arm
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain, ChainJoint
     from dhgen.targets.module import SolverModule
 
 ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
@@ -27,7 +28,6 @@ def standing(module: SolverModule) -> dict[str, object]:
     chain, rows = module.chain, module.position_entries
     length = f"{1.0 / chain.size:#.4g}"  # a scale: more digits tell nothing
     turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
-    given = [joint.number in chain.free for joint in chain.joints]
     return {
         "stands_on_limits": stands_on_limits(module),
         "stays": stays(module),
@@ -38,8 +38,7 @@ def standing(module: SolverModule) -> dict[str, object]:
         "coordinates": position_rows(rows),
         "per_length": length,
         "miss_weights": ", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
-        "given_flags": ", ".join(str(int(each)) for each in given),
-        "given_truths": ", ".join(str(each) for each in given),
+        "paces": ", ".join(_pace(joint, chain) for joint in chain.joints),
         "spin": 3 * chain.dof,
         "twice": 2 * chain.dof,
         "rounds": ROUNDS,
@@ -48,6 +47,13 @@ def standing(module: SolverModule) -> dict[str, object]:
         "fine": repr(FINE),
         "most_moved": MOVED,
     }
+
+
+def _pace(joint: ChainJoint, chain: Chain) -> str:
+    """What a step of one means for a joint: 1 rad, the arm's size, or nothing if it is given."""
+    if joint.number in chain.free:
+        return "0.0"
+    return "1.0" if joint.kind is JointKind.REVOLUTE else f"{chain.size:#.4g}"
 
 
 def stands_on_limits(module: SolverModule) -> bool:

@@ -1,0 +1,132 @@
+"""The solution next to the seed stands among the rows, and takes the place of no better one.
+
+Beside a singular pose rounding of the pose says little about some joints: the seed says where they
+are. It may be beyond a limit, its lengths may be in any unit, and single precision may be coarse.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.compiler import compile_robot
+from dhgen.robot.robot import JointKind
+from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.targets.calling import (
+    FREE_JOINT,
+    HELD,
+    INVALID_POSE,
+    LANGUAGES,
+    OK,
+    OUT_OF_LIMITS,
+    Solver,
+)
+from tests.targets.made import ROBOTS, folder, made, poses_of, robot
+
+if TYPE_CHECKING:
+    from dhgen.survey.oracle.arm import FloatArray
+
+SLACK = 1.001e-9
+WRIST = (3, 4, 5)  # the joints, from 0, of arms with a wrist
+LIMITED = {"abb_irb120": 3, "hard_wrist": 3, "hard_stops": 3}  # a joint that a straight wrist frees
+SLIDING = "prismatic_2_wrist"
+IN_METRES = "d1: 0.3, a1: 0.1, a2: 0.15, d3: 0.1, a3: 0.08, d4: 0.43, d6: 0.08"
+IN_MILLIMETRES = "d1: 300, a1: 100, a2: 150, d3: 100, a3: 80, d4: 430, d6: 80"
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", LIMITED)
+@pytest.mark.parametrize("off", [0.0, 1e-12, 1e-10])
+def test_a_seed_beyond_a_limit_ends_no_row_inside(name: str, language: str, off: float) -> None:
+    """It meets the pose, as joints inside the limits do; those are the solution."""
+    solver, source = Solver(name, language), np.random.default_rng(15)
+    limits = [joint.limits or (-1.0, 1.0) for joint in robot(name).joints]
+    low, high = np.array(limits, dtype=float).T
+    for _ in range(12):
+        q = 0.5 * (low + high) + 0.3 * (high - low) * source.uniform(-1.0, 1.0, len(low))
+        q[LIMITED[name]], q[4] = high[LIMITED[name]] - 0.02, off
+        seed, turn = q.copy(), 0.02 + source.uniform(0.001, 0.02)
+        seed[list(WRIST)] += (turn, 0.0, -turn)
+        T = poses_of(name, q[None])[0]
+        _, status = solver.all(T, seed)
+        assert np.isin(status, (OK, FREE_JOINT)).any()
+        assert (status == OUT_OF_LIMITS).sum() <= (solver.all(T, q)[1] == OUT_OF_LIMITS).sum()
+        result, found = solver.nearest(T, seed)
+        assert result in {OK, FREE_JOINT}
+        assert ((low - SLACK <= found) & (found <= high + SLACK)).all()
+        assert np.abs(found - seed).max() < 0.1
+
+
+@cache
+def in_millimetres() -> CompiledSolver:
+    text = (ROBOTS / f"{SLIDING}.yaml").read_text(encoding="utf-8")
+    path = folder() / f"{SLIDING}_mm.yaml"
+    told = text.replace(IN_METRES, IN_MILLIMETRES).replace(f"name: {SLIDING}", f"name: {path.stem}")
+    assert IN_MILLIMETRES in told
+    assert path.stem in told
+    path.write_text(told.replace("length: m", "length: mm"), encoding="utf-8")
+    compilation = compile_robot(path)
+    for file, content in compilation.files.items():
+        (folder() / file).write_text(content, encoding="utf-8")
+    rows = compilation.module.solver.rows
+    solver = compile_solver(folder() / f"{path.stem}.c", folder(), path.stem, 6, rows, 0)
+    assert solver is not None, "the tests need a C compiler"
+    return solver
+
+
+def test_the_unit_of_slides_does_not_count() -> None:
+    """Rows closer than 1e-3 to what the seed settles on are left: from there to it is no more."""
+    source = np.random.default_rng(3)
+    scale = np.array([1.0 if j.kind is JointKind.REVOLUTE else 1e3 for j in robot(SLIDING).joints])
+    for _ in range(60):
+        q = source.uniform(-1.0, 1.0, 6)
+        q[4] = 10.0 ** -source.integers(10, 13)
+        seed = q + source.uniform(-0.02, 0.02, 6)
+        T = poses_of(SLIDING, q[None])[0]
+        in_mm = T.copy()
+        in_mm[:3, 3] *= 1e3
+        _, found = Solver(SLIDING, "C").nearest(T, seed)
+        other = in_millimetres().nearest(in_mm, seed * scale) / scale
+        np.testing.assert_allclose(other, found, rtol=0.0, atol=3e-3)
+        assert np.abs(found - seed).max() < 0.03
+
+
+@pytest.mark.parametrize("near", [3e-5, 1e-4, 1e-3])
+def test_single_precision_is_not_left_at_what_is_enough(near: float) -> None:
+    """There a pose may be missed by 5e-5; joint values of the seed's often do."""
+    name, source = "puma560", np.random.default_rng(4)
+    single = made(name).single
+    assert single is not None
+    solver = compile_solver(folder() / f"{single.name}.c", folder(), single.name, 6, 8, 0)
+    assert solver is not None, "the tests need a C compiler"
+    missed: list[FloatArray] = []
+    for _ in range(150):
+        q = source.uniform(-1.0, 1.0, 6)
+        q[4] = near
+        seed = q + source.uniform(-0.08, 0.08, 6) * np.array([0, 0, 0, 1, 0, 1])
+        (T,) = poses_of(name, q[None])
+        rows, status = np.empty((8, 6), np.float32), np.empty(8, np.uint8)
+        arrays = (T.astype(np.float32), seed.astype(np.float32), rows, status)
+        pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)
+        solver.library[f"{single.name}_ik"](*pointers)
+        held = rows[np.isin(status, HELD)].astype(float)
+        missed.append(np.abs(poses_of(name, held) - T).max(axis=(1, 2)))
+    assert np.quantile(np.concatenate(missed), 0.99) < 1e-6
+
+
+@pytest.mark.parametrize("name", ["puma560", "prismatic_2_wrist"])
+def test_a_seed_that_is_not_finite_is_none(name: str) -> None:
+    """C says so where the pose asks for a seed; Python raises."""
+    q = np.array([0.1, 0.2, 0.3, 0.4, 0.0, 0.6])
+    seed = q.copy()
+    seed[3] = np.nan
+    (T,) = poses_of(name, q[None])
+    rows, status = Solver(name, "C").all(T, seed)
+    assert (status == INVALID_POSE).all()
+    assert np.isnan(rows).all()
+    with pytest.raises(ValueError, match="q_seed must be finite"):
+        Solver(name, "Python").all(T, seed)
