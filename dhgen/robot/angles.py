@@ -82,12 +82,16 @@ def snap_notice(value: float, exact: float, meant: Expression) -> str | None:
     return f"is {distance:.1e} away from {to_text(meant)} and taken as {to_text(meant)}"
 
 
-def turns_notice(value: float) -> str | None:
-    """What the user is told about radians that look like degrees; None for NaN, too."""
-    if not MOST_TURNS * 2.0 * math.pi < abs(value) < math.inf:
-        return None
-    turns = abs(value) / (2.0 * math.pi)
-    return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
+def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
+    """What the user is told about an angle in radians that looks like one in the other unit.
+
+    Args:
+        value: The angle in radians; nothing is told of NaN.
+        unit: How the file says it: see `slip_notice`.
+    """
+    if unit == "pi":
+        return _turns_notice(value)
+    return None if unit else _radians_notice(math.degrees(value))
 
 
 def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -> str | None:
@@ -103,9 +107,7 @@ def slip_notice(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -
     """
     if not math.isfinite(value):
         return None
-    if unit == "pi" and (notice := turns_notice(value)):
-        return notice
-    if not unit and (notice := _radians_notice(math.degrees(value))):
+    if notice := unit_notice(value, unit):
         return notice
     quarters, distance = _quarters(value)
     if not SNAP < distance <= SLIP:
@@ -124,8 +126,18 @@ def _multiple(quarters: int, unit: str) -> str:
     return to_text(exact_angle(6 * quarters)) if unit == "pi" else f"{90 * quarters} {unit}".strip()
 
 
+def _turns_notice(value: float) -> str | None:
+    """What the user is told about radians that look like degrees."""
+    if not MOST_TURNS * 2.0 * math.pi < abs(value) < math.inf:
+        return None
+    turns = abs(value) / (2.0 * math.pi)
+    return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
+
+
 def _radians_notice(degrees: float) -> str | None:
     """What the user is told about degrees that look like radians."""
+    if not math.isfinite(degrees):
+        return None
     quarters, distance = _quarters(degrees)
     if not 0 < abs(quarters) <= MOST_QUARTERS or distance > ROUGH:
         return None

@@ -15,8 +15,8 @@ from dhgen.robot.angles import (
     exact_cosine,
     slip_notice,
     snap_notice,
-    turns_notice,
     twelfths,
+    unit_notice,
 )
 from dhgen.robot.arithmetic import parse
 from dhgen.robot.expression import (
@@ -27,6 +27,7 @@ from dhgen.robot.expression import (
     Expression,
     Name,
     Negate,
+    Number,
     Pi,
     evaluate,
 )
@@ -53,6 +54,7 @@ class Cells:
         self.degrees = False
         self._values: dict[str, float] = {INVALID.name: math.nan}
         self._angles: set[str] = set()
+        self._in_degrees: set[str] = set()
         self._later: dict[str, str] = {}
         self._circles: set[frozenset[str]] = set()
 
@@ -67,6 +69,8 @@ class Cells:
             self._values[name] = value
         if self._speaks_of_pi(expression):
             self._angles.add(name)
+        if self._is_in_degrees(expression):
+            self._in_degrees.add(name)
         return value
 
     def value(self, expression: Expression) -> float:
@@ -125,16 +129,29 @@ class Cells:
             return expression
         return Binary("*", expression, DEGREE)
 
-    def note_turns(self, path: Path, text: str, expression: Expression) -> bool:
-        """Whether a plain number of radians looks like degrees, of which there is a notice then."""
-        if self._speaks_of_pi(expression):
+    def note_unit(self, path: Path, text: str, angle: Expression) -> bool:
+        """Whether an angle as written looks like the other unit, of which there is a notice then.
+
+        Only one that is a plain number does: what speaks of pi says its unit itself.
+        """
+        if self._speaks_of_pi(angle):
             return False
-        if notice := turns_notice(self.value(expression)):
+        notice = unit_notice(self.value(self.radians(angle)), "" if self.degrees else "pi")
+        if notice:
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return notice is not None
 
+    def refuse_degrees(self, path: Path, text: str, expression: Expression) -> None:
+        """Report a length that is an angle."""
+        if self._is_in_degrees(expression):
+            message = (
+                "is an angle, and a length belongs here: leave out deg, or take its sin or cos"
+            )
+            self.report.error(path, f"{quoted(text.strip())} {message}")
+
     def snap_length(self, path: Path, text: str, expression: Expression) -> Expression:
         """The exact form of a length."""
+        self.refuse_degrees(path, text, expression)
         value = self.value(expression)
         if abs(value) > LARGEST_LENGTH:
             self.report.error(path, f"the length {value:.6g} is beyond {LARGEST_LENGTH:.0e}")
@@ -186,6 +203,23 @@ class Cells:
                 return self._speaks_of_pi(left) or self._speaks_of_pi(right)
             case _:
                 return False  # the argument of a sine says nothing about what the sine measures
+
+    def _is_in_degrees(self, expression: Expression) -> bool:
+        """Whether it is so many degrees, or a sum with some.
+
+        Products of more than that may be lengths of arcs, and quotients of two angles are ratios.
+        """
+        match expression:
+            case Name(name):
+                return name in self._in_degrees
+            case Negate(operand):
+                return self._is_in_degrees(operand)
+            case Binary("+" | "-", left, right):
+                return self._is_in_degrees(left) or self._is_in_degrees(right)
+            case Binary("*", Number() | Negate(Number()), factor):
+                return factor == DEGREE
+            case _:
+                return expression == DEGREE
 
 
 def _variable(text: str) -> str:

@@ -90,9 +90,12 @@ def _limits(
         return None
     ends: list[Expression] = [cells.parse((*path, i), cell) for i, cell in enumerate(entry)]
     if kind is JointKind.REVOLUTE:
-        ends = [cells.radians(end) for end in ends]
         # Of both ends one is told of: they are mended together.
-        any(cells.note_turns((*path, i), entry[i], end) for i, end in enumerate(ends))
+        any(cells.note_unit((*path, i), entry[i], end) for i, end in enumerate(ends))
+        ends = [cells.radians(end) for end in ends]
+    else:
+        for i, end in enumerate(ends):
+            cells.refuse_degrees((*path, i), entry[i], end)
     low, high = (cells.value(end) for end in ends)
     if low >= high:
         cells.report.error(path, f"the lower limit {low:.6g} is not below the upper one {high:.6g}")

@@ -14,6 +14,7 @@ from ruamel.yaml.events import (
     CollectionStartEvent,
     DocumentStartEvent,
     ScalarEvent,
+    SequenceStartEvent,
 )
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
@@ -35,6 +36,10 @@ _FORBIDDEN = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufeff]"
 )
 _NULL = "tag:yaml.org,2002:null"
+_LIST = (
+    "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
+    "JSON are for 'dhgen survey'"
+)
 
 
 _Pairs = dict[str, tuple[ScalarNode, Node]]
@@ -149,6 +154,8 @@ def _check_events(source: SourceText) -> None:
             message = f"nested more than {MAX_DEPTH} deep"
         elif documents > 1:
             message = "a robot file holds one document; give each robot its own file"
+        elif depth == 1 and isinstance(event, SequenceStartEvent):
+            message = _LIST
         if message:
             width = event.end_mark.index - event.start_mark.index
             raise RobotFileError((source.point(Span(event.start_mark.index, width), message),))
@@ -177,7 +184,9 @@ def _syntax_error(source: SourceText, error: MarkedYAMLError) -> Diagnostic:
     mark = cast("StreamMark | None", error.problem_mark or error.context_mark)
     context = f" {error.context}" if error.context else ""
     place = Span(min(mark.index, end) if mark else 0)
-    message = f"this is no YAML: {error.problem or 'unreadable'}{context}{_tabs(source, place)}"
+    problem = error.problem or "unreadable"
+    hint = _tabs(source, place) or _second_colon(source, place, problem)
+    message = f"this is no YAML: {problem}{context}{hint}"
     return source.point(place, " ".join(message.split()))
 
 
@@ -186,6 +195,17 @@ def _tabs(source: SourceText, place: Span) -> str:
     line = source.lines[source.number(place)]
     indent = line[: len(line) - len(line.lstrip())]
     return "; YAML wants spaces at the beginning of a line, not tabs" if "\t" in indent else ""
+
+
+def _second_colon(source: SourceText, place: Span, problem: str) -> str:
+    """The end of a message about a second colon in a line, where YAML expects none."""
+    number = source.number(place)
+    before = source.lines[number][: place.start - source.starts[number]]
+    if not problem.startswith("mapping values") or ":" not in before:
+        return ""
+    if re.match(r"(title|source)\s*:", before):
+        return "; a text with a colon stands in quotes"
+    return "; several keys in one line stand in braces, e.g. {theta: q, d: 0}"
 
 
 def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diagnostic]]:
@@ -204,6 +224,9 @@ def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diag
             pending.append(value)
             if not isinstance(key, ScalarNode):
                 mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
+            elif key.value[:1].isdecimal() and _is_null(value):  # {a: 0,4} is a pair and a key
+                message = f"a decimal comma has to be a point: .{key.value}, not ,{key.value}"
+                mistakes.append(source.point(span_of(key), message))
             elif key.value in known:
                 line = known[key.value][0].start_mark.line + 1
                 message = f"duplicate key {quoted(key.value)}: line {line} has it too"

@@ -78,10 +78,7 @@ def _report(report: Report, details: ErrorDetails) -> None:
     path = details["loc"]
     if details["type"] == "extra_forbidden":
         key = str(path[-1])
-        is_fraction = key[:1].isdecimal()  # {a: 0,4} is a pair and a key
-        point = f"; a decimal comma has to be a point: .{key}, not ,{key}"
-        meant = point if is_fraction else nearest(key, _valid_keys(path))
-        report.error_at_key(path, f"unknown key {quoted(key)}{meant}")
+        report.error_at_key(path, f"unknown key {quoted(key)}{nearest(key, _valid_keys(path))}")
     elif details["type"] == "missing":
         report.error(path, f"the key '{path[-1]}' is missing")
     elif details["type"] in {"too_long", "too_short"}:

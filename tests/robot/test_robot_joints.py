@@ -78,9 +78,13 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, limits: [-inf, 1]", "inf", "unknown name 'inf'"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
-        ("theta: q, a: 0,4", "4", "unknown key '4'; a decimal comma has to be a point: .4, not ,4"),
+        ("theta: q, a: 0,4", "4", "a decimal comma has to be a point: .4, not ,4"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
+        ("theta: q, a: 30 deg", "30 deg", "'30 deg' is an angle, and a length belongs here: leave"),
+        ("theta: q, d: 0.1 + deg", "0.1 + deg", "'0.1 + deg' is an angle, and a length belongs"),
+        ("d: q - 30 deg", "q - 30 deg", "'q - 30 deg' is an angle, and a length belongs here"),
+        ("d: q, limits: [0, 100 deg]", "100 deg", "'100 deg' is an angle, and a length belongs"),
     ],
 )
 def test_refused_rows(cells: str, at: str, message: str) -> None:
@@ -180,6 +184,24 @@ def test_degrees_leave_lengths_alone() -> None:
     assert (to_text(joint.d), to_text(joint.a), joint.limits) == ("90", "45", (0.0, 100.0))
 
 
+def test_an_angle_under_a_name_is_no_length_either() -> None:
+    told = "'{}' is an angle, and a length belongs here: leave out deg, or take its sin or cos"
+    assert mistake(table("theta: q, a: w", parameters="{v: 30 deg, w: -v}")) == told.format("w")
+    assert mistake(table("theta: q", tool="{xyz: [0, 0, 5 deg]}")) == told.format("5 deg")
+    slide = f"{SLIDE}, limits: [-1, -(5 deg)]"
+    assert mistake(axes(slide)) == told.format("-(5 deg)")
+
+
+@pytest.mark.parametrize(
+    "cell", ["2*sin(30 deg)", "l*(30 deg)", "l*w", "0.1*(30 deg)", "l*w/(360 deg)", "cos(w)"]
+)
+def test_a_length_may_be_that_of_an_arc_or_come_from_a_ratio_of_angles(cell: str) -> None:
+    named = "{l: 0.1, w: 30 deg}"
+    joint = row(f"d: q, a: {cell}, limits: [0, {cell}]", parameters=named)
+    assert joint.limits
+    assert joint.limits[1] > 0
+
+
 def test_a_slip_in_degrees_is_told_in_degrees() -> None:
     loaded = robot(table("theta: q, alpha: 90.01", units="{angle: deg}"))
     assert [notice.message for notice in loaded.notices] == [
@@ -218,12 +240,30 @@ def test_limits_of_many_turns_are_told_once_a_joint(limits: str, message: str) -
 
 
 @pytest.mark.parametrize(
+    ("limits", "message"),
+    [
+        ("[-3.14, 3.14]", "'-3.14' is -3.14 degrees: write -180 if -pi is meant"),
+        ("[0, 3.1416]", "'3.1416' is 3.1416 degrees: write 180 if pi is meant"),
+        ("[-90, w]", "'w' is 1.571 degrees: write 90 if pi/2 is meant"),
+    ],
+)
+def test_limits_of_degrees_that_look_like_radians_are_told_once_a_joint(
+    limits: str, message: str
+) -> None:
+    text = table(f"theta: q, limits: {limits}", parameters="{w: 1.571}", units="{angle: deg}")
+    assert [notice.message for notice in robot(text).notices] == [message]
+
+
+@pytest.mark.parametrize(
     ("joint", "unit"),
     [
         ("theta: q, limits: [-1080 deg, 6*pi]", "rad"),
         ("theta: q, limits: [-w, w]", "rad"),
         ("theta: q, limits: [-1.5708, 12.566]", "rad"),  # limits may be rounded
         ("theta: q, limits: [-1080, 1080]", "deg"),
+        ("theta: q, limits: [-3.14 deg, 3]", "deg"),
+        ("theta: q, limits: [-1.5, 3.2]", "deg"),
+        ("d: q, limits: [-3.14, 3.14]", "deg"),
         ("d: q, limits: [-170, 170]", "rad"),
     ],
 )

@@ -13,6 +13,13 @@ from tests.robot.robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, 
 if TYPE_CHECKING:
     from pathlib import Path
 
+LIST = (
+    "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
+    "JSON are for 'dhgen survey'"
+)
+SECOND_COLON = "this is no YAML: mapping values are not allowed here"
+BRACES = "; several keys in one line stand in braces, e.g. {theta: q, d: 0}"
+
 
 def test_positions_of_keys_and_values() -> None:
     first, second = mistakes("name: r\njoints:\n  - {theta: q,\n     aplha: 0, a: x}\n")
@@ -69,17 +76,25 @@ def test_duplicate_keys_are_all_reported() -> None:
             "a robot file holds one document; give each robot its own file",
         ),
         (f"? [a]\n: 1\n{MINIMAL}", "a key is a name, not a collection"),
-        ("- 1\n", "expected keys with values, e.g. 'name: puma560'"),
+        ("- 1\n", LIST),
+        ('[{"name": "r", "joints": [{"theta": "q"}]}]', LIST),
         ("robot", "expected keys with values, e.g. 'name: puma560'"),
         ("", "the file is empty"),
         ("# nothing\n", "the file is empty"),
         ("---\n", "the file is empty"),
         ('name: "\\UFFFFFFFF"', "this is no YAML: an escape names no character"),
-        ("name: a: b", "this is no YAML: mapping values are not allowed here"),
+        ("name: r\n  joints: []\n", SECOND_COLON),
+        ("name: r\njoints:\n  - theta: q, d: 0\n", SECOND_COLON + BRACES),
+        ("name: r\nparameters: l: 0.1, m: 0.2\n", SECOND_COLON + BRACES),
+        ("title: r: an arm\n", f"{SECOND_COLON}; a text with a colon stands in quotes"),
     ],
 )
 def test_refused_yaml(text: str, message: str) -> None:
     assert mistake(text) == message
+
+
+def test_a_long_list_is_a_list_first() -> None:
+    assert mistake("[" + "{theta: q}, " * 2000 + "]") == LIST
 
 
 def test_a_syntax_error_has_its_place() -> None:

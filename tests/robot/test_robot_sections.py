@@ -23,6 +23,7 @@ from tests.robot.robot_texts import (
     MINIMAL,
     axes,
     mistake,
+    mistakes,
     robot,
     row,
     table,
@@ -165,6 +166,9 @@ def test_parameters_may_use_those_before_them() -> None:
         ("{l: }", "expected a number or an expression, not nothing"),
         ("{l: [1]}", "expected a number or an expression, not a list of 1"),
         ("[l]", "expected names with values, e.g. {a1: 0.4}, not a list of 1"),
+        ("{l: 0,5, m: 0.5}", "a decimal comma has to be a point: .5, not ,5"),
+        ("{l: 0,5 deg}", "a decimal comma has to be a point: .5 deg, not ,5 deg"),
+        ("\n  l: 0,5", "',' (U+002C) can't stand in a cell: write '.'"),
         ("{l: 1/0, m: 1/l}", "division by zero"),
     ],
 )
@@ -189,6 +193,11 @@ def test_a_unit_in_a_cell_is_told_where_units_stand() -> None:
     # m is no unit where a parameter is called so
     message = mistake(table("theta: q, a: 2 m", parameters="{m: 1}"))
     assert message == "this is no arithmetic: an operand or an operator is missing"
+
+
+def test_decimal_commas_are_each_told_at_their_place() -> None:
+    found = mistakes(f"{MINIMAL}parameters: {{l: 0,5, m: 1,5}}\n")
+    assert [(each.message[-2:], each.column) for each in found] == [(",5", 19), (",5", 27)]
 
 
 def test_a_mistaken_parameter_entails_no_further_mistakes() -> None:
