@@ -205,6 +205,7 @@ def _read(options: argparse.Namespace) -> tuple[RobotFiles, int]:
 
 def _write(options: argparse.Namespace) -> int:
     files, worst = _read(options)
+    left = [path for path in files.paths if path not in {file.path for file in files.loaded}]
     for file in files.loaded:
         try:
             _write_one(file, options)
@@ -213,6 +214,11 @@ def _write(options: argparse.Namespace) -> int:
             if isinstance(error, VerificationError):
                 print(FAULT, file=sys.stderr)
             worst = max(worst, error.exit_code)
+            left.append(file.path)
+    if left and len(files.paths) > 1:  # the reasons may stand far above
+        sys.stdout.flush()
+        told = ", ".join(map(str, left))
+        print(f"dhgen: nothing is written for {told}: see above", file=sys.stderr)
     return worst
 
 

@@ -304,6 +304,18 @@ def test_two_files_of_one_name_are_refused_before_the_work(
     assert worked == [PLANAR]
 
 
+def test_what_is_left_out_of_several_files_is_told_at_the_end(run: Run, tmp_path: Path) -> None:
+    shutil.copy(PLANAR, tmp_path / "again.yaml")
+    (tmp_path / "wrong.yaml").write_text(WRONG)
+    (tmp_path / "redundant.yaml").write_text(UNSOLVABLE)
+    done = run("wrong.yaml", "redundant.yaml", PLANAR, "again.yaml", folder=tmp_path)
+    assert done.returncode == 2
+    told = "wrong.yaml, again.yaml, redundant.yaml"
+    assert done.stderr.endswith(f"\ndhgen: nothing is written for {told}: see above\n")
+    assert names(tmp_path / "generated") == FILES
+    assert "nothing is written for" not in run("wrong.yaml", folder=tmp_path).stderr
+
+
 def test_check_of_two_files_of_one_name_and_of_one_file_twice(
     written: Path,
     tmp_path: Path,
