@@ -1,8 +1,9 @@
 /* dhgen_pose: poses in other notations; dhgen_pose.h says which.
  * Generated from templates/c/dhgen_pose.c.jinja. Do not edit.
  *
- * "Document 001" is the course whose sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler
- * angles, roll-pitch-yaw) name these notations.
+ * "Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French.
+ * Its sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name
+ * these notations; what is taken from it stands here in full.
  */
 #include "dhgen_pose.h"
 

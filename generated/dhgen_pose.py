@@ -14,8 +14,9 @@ six decimals, is read to within that rounding.
 Reading a pose and writing it again gives the same T to about 1e-15, at and near the singular
 orientations too. There the angles themselves are not unique: each function says which it returns.
 
-"Document 001" is the course whose sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler
-angles, roll-pitch-yaw) name these notations.
+"Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French. Its
+sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name these
+notations; what is taken from it stands here in full.
 """
 
 from __future__ import annotations

@@ -159,11 +159,20 @@ def _atan2(y, x):
     return math.copysign(angle, y)
 
 
-def _array(values, shape, name):
+def _numbers(values, shape, name):
     try:
-        values = np.ascontiguousarray(values, _FLOAT)
+        values = np.ascontiguousarray(values)
+        if values.dtype != _FLOAT:
+            if values.dtype.kind == "c":  # numpy would drop the imaginary parts
+                raise TypeError
+            values = values.astype(_FLOAT)
     except (TypeError, ValueError):
-        raise ValueError(f"{name} must hold numbers, in shape {shape}") from None
+        raise ValueError(f"{name} must hold real numbers, in shape {shape}") from None
+    return values
+
+
+def _array(values, shape, name):
+    values = _numbers(values, shape, name)
     if values.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
     return values
@@ -357,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma 40dc8b933368a0e1"
+_KEY = "puma 35635abde3844bac"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1062,7 +1071,7 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = np.ascontiguousarray(T, _FLOAT)
+    T = _numbers(T, (4, 4), "T")
     try:
         if q_seed is None:
             _unseeded(T, q, status)
@@ -1465,7 +1474,7 @@ def ik_batch(T, *, cores=None, out=None):
     Raises:
         ValueError: An argument has another shape, or cores is no number of at least 1.
     """
-    T = np.ascontiguousarray(T, _FLOAT)
+    T = _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
     if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
@@ -1494,6 +1503,8 @@ def _results(out, count):
     rows, row = (count, 8, 6), (count, 8)
     if out is None:
         return np.empty(rows), np.empty(row, _BYTE)
+    if not isinstance(out, (tuple, list)) or len(out) != 2:
+        raise ValueError("out must be (q, status), two arrays as an earlier call returned them")
     q, status = out
     for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
         ready = isinstance(array, np.ndarray) and array.flags.carray

@@ -28,6 +28,13 @@ def test_the_header_names_the_template_and_nothing_that_changes(name: str) -> No
     assert max(map(len, text.splitlines())) <= 100
 
 
+@pytest.mark.parametrize("name", FILES)
+def test_who_cites_a_document_says_what_it_is(name: str) -> None:
+    text = (emitted() / name).read_text(encoding="utf-8")
+    told = '"Document 001" is one of the course texts that dhgen follows'
+    assert ("ocument 001" not in text) or told in text
+
+
 def test_the_python_file_is_formatted_and_without_lint() -> None:
     config = ("--config", str(ROOT / "pyproject.toml"), "--no-cache")
     path = emitted() / "dhgen_pose.py"
