@@ -22,6 +22,7 @@ import os
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -86,6 +87,9 @@ def native(
         raise FileNotFoundError(path)
     robot = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(robot)
+    # What numba compiles apart it goes on asking of the module itself, whose fk it can compile.
+    if apart := sys.modules.get(getattr(module, "_KEY", "")):
+        vars(apart)["address"] = vars(module)["_address"]
     solver = _Solver(robot, ctypes.CDLL(str(library)))
     vars(robot).update(solver.names(), Unreachable=module.Unreachable)
     return robot
@@ -166,15 +170,10 @@ class _Solver:
         self._robot._nearest(q, status, q[0], True, np.empty(self._dof))  # noqa: FBT003, SLF001
 
     def _joints(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        values = np.ascontiguousarray(q, np.float64)
-        if values.shape != (self._dof,):
-            raise ValueError(f"q must have shape ({self._dof},), not {values.shape}")
-        return values
+        return self._robot._array(q, (self._dof,), "q")  # noqa: SLF001
 
     def _seed(self, q_seed: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        values = np.ascontiguousarray(q_seed, np.float64)
-        if values.shape != (self._dof,):
-            raise ValueError(f"q_seed must be ({self._dof},)")
+        values = self._robot._array(q_seed, (self._dof,), "q_seed")  # noqa: SLF001
         if not np.isfinite(values).all():
             raise ValueError("q_seed must be finite")
         return values

@@ -98,11 +98,20 @@ def test_into_any_arrays_and_the_nearest(name: str) -> None:
         lambda: c.ik_into(T[0], *free, rows, status, np.zeros(python.DOF + 1)),
         lambda: c.ik_into(T[0], *free, rows, status, np.full(python.DOF, np.nan)),
         lambda: c.fk(np.zeros(python.DOF - 1)),
+        lambda: c.fk("home"),
+        lambda: c.fk(np.zeros(python.DOF) * 1j),
         lambda: c.jacobian(np.zeros((python.DOF, 1))),
     ]
     for mistake in mistakes:
         with pytest.raises(ValueError, match=r"must (be|hold|have)"):
             mistake()
+
+
+def test_what_numba_compiles_apart_stays_the_module_s_own() -> None:
+    """The text that got the C has no fk that numba could compile."""
+    python = module("scorbot_pointing")
+    native("scorbot_pointing")
+    assert vars(sys.modules[vars(python)["_KEY"]])["address"] is vars(python)["_address"]
 
 
 def test_constants_names_and_the_arm_angle() -> None:
