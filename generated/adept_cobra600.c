@@ -53,8 +53,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -253,7 +253,7 @@ static const double
     m1 = 1e-12, /* doubt_limit_squared^2 */
     m4 = 9.74169e-11, /* pose_slack1^2 [m^2] */
     m5 = 1.0000000000000002e-10; /* pose_slack^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const double m2 = 1.5384615384615385, m3 = 0.04615384615384612;
 
 /* The entries of a pose by their names. */
@@ -579,8 +579,7 @@ static const double weights[6] = { 1.013, 1.013, 1.013, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[4], double e[6], double J[24])
+static double off_pose(const double T[16], const double x[4], double e[6], double J[24])
 {
     double P[16], square = 0.0;
     adept_cobra600_fk(x, P);
@@ -632,9 +631,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[4])
 {
     double x[4], J[24], pace[4] = { 1.0, 1.0, 0.9870, 1.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -643,9 +643,10 @@ static int settle(const double T[16], double enough, double q[4])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 4; i++) {
             if (!(apart(i, x[i] - q[i]) <= 0.1))
@@ -708,8 +709,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
         if (status[row] == ADEPT_COBRA600_UNREACHABLE)
             continue;
         for (int i = 0; i < 4; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = ADEPT_COBRA600_OUT_OF_LIMITS;
         }
         count += status[row] != ADEPT_COBRA600_OUT_OF_LIMITS;

@@ -30,8 +30,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -374,8 +374,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[1][3],
         if (status[row] == CARTESIAN_UNREACHABLE)
             continue;
         for (int i = 0; i < 3; i++) {
-            const double value = q[row][i];
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = CARTESIAN_OUT_OF_LIMITS;
         }
         count += status[row] != CARTESIAN_OUT_OF_LIMITS;

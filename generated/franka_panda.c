@@ -47,8 +47,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -104,6 +104,13 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
 
+#define EACH(of, v, lanes) \
+HELPER v of##_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = of(x[k]); \
+    return x; \
+}
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
 typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
@@ -117,18 +124,8 @@ HELPER v copysign_##v(v x, v y) \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v cos_##v(v x) \
-{ \
-    for (int k = 0; k < lanes; k++) \
-        x[k] = cos(x[k]); \
-    return x; \
-} \
-HELPER v sin_##v(v x) \
-{ \
-    for (int k = 0; k < lanes; k++) \
-        x[k] = sin(x[k]); \
-    return x; \
-} \
+EACH(cos, v, lanes) \
+EACH(sin, v, lanes) \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -266,7 +263,7 @@ static const double
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m8 = 3.765342321601e-12, /* doubt_limit_squared2^2 [m^4] */
     m9 = 1e-06; /* doubt_limit^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
 m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384, m10 = 12.121212121212121;
 static const double low1 = -2.897300001, high1 = 2.897300001, low2 = -1.762800001,
@@ -788,9 +785,8 @@ static void solve(
     const double v1 = d7 * T13 - T14, v2 = d7 * T23 - T24;
     const double t34 = T34 - d7 * T33;
     const double v3 = d1 - t34;
-    const double w2x = T11 * v1 + T21 * v2 + T31 * v3;
-    const double w2y = T12 * v1 + T22 * v2 + T32 * v3;
-    const double w2z = T13 * v1 + T23 * v2 + T33 * v3;
+    const double w2x = T11 * v1 + T21 * v2 + T31 * v3, w2y = T12 * v1 + T22 * v2 + T32 * v3,
+        w2z = T13 * v1 + T23 * v2 + T33 * v3;
     const double Z4 = c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y +
         (w2z * w2z - k4)));
     const double D4 = k3 - Z4 * Z4;
@@ -1055,8 +1051,7 @@ static const double weights[6] = { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[7], double e[6], double J[42])
+static double off_pose(const double T[16], const double x[7], double e[6], double J[42])
 {
     double P[16], square = 0.0;
     franka_panda_fk(x, P);
@@ -1108,9 +1103,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[7])
 {
     double x[7], J[42], pace[7] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -1119,14 +1115,17 @@ static int settle(const double T[16], double enough, double q[7])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 7; i++) {
             const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0)
+            if (fabs(off) > 0.0) {
                 pace[i] = 0.0;
+                last = HUGE_VAL;
+            }
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -1196,8 +1195,10 @@ APART int ik_carefully(
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 7; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = FRANKA_PANDA_OUT_OF_LIMITS;
         }
         count += status[row] != FRANKA_PANDA_OUT_OF_LIMITS;

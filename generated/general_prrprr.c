@@ -3395,8 +3395,7 @@ static const double weights[6] = { 0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
 {
     double P[16], square = 0.0;
     general_prrprr_fk(x, P);
@@ -3448,9 +3447,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[6])
 {
     double x[6], J[36], pace[6] = { 1.750, 1.0, 1.0, 1.750, 1.0, 1.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -3459,14 +3459,17 @@ static int settle(const double T[16], double enough, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0)
+            if (fabs(off) > 0.0) {
                 pace[i] = 0.0;
+                last = HUGE_VAL;
+            }
             x[i] -= off;
             if (!(apart(i, x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -3499,8 +3502,10 @@ int general_prrprr_ik(
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = GENERAL_PRRPRR_OUT_OF_LIMITS;
         }
         count += status[row] != GENERAL_PRRPRR_OUT_OF_LIMITS;

@@ -3463,8 +3463,10 @@ int kinova_jaco2_ik(
         if (status[row] == KINOVA_JACO2_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = KINOVA_JACO2_OUT_OF_LIMITS;
         }
         count += status[row] != KINOVA_JACO2_OUT_OF_LIMITS;

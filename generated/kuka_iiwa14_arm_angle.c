@@ -54,8 +54,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -112,6 +112,13 @@ HELPER v atan2_##v(v y, v x) { return angle_##v(ratio_##v(y, x)); }
 #define shuffle __builtin_shufflevector
 #define where_all(mask) (mask)
 
+#define EACH(of, v, lanes) \
+HELPER v of##_##v(v x) \
+{ \
+    for (int k = 0; k < lanes; k++) \
+        x[k] = of(x[k]); \
+    return x; \
+}
 #define VECTOR(v, lanes) \
 typedef double v __attribute__((vector_size(8 * lanes))); \
 typedef v v##_at __attribute__((aligned(8), may_alias)); /* in memory */ \
@@ -125,18 +132,8 @@ HELPER v copysign_##v(v x, v y) \
 } \
 HELPER v signed_##v(double x, v y) { return copysign_##v(all_##v(x), y); } \
 HELPER v negated_##v(v x, v where) { return (v)((v##_mask)x ^ (v##_mask)signed_##v(0.0, where)); } \
-HELPER v cos_##v(v x) \
-{ \
-    for (int k = 0; k < lanes; k++) \
-        x[k] = cos(x[k]); \
-    return x; \
-} \
-HELPER v sin_##v(v x) \
-{ \
-    for (int k = 0; k < lanes; k++) \
-        x[k] = sin(x[k]); \
-    return x; \
-} \
+EACH(cos, v, lanes) \
+EACH(sin, v, lanes) \
 HELPER v abs_##v(v x) { return copysign_##v(x, all_##v(0.0)); }
 
 VECTOR(four, 4)
@@ -1070,8 +1067,10 @@ APART int ik_carefully(
         if (status[row] == KUKA_IIWA14_ARM_ANGLE_UNREACHABLE)
             continue;
         for (int i = 0; i < 7; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
         }
         count += status[row] != KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;

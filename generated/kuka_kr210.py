@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 8a2d9c042104c8f8"
+_KEY = "kuka_kr210 6b849d2b1c8e362e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -667,9 +667,10 @@ def _settled(T, enough, q):
     """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
 
     If enough is NaN, by no more than they do. Damped least squares, while
-    they gain.
+    they gain: where roots meet a step still leaves less than half.
     """
     pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    last = math.inf
     for _ in range(20):
         e, miss = _miss(T, x, pace, A)
         if math.isnan(enough):
@@ -678,8 +679,9 @@ def _settled(T, enough, q):
             q[:] = x
             settled = True
             enough = 0.5 * miss
-        elif settled:
-            return True
+        elif settled or miss > max(0.7 * last, 100.0 * enough):
+            return settled
+        last = miss
         _add_step(A, e, miss, pace, x)
         for j in range(6):
             if not _moved_by(x[j] - q[j]) <= 0.1:

@@ -313,7 +313,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 3a3e5216346501d4"
+_KEY = "kuka_kr40pa 6d95f9de58cbc30e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1165,9 +1165,10 @@ def _settled(T, enough, q):
     """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
 
     If enough is NaN, by no more than they do. Damped least squares, while
-    they gain.
+    they gain: where roots meet a step still leaves less than half.
     """
     pace, A, x, settled = _PACE.copy(), np.empty((6, 4)), q.copy(), False
+    last = math.inf
     for _ in range(20):
         e, miss = _miss(T, x, pace, A)
         if math.isnan(enough):
@@ -1176,8 +1177,9 @@ def _settled(T, enough, q):
             q[:] = x
             settled = True
             enough = 0.5 * miss
-        elif settled:
-            return True
+        elif settled or miss > max(0.7 * last, 100.0 * enough):
+            return settled
+        last = miss
         _add_step(A, e, miss, pace, x)
         for j in range(4):
             if not _moved_by(x[j] - q[j]) <= 0.1:

@@ -3448,8 +3448,10 @@ int manseur_doty_ik(
         if (status[row] == MANSEUR_DOTY_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = MANSEUR_DOTY_OUT_OF_LIMITS;
         }
         count += status[row] != MANSEUR_DOTY_OUT_OF_LIMITS;

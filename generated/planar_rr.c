@@ -31,8 +31,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -217,7 +217,7 @@ static const double
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
     doubt_limit_squared2 = 4.899999999999999e-07; /* square of a length that fixes no angle [m^2] */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const double m1 = 1.25, m2 = 0.08750000000000001;
 
 /* The entries of a pose by their names. */
@@ -440,8 +440,7 @@ static const double weights[6] = { 1.429, 1.429, 0.0, 0.0, 0.0, 0.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[2], double e[6], double J[12])
+static double off_pose(const double T[16], const double x[2], double e[6], double J[12])
 {
     double P[16], square = 0.0;
     planar_rr_fk(x, P);
@@ -487,9 +486,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[2])
 {
     double x[2], J[12], pace[2] = { 1.0, 1.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -498,9 +498,10 @@ static int settle(const double T[16], double enough, double q[2])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 2; i++) {
             if (!(apart(x[i] - q[i]) <= 0.1))
@@ -560,8 +561,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2],
         if (status[row] == PLANAR_RR_UNREACHABLE)
             continue;
         for (int i = 0; i < 2; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = PLANAR_RR_OUT_OF_LIMITS;
         }
         count += status[row] != PLANAR_RR_OUT_OF_LIMITS;

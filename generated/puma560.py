@@ -352,7 +352,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 cd6e959cadf5d05e"
+_KEY = "puma560 c28b20ff348ec4c3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -814,9 +814,10 @@ def _settled(T, enough, q):
     """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
 
     If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain.
+    they gain: where roots meet a step still leaves less than half.
     """
     pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    last = math.inf
     for _ in range(20):
         e, miss = _miss(T, x, pace, A)
         if math.isnan(enough):
@@ -825,13 +826,14 @@ def _settled(T, enough, q):
             q[:] = x
             settled = True
             enough = 0.5 * miss
-        elif settled:
-            return True
+        elif settled or miss > max(0.7 * last, 100.0 * enough):
+            return settled
+        last = miss
         _add_step(A, e, miss, pace, x)
         for j in range(6):
             off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j] = 0.0
+                pace[j], last = 0.0, math.inf
             x[j] -= off
         for j in range(6):
             if not _moved_by(x[j] - q[j]) <= 0.1:

@@ -46,8 +46,8 @@ static const float odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -136,7 +136,7 @@ static const float
     half_turn = 3.1415927f, /* pi [rad] */
     whole_turn = 6.2831855f, /* 2 pi [rad] */
     m7 = 1e-06f; /* doubt_limit^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
 m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
 static const float low1 = -2.7925289f, high1 = 2.7925289f, low2 =
@@ -633,8 +633,7 @@ static const float weights[6] = { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static float off_pose(
-    const float T[16], const float x[6], float e[6], float J[36])
+static float off_pose(const float T[16], const float x[6], float e[6], float J[36])
 {
     float P[16], square = 0.0f;
     puma560_f32_fk(x, P);
@@ -686,9 +685,10 @@ static void add_step(
 static int settle(const float T[16], float enough, float q[6])
 {
     float x[6], J[36], pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f }; /* 0 holds */
+    float last = HUGE_VALF;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
         const float miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -697,14 +697,17 @@ static int settle(const float T[16], float enough, float q[6])
             take(x, q);
             settled = 1;
             enough = 0.5f * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
-            if (fabsf(off) > 0.0f)
+            if (fabsf(off) > 0.0f) {
                 pace[i] = 0.0f;
+                last = HUGE_VALF;
+            }
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1f))
                 return settled; /* another solution */
@@ -772,8 +775,10 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
         if (0.0f < off && off < 0.01f)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
-            const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))
+            float *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 2e-06f <= *value && *value <= highest[i] + 2e-06f))
                 status[row] = PUMA560_F32_OUT_OF_LIMITS;
         }
         count += status[row] != PUMA560_F32_OUT_OF_LIMITS;

@@ -52,8 +52,8 @@ static const float odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -136,7 +136,7 @@ static const float
     half_turn = 3.1415927f, /* pi [rad] */
     m1 = 1e-12f, /* doubt_limit_squared^2 */
     m4 = 1e-10f; /* pose_slack^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const float m2 = 1.25f, m3 = 0.0875f;
 static const float low1 = -2.26893f, high1 = 2.26893f,
 low2 = -2.5307295f, high2 = 2.5307295f, low3 = -0.200002f, high3 = 2e-06f;
@@ -526,8 +526,7 @@ static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static float off_pose(
-    const float T[16], const float x[4], float e[6], float J[24])
+static float off_pose(const float T[16], const float x[4], float e[6], float J[24])
 {
     float P[16], square = 0.0f;
     scara_f32_fk(x, P);
@@ -579,9 +578,10 @@ static void add_step(
 static int settle(const float T[16], float enough, float q[4])
 {
     float x[4], J[24], pace[4] = { 1.0f, 1.0f, 0.8f, 1.0f }; /* 0 holds */
+    float last = HUGE_VALF;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
         const float miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -590,14 +590,17 @@ static int settle(const float T[16], float enough, float q[4])
             take(x, q);
             settled = 1;
             enough = 0.5f * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 4; i++) {
             const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
-            if (fabsf(off) > 0.0f)
+            if (fabsf(off) > 0.0f) {
                 pace[i] = 0.0f;
+                last = HUGE_VALF;
+            }
             x[i] -= off;
             if (!(apart(i, x[i] - q[i]) <= 0.1f))
                 return settled; /* another solution */
@@ -665,8 +668,10 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
         if (0.0f < off && off < 0.01f)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 4; i++) {
-            const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))
+            float *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 2e-06f <= *value && *value <= highest[i] + 2e-06f))
                 status[row] = SCARA_F32_OUT_OF_LIMITS;
         }
         count += status[row] != SCARA_F32_OUT_OF_LIMITS;

@@ -37,8 +37,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -503,7 +503,7 @@ static const double
     m7 = 1e-24, /* exact_slack^2 */
     m8 = 9.063039999999996e-25, /* exact_slack1^2 [m^2] */
     m9 = 2.7189119999999995e-10; /* 3 * pose_slack1^2 [m^2] */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const double m4 = 4.524886877828054, m5 = 2.262443438914027;
 
 /* The entries of a pose by their names. */
@@ -1196,8 +1196,7 @@ static const double weights[6] = { 1.050, 1.050, 1.050, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[5], double e[6], double J[30])
+static double off_pose(const double T[16], const double x[5], double e[6], double J[30])
 {
     double P[16], square = 0.0;
     scorbot_pointing_fk(x, P);
@@ -1255,9 +1254,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[5])
 {
     double x[5], J[30], pace[5] = { 1.0, 1.0, 1.0, 1.0, 0.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -1266,9 +1266,10 @@ static int settle(const double T[16], double enough, double q[5])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 5; i++) {
             if (!(apart(x[i] - q[i]) <= 0.1))
@@ -1341,8 +1342,10 @@ APART int ik_carefully(
         if (status[row] == SCORBOT_POINTING_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = SCORBOT_POINTING_OUT_OF_LIMITS;
         }
         count += status[row] != SCORBOT_POINTING_OUT_OF_LIMITS;

@@ -53,8 +53,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -271,7 +271,7 @@ static const double
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m2 = 5.728976100000001e-13, /* doubt_limit_squared2^2 [m^4] */
     m5 = 1e-06; /* doubt_limit^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const double m1 = 2.2222222222222223, m3 = 21.947873799725652, m4 = 4.4444444444444455;
 
 /* The entries of a pose by their names. */
@@ -788,8 +788,7 @@ static const double weights[6] = { 1.149, 1.149, 1.149, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
 {
     double P[16], square = 0.0;
     staubli_tx40_fk(x, P);
@@ -841,9 +840,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[6])
 {
     double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -852,9 +852,10 @@ static int settle(const double T[16], double enough, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             if (!(apart(x[i] - q[i]) <= 0.1))
@@ -917,8 +918,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == STAUBLI_TX40_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = STAUBLI_TX40_OUT_OF_LIMITS;
         }
         count += status[row] != STAUBLI_TX40_OUT_OF_LIMITS;

@@ -53,8 +53,8 @@ static const double odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -274,7 +274,7 @@ static const double
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const double m3 = 1.1655011655011656, m4 = 0.017143065268065267;
 static const double low3 = -2.705260341591211, high3 = 2.705260341591211;
 
@@ -1018,8 +1018,7 @@ static const double weights[6] = { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
 {
     double P[16], square = 0.0;
     techman_tm5_900_fk(x, P);
@@ -1071,9 +1070,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[6])
 {
     double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -1082,14 +1082,17 @@ static int settle(const double T[16], double enough, double q[6])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0)
+            if (fabs(off) > 0.0) {
                 pace[i] = 0.0;
+                last = HUGE_VAL;
+            }
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -1160,8 +1163,10 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = TECHMAN_TM5_900_OUT_OF_LIMITS;
         }
         count += status[row] != TECHMAN_TM5_900_OUT_OF_LIMITS;

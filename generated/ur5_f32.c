@@ -52,8 +52,8 @@ static const float odd[11] = {
 };
 
 /* The angle of y and x, not both zero and not infinite, in [-pi, pi], within 3 ulp: the multiple of
- * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. Two steps, so that
- * the ratios of several angles are known before the first polynomial asks for one. */
+ * pi/4 next to it and a ratio of at most tan(pi/8), then a polynomial in this. In two steps: of
+ * several angles all ratios come first. */
 #define ARCTANGENT(v) \
 typedef struct { v r, known, y; } v##_ratio; \
 HELPER v##_ratio ratio_##v(v y, v x) \
@@ -143,7 +143,7 @@ static const float
     half_turn = 3.1415927f, /* pi [rad] */
     whole_turn = 6.2831855f, /* 2 pi [rad] */
     m1 = 1e-06f; /* doubt_limit^2 */
-/* coefficients of what these are multiplied with */
+/* coefficients */
 static const float m3 = 1.1764706f, m4 = 0.03148816f;
 
 /* The entries of a pose by their names. */
@@ -746,8 +746,7 @@ static const float weights[6] = { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static float off_pose(
-    const float T[16], const float x[6], float e[6], float J[36])
+static float off_pose(const float T[16], const float x[6], float e[6], float J[36])
 {
     float P[16], square = 0.0f;
     ur5_f32_fk(x, P);
@@ -799,9 +798,10 @@ static void add_step(
 static int settle(const float T[16], float enough, float q[6])
 {
     float x[6], J[36], pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f }; /* 0 holds */
+    float last = HUGE_VALF;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
         const float miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -810,14 +810,17 @@ static int settle(const float T[16], float enough, float q[6])
             take(x, q);
             settled = 1;
             enough = 0.5f * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
             const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
-            if (fabsf(off) > 0.0f)
+            if (fabsf(off) > 0.0f) {
                 pace[i] = 0.0f;
+                last = HUGE_VALF;
+            }
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1f))
                 return settled; /* another solution */
@@ -888,8 +891,10 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
         if (0.0f < off && off < 0.01f)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 6; i++) {
-            const float value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 2e-06f <= value && value <= highest[i] + 2e-06f))
+            float *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 2e-06f <= *value && *value <= highest[i] + 2e-06f))
                 status[row] = UR5_F32_OUT_OF_LIMITS;
         }
         count += status[row] != UR5_F32_OUT_OF_LIMITS;

@@ -3432,8 +3432,7 @@ static const double weights[6] = { 0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(
-    const double T[16], const double x[5], double e[6], double J[30])
+static double off_pose(const double T[16], const double x[5], double e[6], double J[30])
 {
     double P[16], square = 0.0;
     welding_5r_fk(x, P);
@@ -3491,9 +3490,10 @@ static void add_step(
 static int settle(const double T[16], double enough, double q[5])
 {
     double x[5], J[30], pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
+    double last = HUGE_VAL;
     int settled = 0;
     take(q, x);
-    for (int tried = 0; tried < 20; tried++) {
+    for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
@@ -3502,14 +3502,17 @@ static int settle(const double T[16], double enough, double q[5])
             take(x, q);
             settled = 1;
             enough = 0.5 * miss;
-        } else if (settled) {
+        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
             break;
         }
+        last = miss;
         add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 5; i++) {
             const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0)
+            if (fabs(off) > 0.0) {
                 pace[i] = 0.0;
+                last = HUGE_VAL;
+            }
             x[i] -= off;
             if (!(apart(x[i] - q[i]) <= 0.1))
                 return settled; /* another solution */
@@ -3542,8 +3545,10 @@ int welding_5r_ik(
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, q[row]);
         for (int i = 0; i < 5; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = WELDING_5R_OUT_OF_LIMITS;
         }
         count += status[row] != WELDING_5R_OUT_OF_LIMITS;

@@ -3639,8 +3639,10 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
         if (status[row] == XARM6_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = XARM6_OUT_OF_LIMITS;
         }
         count += status[row] != XARM6_OUT_OF_LIMITS;

@@ -3428,8 +3428,10 @@ int xarm7_ik(
         if (status[row] == XARM7_UNREACHABLE)
             continue;
         for (int i = 0; i < 7; i++) {
-            const double value = q[row][i] = turned(i, q[row][i], q[row][i]);
-            if (!(lowest[i] - 1e-09 <= value && value <= highest[i] + 1e-09))
+            double *value = &q[row][i];
+            if (*value < lowest[i] || highest[i] < *value)
+                *value = turned(i, *value, *value);
+            if (!(lowest[i] - 1e-09 <= *value && *value <= highest[i] + 1e-09))
                 status[row] = XARM7_OUT_OF_LIMITS;
         }
         count += status[row] != XARM7_OUT_OF_LIMITS;

@@ -111,7 +111,7 @@ def _constant_lines(constants: list[tuple[str, str, str]]) -> list[str]:
     for each in told:
         lines += _constant(*each, ";" if each is told[-1] else ",")
     if coefficients:
-        lines += ["/* coefficients of what these are multiplied with */", *_bare(coefficients)]
+        lines += ["/* coefficients */", *_bare(coefficients)]
     return lines + _bare([each for each in constants if not each[2]])
 
 

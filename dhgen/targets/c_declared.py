@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 # Values without a name of the derivation's, entries of a matrix, and columns of frames.
 _NUMBERED = re.compile(r"(?:v|angle|packed|[JTpxyz])\d+")
 _COSINE_OR_SINE = re.compile(r"[cs](\d+)")
+_COMPONENT = re.compile(r"(w\d+)[xyz]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,12 +28,12 @@ class Declaration:
 
     @property
     def family(self) -> tuple[str, str]:
-        """What may stand in one statement: branches of a value, an angle's cosine and sine ..."""
+        """What may stand in one statement: branches of a value, cosine and sine, a vector ..."""
         stem = self.name.partition("_")[0]
         if _NUMBERED.fullmatch(stem):
             return self.kind, ""
-        angle = _COSINE_OR_SINE.fullmatch(stem)
-        return self.kind, angle[1] if angle else stem
+        part = _COSINE_OR_SINE.fullmatch(stem) or _COMPONENT.fullmatch(stem)
+        return self.kind, part[1] if part else stem
 
 
 def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
+SLOW = 0.7  # of the miss: what leaves more leads nowhere; where n roots meet (1 - 1/n)^n is left
+FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
 MOVED = 0.1  # [rad, arm sizes] joints that move by more lead to another solution
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
@@ -42,6 +44,8 @@ def standing(module: SolverModule) -> dict[str, object]:
         "spin": 3 * chain.dof,
         "twice": 2 * chain.dof,
         "rounds": ROUNDS,
+        "slow": SLOW,
+        "far": FAR,
         "settle_width": 6 + chain.dof,
         "damping": repr(DAMPING),
         "fine": repr(FINE),
