@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3566,30 +3567,25 @@ static const double highest[6] = {
 void abb_gofa_5_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
-        v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        z4_x = s1 * c4 + x3_x * s4, y5_y = c1 * c4 - x3_y * s4, z4_z = x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v5 * s5, x5_y = x4_y * c5 - v6 * s5,
-        x5_z = x4_z * c5 + z3_z * s5, v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5,
-        T31_ = z3_z * c5 - x4_z * s5;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2,
+        v4 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v3 * s3,
+        x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3, v5 = v3 * c3 + x2_x * s3,
+        v6 = v4 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, z4_x = s1 * c4 + x3_x * s4,
+        y5_y = c1 * c4 - x3_y * s4, z4_z = x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - v5 * s5,
+        x5_y = x4_y * c5 - v6 * s5, x5_z = x4_z * c5 + z3_z * s5, v7 = v5 * c5 + x4_x * s5,
+        v8 = v6 * c5 + x4_y * s5, z5_z = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T13_ = x5_x * c6 - z4_x * s6, T23_ = x5_y * c6 + y5_y * s6,
-        T33_ = x5_z * c6 - z4_z * s6, T12_ = z4_x * c6 + x5_x * s6, T32_ = z4_z * c6 + x5_z * s6,
-        T14_ = x2_x * a2 + x3_x * a3 - v5 * d4 + x5_x * a5 - v7 * d6,
-        T24_ = x2_y * a2 + x3_y * a3 - v6 * d4 + x5_y * a5 - v8 * d6,
-        T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + x5_z * a5 + T31_ * d6,
-        T22_ = x5_y * s6 - y5_y * c6;
-    T[0] = -v7; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = -v8; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = -v7; T[1] = z4_x * c6 + x5_x * s6; T[2] = x5_x * c6 - z4_x * s6;
+    T[3] = x2_x * a2 + x3_x * a3 - v5 * d4 + x5_x * a5 - v7 * d6;
+    T[4] = -v8; T[5] = x5_y * s6 - y5_y * c6; T[6] = x5_y * c6 + y5_y * s6;
+    T[7] = x2_y * a2 + x3_y * a3 - v6 * d4 + x5_y * a5 - v8 * d6;
+    T[8] = z5_z; T[9] = z4_z * c6 + x5_z * s6; T[10] = x5_z * c6 - z4_z * s6;
+    T[11] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4 + x5_z * a5 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -3597,36 +3593,32 @@ void abb_gofa_5_fk(const double q[6], double T[16])
 void abb_gofa_5_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2, p2_x = x2_x * a2,
-        p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
-        v5 = v3 * c3 + x2_x * s3, v6 = v4 * c3 + x2_y * s3, J64 = c2 * c3 - s2 * s3,
-        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, p4_x = p3_x - v5 * d4, p4_y = p3_y - v6 * d4,
-        p4_z = p3_z + J64 * d4, J55 = x3_y * s4 - c1 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5, J66 = J64 * c5 - x4_z * s5,
-        p5_x = p4_x + (x4_x * c5 - v5 * s5) * a5, p5_y = p4_y + (x4_y * c5 - v6 * s5) * a5,
-        p5_z = p4_z + (x4_z * c5 + J64 * s5) * a5, J21 = p5_x - v7 * d6, v9 = p5_y - v8 * d6,
-        v10 = p5_z + J66 * d6, v11 = v10 - d1, J32 = s1 * v9 + c1 * J21, v12 = v10 - p2_z,
-        J33 = s1 * (v9 - p2_y) + c1 * (J21 - p2_x), v13 = J21 - p3_x, v14 = v9 - p3_y,
-        v15 = v10 - p3_z, J24 = J64 * v13 + v5 * v15, J34 = v6 * v13 - v5 * v14, v16 = J21 - p4_x,
-        v17 = v9 - p4_y, v18 = v10 - p4_z, J15 = J55 * v18 - J65 * v17, J25 = J65 * v16 - J45 * v18,
-        J35 = J45 * v17 - J55 * v16, v19 = J21 - p5_x, v20 = v9 - p5_y, v21 = v10 - p5_z,
-        J26 = J66 * v19 + v7 * v21, J36 = v8 * v19 - v7 * v20;
-    J[0] = -v9; J[1] = -(c1 * v11); J[2] = -(c1 * v12); J[3] = -(v6 * v15 + J64 * v14); J[4] = J15;
-    J[5] = -(v8 * v21 + J66 * v20);
-    J[6] = J21; J[7] = -(s1 * v11); J[8] = -(s1 * v12); J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = -v5; J[22] = J45; J[23] = -v7;
-    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -v6; J[28] = J55; J[29] = -v8;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2,
+        v4 = s1 * s2, p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v3 * s3,
+        x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3, v5 = v3 * c3 + x2_x * s3,
+        v6 = v4 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3, p3_x = p2_x + x3_x * a3,
+        p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4,
+        p4_x = p3_x - v5 * d4, p4_y = p3_y - v6 * d4, p4_z = p3_z + z3_z * d4,
+        z4_y = x3_y * s4 - c1 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), v7 = v5 * c5 + x4_x * s5, v8 = v6 * c5 + x4_y * s5,
+        z5_z = z3_z * c5 - x4_z * s5, p5_x = p4_x + (x4_x * c5 - v5 * s5) * a5,
+        p5_y = p4_y + (x4_y * c5 - v6 * s5) * a5, p5_z = p4_z + (x4_z * c5 + z3_z * s5) * a5,
+        J21 = p5_x - v7 * d6, v9 = p5_y - v8 * d6, v10 = p5_z + z5_z * d6, v11 = v10 - d1,
+        v12 = v10 - p2_z, v13 = J21 - p3_x, v14 = v9 - p3_y, v15 = v10 - p3_z, v16 = J21 - p4_x,
+        v17 = v9 - p4_y, v18 = v10 - p4_z, v19 = J21 - p5_x, v20 = v9 - p5_y, v21 = v10 - p5_z;
+    J[0] = -v9; J[1] = -(c1 * v11); J[2] = -(c1 * v12); J[3] = -(v6 * v15 + z3_z * v14);
+    J[4] = z4_y * v18 - z4_z * v17; J[5] = -(v8 * v21 + z5_z * v20);
+    J[6] = J21; J[7] = -(s1 * v11); J[8] = -(s1 * v12); J[9] = z3_z * v13 + v5 * v15;
+    J[10] = z4_z * v16 - z4_x * v18; J[11] = z5_z * v19 + v7 * v21;
+    J[12] = 0.0; J[13] = s1 * v9 + c1 * J21; J[14] = s1 * (v9 - p2_y) + c1 * (J21 - p2_x);
+    J[15] = v6 * v13 - v5 * v14; J[16] = z4_x * v17 - z4_y * v16; J[17] = v8 * v19 - v7 * v20;
+    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = -v5; J[22] = z4_x; J[23] = -v7;
+    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -v6; J[28] = z4_y; J[29] = -v8;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3731,14 +3723,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3763,15 +3764,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3789,38 +3790,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3847,7 +3852,7 @@ int abb_gofa_5_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -227,10 +227,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -255,7 +257,7 @@ static const double
     k1 = 2.7813, /* 2 * d4 * a2 [m^2] */
     k2 = 0.38325, /* 2 * a3 * a2 [m^2] */
     k3 = 2.84255, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 0.1268631397825131, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    k4 = 0.1268631397825131, /* 1 / (k1^2 + k2^2) [m^-4] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.1189024999999999e-05,
     half_turn = 3.141592653589793, /* pi [rad] */
@@ -266,9 +268,6 @@ static const double
 /* coefficients */
 static const double m3 = 0.4566210045662101, m4 = 0.20296803652968054, m5 = 0.3863646734914285,
 m6 = 0.053239226662204715, m7 = 0.023664836251350022, m8 = 0.17173909736694015;
-static const double low2 = -1.5707963277948966, high2 = 2.6179938789914945,
-low3 = -3.141592654589793, high3 = 1.3089969399957473, low5 = -2.181661565992912,
-high5 = 2.0943951033931953;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -293,64 +292,55 @@ static const double highest[6] = {
 void abb_irb4600_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2, y2_y = s1 * c2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3,
-        v1 = s2 * c3 + c2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4, x4_z = x3_z * c4,
-        y4_x = s1 * c4 - x3_x * s4, z5_y = c1 * c4 + x3_y * s4, z5_z = x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y3_x * s5, x5_y = x4_y * c5 + y3_y * s5,
-        x5_z = x4_z * c5 - v1 * s5, T13_ = y3_x * c5 - x4_x * s5, T23_ = y3_y * c5 - x4_y * s5,
-        v2 = v1 * c5 + x4_z * s5;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2,
+        y2_y = s1 * c2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3,
+        y3_y = y2_y * c3 - x2_y * s3, v1 = s2 * c3 + c2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + s1 * s4,
+        x4_y = x3_y * c4 - c1 * s4, x4_z = x3_z * c4, y4_x = s1 * c4 - x3_x * s4,
+        z5_y = c1 * c4 + x3_y * s4, z5_z = x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y3_x * s5,
+        x5_y = x4_y * c5 + y3_y * s5, x5_z = x4_z * c5 - v1 * s5, y5_x = y3_x * c5 - x4_x * s5,
+        y5_y = y3_y * c5 - x4_y * s5, v2 = v1 * c5 + x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T22_ = z5_y * c6 + x5_y * s6, T32_ = z5_z * c6 + x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + y3_x * d4 + T13_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + y3_y * d4 + T23_ * d6,
-        T34_ = d1 + c2 * a2 + x3_z * a3 - v1 * d4 - v2 * d6, T21_ = z5_y * s6 - x5_y * c6,
-        T31_ = z5_z * s6 - x5_z * c6, T12_ = x5_x * s6 - y4_x * c6;
-    T[0] = -(x5_x * c6 + y4_x * s6); T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = -v2; T[11] = T34_;
+    T[0] = -(x5_x * c6 + y4_x * s6); T[1] = x5_x * s6 - y4_x * c6; T[2] = y5_x;
+    T[3] = c1 * a1 + x2_x * a2 + x3_x * a3 + y3_x * d4 + y5_x * d6;
+    T[4] = z5_y * s6 - x5_y * c6; T[5] = z5_y * c6 + x5_y * s6; T[6] = y5_y;
+    T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 + y3_y * d4 + y5_y * d6;
+    T[8] = z5_z * s6 - x5_z * c6; T[9] = z5_z * c6 + x5_z * s6; T[10] = -v2;
+    T[11] = d1 + c2 * a2 + x3_z * a3 - v1 * d4 - v2 * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void abb_irb4600_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p2_x = c1 * a1, p2_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2, y2_y = s1 * c2,
-        p3_x = p2_x + x2_x * a2, p3_y = p2_y + x2_y * a2, p3_z = d1 + c2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * c3 - s2 * s3, J44 = y2_x * c3 - x2_x * s3, J54 = y2_y * c3 - x2_y * s3,
-        v1 = s2 * c3 + c2 * s3, p4_x = p3_x + x3_x * a3, p4_y = p3_y + x3_y * a3,
-        p4_z = p3_z + x3_z * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J55 = c1 * c4 + x3_y * s4, J65 = x3_z * s4, p5_x = p4_x + J44 * d4,
-        p5_y = p4_y + J54 * d4, p5_z = p4_z - v1 * d4, J45 = x3_x * s4 - s1 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = J44 * c5 - (x3_x * c4 + s1 * s4) * s5,
-        J56 = J54 * c5 - (x3_y * c4 - c1 * s4) * s5, v2 = v1 * c5 + x3_z * c4 * s5,
-        J21 = p5_x + J46 * d6, v3 = p5_y + J56 * d6, v4 = p5_z - v2 * d6, v5 = v4 - d1,
-        J12 = c1 * v5, J22 = s1 * v5, v6 = v4 - p3_z, J13 = c1 * v6, J23 = s1 * v6, v7 = J21 - p4_x,
-        v8 = v3 - p4_y, v9 = v4 - p4_z, J14 = J54 * v9 + v1 * v8, J34 = J44 * v8 - J54 * v7,
-        v10 = J21 - p5_x, v11 = v3 - p5_y, v12 = v4 - p5_z, J15 = J55 * v12 - J65 * v11,
-        J25 = J65 * v10 - J45 * v12, J35 = J45 * v11 - J55 * v10, J16 = J56 * v12 + v2 * v11,
-        J36 = J46 * v11 - J56 * v10;
-    J[0] = -v3; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(v1 * v7 + J44 * v9); J[10] = J25;
-    J[11] = -(v2 * v10 + J46 * v12);
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p2_x = c1 * a1, p2_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2,
+        y2_y = s1 * c2, p3_x = p2_x + x2_x * a2, p3_y = p2_y + x2_y * a2, p3_z = d1 + c2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3,
+        y3_y = y2_y * c3 - x2_y * s3, v1 = s2 * c3 + c2 * s3, p4_x = p3_x + x3_x * a3,
+        p4_y = p3_y + x3_y * a3, p4_z = p3_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), z5_y = c1 * c4 + x3_y * s4, z5_z = x3_z * s4,
+        p5_x = p4_x + y3_x * d4, p5_y = p4_y + y3_y * d4, p5_z = p4_z - v1 * d4,
+        z5_x = x3_x * s4 - s1 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), y5_x = y3_x * c5 - (x3_x * c4 + s1 * s4) * s5,
+        y5_y = y3_y * c5 - (x3_y * c4 - c1 * s4) * s5, v2 = v1 * c5 + x3_z * c4 * s5,
+        J21 = p5_x + y5_x * d6, v3 = p5_y + y5_y * d6, v4 = p5_z - v2 * d6, v5 = v4 - d1,
+        v6 = v4 - p3_z, v7 = J21 - p4_x, v8 = v3 - p4_y, v9 = v4 - p4_z, v10 = J21 - p5_x,
+        v11 = v3 - p5_y, v12 = v4 - p5_z;
+    J[0] = -v3; J[1] = c1 * v5; J[2] = c1 * v6; J[3] = y3_y * v9 + v1 * v8;
+    J[4] = z5_y * v12 - z5_z * v11; J[5] = y5_y * v12 + v2 * v11;
+    J[6] = J21; J[7] = s1 * v5; J[8] = s1 * v6; J[9] = -(v1 * v7 + y3_x * v9);
+    J[10] = z5_z * v10 - z5_x * v12; J[11] = -(v2 * v10 + y5_x * v12);
     J[12] = 0.0; J[13] = -(s1 * (v3 - p2_y) + c1 * (J21 - p2_x));
-    J[14] = -(s1 * (v3 - p3_y) + c1 * (J21 - p3_x)); J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = -s1; J[20] = -s1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = c1; J[26] = c1; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -v1; J[34] = J65; J[35] = -v2;
+    J[14] = -(s1 * (v3 - p3_y) + c1 * (J21 - p3_x)); J[15] = y3_x * v8 - y3_y * v7;
+    J[16] = z5_x * v11 - z5_y * v10; J[17] = y5_x * v11 - y5_y * v10;
+    J[18] = 0.0; J[19] = -s1; J[20] = -s1; J[21] = y3_x; J[22] = z5_x; J[23] = y5_x;
+    J[24] = 0.0; J[25] = c1; J[26] = c1; J[27] = y3_y; J[28] = z5_y; J[29] = y5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -v1; J[34] = z5_z; J[35] = -v2;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -477,10 +467,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v47 = only_wide(-v6 <= -half_turn, whole_turn) - v6,
         v48 = q3__mp + only_wide(q3__mp <= -half_turn, whole_turn),
         v49 = only_wide(-v7 <= -half_turn, whole_turn) - v7,
-        v50 = v46 - only_wide(high3 < v46, whole_turn),
-        v51 = v47 - only_wide(high3 < v47, whole_turn),
-        v52 = v48 - only_wide(high3 < v48, whole_turn),
-        v53 = v49 - only_wide(high3 < v49, whole_turn);
+        v50 = v46 - only_wide(high(3) < v46, whole_turn),
+        v51 = v47 - only_wide(high(3) < v47, whole_turn),
+        v52 = v48 - only_wide(high(3) < v48, whole_turn),
+        v53 = v49 - only_wide(high(3) < v49, whole_turn);
     const wide_mask v54 = beyond(v50, 3), v55 = beyond(v51, 3), v56 = beyond(v52, 3),
         v57 = beyond(v53, 3);
     const wide q3_ppp = pick_wide(v54, v46, v50), q3_pmp = pick_wide(v55, v47, v51),
@@ -584,7 +574,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v21,
         q6_m = angle6 - signed_four(half_turn, v26),
         v27 = q3_ + only_four(q3_ <= -half_turn, whole_turn),
-        v28 = v27 - only_four(high3 < v27, whole_turn);
+        v28 = v27 - only_four(high(3) < v27, whole_turn);
     const four_mask v29 = beyond_four(v28, 3);
     const four q3_p = pick_four(v29, v27, v28), q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
     const four_mask v30 = v29 | beyond_four(angle3, 2), outside_p = v30 | beyond_four(angle5, 5),
@@ -879,14 +869,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.2990, 0.2990, 0.2990, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.299, 0.299, 0.299, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -911,15 +910,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -937,62 +936,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
+        return;
+    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == ABB_IRB4600_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != ABB_IRB4600_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -1030,7 +1036,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -49,8 +49,9 @@ void adept_cobra600_jacobian(const double q[4], double J[24]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -ADEPT_COBRA600_INVALID_POSE, where the seed is
- * asked for also if that is not finite. */
+ * Returns how many rows are OK or FREE_JOINT, or -ADEPT_COBRA600_INVALID_POSE, also for a seed that
+ * is
+ * not finite where it may count. */
 int adept_cobra600_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 

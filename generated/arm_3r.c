@@ -202,10 +202,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -225,7 +227,7 @@ static const double
     free_limit_squared2 = 1.3224999999999997e-24, /* square of a length that fixes no angle [m^2] */
     k1 = 0.27999999999999997, /* 2 * d4 * a2 [m^2] */
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
-    k3 = 12.755102040816327, /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+    k3 = 12.755102040816327, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1.3225e-06, /* doubt_limit1^2 [m^2] */
     m5 = 1.749006249999999e-12; /* doubt_limit_squared2^2 [m^4] */
@@ -248,15 +250,13 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 void arm_3r_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - v1 * s3, T21_ = x2_y * c3 - v2 * s3, v3 = v1 * c3 + x2_x * s3,
-        v4 = v2 * c3 + x2_y * s3, T33_ = s2 * s3 - c2 * c3, T14_ = x2_x * a2 - v3 * d4,
-        T24_ = x2_y * a2 - v4 * d4, T34_ = d1 - s2 * a2 + T33_ * d4;
-    T[0] = T11_; T[1] = s1; T[2] = -v3; T[3] = T14_;
-    T[4] = T21_; T[5] = -c1; T[6] = -v4; T[7] = T24_;
-    T[8] = -(s2 * c3 + c2 * s3); T[9] = 0.0; T[10] = T33_; T[11] = T34_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3,
+        z3_z = s2 * s3 - c2 * c3;
+    T[0] = x2_x * c3 - v1 * s3; T[1] = s1; T[2] = -v3; T[3] = x2_x * a2 - v3 * d4;
+    T[4] = x2_y * c3 - v2 * s3; T[5] = -c1; T[6] = -v4; T[7] = x2_y * a2 - v4 * d4;
+    T[8] = -(s2 * c3 + c2 * s3); T[9] = 0.0; T[10] = z3_z; T[11] = d1 - s2 * a2 + z3_z * d4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -264,15 +264,13 @@ void arm_3r_fk(const double q[3], double T[16])
 void arm_3r_jacobian(const double q[3], double J[18])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, p2_x = x2_x * a2, p2_y = x2_y * a2,
-        p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J21 = p2_x - (c1 * s2 * c3 + x2_x * s3) * d4,
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, p2_x = x2_x * a2,
+        p2_y = x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), J21 = p2_x - (c1 * s2 * c3 + x2_x * s3) * d4,
         v1 = p2_y - (s1 * s2 * c3 + x2_y * s3) * d4, v2 = p2_z + (s2 * s3 - c2 * c3) * d4,
-        v3 = v2 - d1, J12 = c1 * v3, J22 = s1 * v3, v4 = v2 - p2_z, J13 = c1 * v4, J23 = s1 * v4;
-    J[0] = -v1; J[1] = J12; J[2] = J13;
-    J[3] = J21; J[4] = J22; J[5] = J23;
+        v3 = v2 - d1, v4 = v2 - p2_z;
+    J[0] = -v1; J[1] = c1 * v3; J[2] = c1 * v4;
+    J[3] = J21; J[4] = s1 * v3; J[5] = s1 * v4;
     J[6] = 0.0; J[7] = -(s1 * v1 + c1 * J21); J[8] = -(s1 * (v1 - p2_y) + c1 * (J21 - p2_x));
     J[9] = 0.0; J[10] = -s1; J[11] = -s1;
     J[12] = 0.0; J[13] = c1; J[14] = c1;
@@ -498,14 +496,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[3], const double q[3], double half[3])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.8696, 0.8696, 0.8696, 0.0, 0.0, 0.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[3] = { 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -525,15 +532,15 @@ static double off_pose(const double T[16], const double x[3], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[3], const double J[18], double e[6], double x[3])
+    double share, const int held[3], const double J[18], double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
-            A[i][j] = pace[j] * weights[i] * J[3 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
         A[i][3 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -551,56 +558,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[3])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[3])
 {
-    double x[3], J[18], pace[3] = { 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[3], half[3], J[18], last = HUGE_VAL;
+    int settled = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 3; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])
 {
-    double x[3], least = HUGE_VAL;
+    double x[3], half[3], J[18], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 3; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = status[row] == ARM_3R_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 3; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != ARM_3R_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -223,10 +223,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -264,31 +266,29 @@ static const double weight[5] = { 1.0, 0.25, 1.0, 0.25, 1.0 };
 void bartell_rprpr_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c1 * c3, x3_y = s1 * c3, T13_ = c1 * s3, T23_ = s1 * s3,
-        T14_ = s1 * q[1] + T13_ * q[3], T24_ = T23_ * q[3] - c1 * q[1], T34_ = d1 - c3 * q[3];
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c1 * c3, x3_y = s1 * c3, z4_x = c1 * s3,
+        z4_y = s1 * s3;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double T11_ = x3_x * c5 + s1 * s5, T21_ = x3_y * c5 - c1 * s5, T31_ = s3 * c5,
-        T12_ = s1 * c5 - x3_x * s5;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(c1 * c5 + x3_y * s5); T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = -(s3 * s5); T[10] = -c3; T[11] = T34_;
+    T[0] = x3_x * c5 + s1 * s5; T[1] = s1 * c5 - x3_x * s5; T[2] = z4_x;
+    T[3] = s1 * q[1] + z4_x * q[3];
+    T[4] = x3_y * c5 - c1 * s5; T[5] = -(c1 * c5 + x3_y * s5); T[6] = z4_y;
+    T[7] = z4_y * q[3] - c1 * q[1];
+    T[8] = s3 * c5; T[9] = -(s3 * s5); T[10] = -c3; T[11] = d1 - c3 * q[3];
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void bartell_rprpr_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p2_x = s1 * q[1], v1 = c1 * q[1];
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J14 = c1 * s3, J24 = s1 * s3, J21 = p2_x + J14 * q[3], p4_y = J24 * q[3] - v1,
-        v2 = d1 - c3 * q[3] - d1, J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x);
-    J[0] = -p4_y; J[1] = s1; J[2] = -(c1 * v2); J[3] = J14; J[4] = 0.0;
-    J[5] = J21; J[6] = -c1; J[7] = -(s1 * v2); J[8] = J24; J[9] = 0.0;
-    J[10] = 0.0; J[11] = 0.0; J[12] = J33; J[13] = -c3; J[14] = 0.0;
-    J[15] = 0.0; J[16] = 0.0; J[17] = s1; J[18] = 0.0; J[19] = J14;
-    J[20] = 0.0; J[21] = 0.0; J[22] = -c1; J[23] = 0.0; J[24] = J24;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p2_x = s1 * q[1], v1 = c1 * q[1];
+    const double c3 = cos(q[2]), s3 = sin(q[2]), z4_x = c1 * s3, z4_y = s1 * s3,
+        p4_x = p2_x + z4_x * q[3], p4_y = z4_y * q[3] - v1, v2 = d1 - c3 * q[3] - d1;
+    J[0] = -p4_y; J[1] = s1; J[2] = -(c1 * v2); J[3] = z4_x; J[4] = 0.0;
+    J[5] = p4_x; J[6] = -c1; J[7] = -(s1 * v2); J[8] = z4_y; J[9] = 0.0;
+    J[10] = 0.0; J[11] = 0.0; J[12] = s1 * (v1 + p4_y) + c1 * (p4_x - p2_x); J[13] = -c3;
+    J[14] = 0.0;
+    J[15] = 0.0; J[16] = 0.0; J[17] = s1; J[18] = 0.0; J[19] = z4_x;
+    J[20] = 0.0; J[21] = 0.0; J[22] = -c1; J[23] = 0.0; J[24] = z4_y;
     J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = -c3;
 }
 
@@ -569,16 +569,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[5], const double q[5], double half[5])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.5;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 5; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.5));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.5000, 0.5000, 0.5000, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.5, 0.5, 0.5, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[5] = { 1.0, 2.0, 1.0, 2.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -603,15 +610,15 @@ static double off_pose(const double T[16], const double x[5], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[5], const double J[30], double e[6], double x[5])
+    double share, const int held[5], const double J[30], double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
-            A[i][j] = pace[j] * weights[i] * J[5 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
         A[i][5 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -629,56 +636,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[5])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], J[30], pace[5] = { 1.0, 2.000, 1.0, 2.000, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[5], half[5], J[30], last = HUGE_VAL;
+    int settled = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 5; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[5], double q[2][5],
     unsigned char status[2])
 {
-    double x[5], least = HUGE_VAL;
+    double x[5], half[5], J[30], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 5; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == BARTELL_RPRPR_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 5; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != BARTELL_RPRPR_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

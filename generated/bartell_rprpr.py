@@ -182,29 +182,22 @@ def fk(q):
     s3 = math.sin(q[2])
     x3_x = c1 * c3
     x3_y = s1 * c3
-    T13_ = c1 * s3
-    T23_ = s1 * s3
-    T14_ = s1 * q[1] + T13_ * q[3]
-    T24_ = T23_ * q[3] - c1 * q[1]
-    T34_ = d1 - c3 * q[3]
+    z4_x = c1 * s3
+    z4_y = s1 * s3
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x3_x * c5 + s1 * s5
-    T21_ = x3_y * c5 - c1 * s5
-    T31_ = s3 * c5
-    T12_ = s1 * c5 - x3_x * s5
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 0] = x3_x * c5 + s1 * s5
+    T[0, 1] = s1 * c5 - x3_x * s5
+    T[0, 2] = z4_x
+    T[0, 3] = s1 * q[1] + z4_x * q[3]
+    T[1, 0] = x3_y * c5 - c1 * s5
     T[1, 1] = -(c1 * c5 + x3_y * s5)
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 2] = z4_y
+    T[1, 3] = z4_y * q[3] - c1 * q[1]
+    T[2, 0] = s3 * c5
     T[2, 1] = -(s3 * s5)
     T[2, 2] = -c3
-    T[2, 3] = T34_
+    T[2, 3] = d1 - c3 * q[3]
     T[3, 3] = 1.0
     return T
 
@@ -221,26 +214,25 @@ def jacobian(q):
     v1 = c1 * q[1]
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J14 = c1 * s3
-    J24 = s1 * s3
-    J21 = p2_x + J14 * q[3]
-    p4_y = J24 * q[3] - v1
+    z4_x = c1 * s3
+    z4_y = s1 * s3
+    p4_x = p2_x + z4_x * q[3]
+    p4_y = z4_y * q[3] - v1
     v2 = d1 - c3 * q[3] - d1
-    J33 = s1 * (v1 + p4_y) + c1 * (J21 - p2_x)
     J[0, 0] = -p4_y
     J[0, 1] = s1
     J[0, 2] = -(c1 * v2)
-    J[0, 3] = J14
-    J[1, 0] = J21
+    J[0, 3] = z4_x
+    J[1, 0] = p4_x
     J[1, 1] = -c1
     J[1, 2] = -(s1 * v2)
-    J[1, 3] = J24
-    J[2, 2] = J33
+    J[1, 3] = z4_y
+    J[2, 2] = s1 * (v1 + p4_y) + c1 * (p4_x - p2_x)
     J[2, 3] = -c3
     J[3, 2] = s1
-    J[3, 4] = J14
+    J[3, 4] = z4_x
     J[4, 2] = -c1
-    J[4, 4] = J24
+    J[4, 4] = z4_y
     J[5, 0] = 1.0
     J[5, 4] = -c3
     return J
@@ -258,7 +250,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "bartell_rprpr 37f8e6c82a521ca4"
+_KEY = "bartell_rprpr b42614a87a6ee766"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -451,14 +443,14 @@ def _turned(joint, given, towards):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 2.000, 1.0, 2.000, 1.0])
+_PACE = np.array([1.0, 2.0, 1.0, 2.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.5000, 0.5000, 0.5000, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.5, 0.5, 0.5, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -473,23 +465,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(5):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -501,51 +493,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.5000
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.5))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(5):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -555,23 +556,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(5), 0, math.inf
+    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
+    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(5):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]

@@ -202,17 +202,17 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
     ((where_all((x) != (x)) & CARTESIAN_UNREACHABLE) \
         | (where_all(((x) == (x)) & (outside)) & CARTESIAN_OUT_OF_LIMITS))
-static const double low1 = -1e-09, high1 = 0.800000001, low2 = -1e-09, high2 = 0.600000001,
-low3 = -1e-09, high3 = 1.200000001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \

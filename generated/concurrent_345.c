@@ -425,11 +425,11 @@ static const double
     free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     k1 = 2.732050807568877, /* sqrt3 + 1 */
     k2 = 0.125, /* 1 / 8 */
-    k3 = 0.12074072828613354, /* d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 [m] */
+    k3 = 0.12074072828613354, /* d3 * sqrt2 * k1 * 1 / 8 [m] */
     k4 = 0.25, /* 1 / 4 */
-    k5 = -0.06755556302831987, /* (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 [m^2] */
-    k6 = 0.3380740392011739, /* a2 * sqrt2 * (sqrt3 + 1) / 4 [m] */
-    k7 = 0.25284442352070435, /* (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 [m^2] */
+    k5 = -0.06755556302831987, /* (d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 [m^2] */
+    k6 = 0.3380740392011739, /* a2 * sqrt2 * k1 / 4 [m] */
+    k7 = 0.25284442352070435, /* (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 [m^2] */
     k8 = 1.6, /* 8 * a6 [m] */
     k9 = 0.4, /* d5 + 2 * d6 [m] */
     k10 = 3.0553429721660432, /* d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m] */
@@ -442,43 +442,42 @@ static const double
     k15 = 1.1398079724067007,
     k16 = 0.06, /* 2 * a6 * a5 [m^2] */
     k17 = 0.06928203230275509, /* a6 * d5 * sqrt3 [m^2] */
-    /* ((d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4 - d3 *
-     * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2)^2 [m^6] */
+    /* ((d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * k1 / 4 - d3 * sqrt2 * k1 * 1 / 8
+     * * (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2)^2 [m^6] */
     k18 = 0.0028480795858198678,
-    /* 1 / (d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 -
-     * (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4) [m^-3]
-     * */
+    /* 1 / (d3 * sqrt2 * k1 * 1 / 8 * (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 - (d1 * d3 * sqrt2 *
+     * k1 - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * k1 / 4) [m^-3] */
     k19 = 18.738030414662138,
     k20 = 0.7, /* 2 * a2 [m] */
     k21 = 0.7320508075688772, /* sqrt3 - 1 */
-    k22 = 0.1830127018922193, /* d3 * (sqrt3 - 1) [m] */
-    k23 = 0.512435565298214, /* 2 * a2 * (sqrt3 - 1) [m] */
+    k22 = 0.1830127018922193, /* d3 * k21 [m] */
+    k23 = 0.512435565298214, /* 2 * a2 * k21 [m] */
     k24 = 1.7294228634059947, /* sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m] */
     k25 = -1.2679491924311228, /* sqrt3 - 3 */
     k26 = 4.732050807568877, /* sqrt3 + 3 */
     k27 = 0.8660254037844386, /* sqrt3 / 2 */
-    k28 = 1.4196152422706632, /* d1 * (sqrt3 + 3) [m] */
+    k28 = 1.4196152422706632, /* d1 * k26 [m] */
     k29 = 1.3856406460551018, /* 4 * d5 * sqrt3 [m] */
-    k30 = 1.035276180410083, /* sqrt2 * (sqrt3 - 1) */
-    k31 = 0.7105828541230249, /* d1 * sqrt2 * (sqrt3 - 1) + (d5 + 2 * d6) [m] */
+    k30 = 1.035276180410083, /* sqrt2 * k21 */
+    k31 = 0.7105828541230249, /* d1 * sqrt2 * k21 + k9 [m] */
     k32 = 0.8, /* 4 * a1 [m] */
-    k33 = 0.8196152422706632, /* d1 * (sqrt3 + 1) [m] */
+    k33 = 0.8196152422706632, /* d1 * k1 [m] */
     k34 = 1.4, /* 4 * a2 [m] */
     k35 = 7.698003589195011, /* 1 / (a5 * sqrt3 / 2) [m^-1] */
     f1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
     f2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-    f3 = 0.025881904510252077, /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+    f3 = 0.025881904510252077, /* d2 * f1 [m] */
     f4 = 0.5, /* 1 / 2 */
     f5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    f6 = 0.12940952255126037, /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-    f7 = 0.22414386804201336, /* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    f6 = 0.12940952255126037, /* 1 / 2 * f1 */
+    f7 = 0.22414386804201336, /* 1 / 2 * sqrt3 * f1 */
     g1 = 0.25881904510252074, /* 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2 */
     g2 = 0.9659258262890683, /* 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2 */
-    g3 = 0.025881904510252077, /* d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m] */
+    g3 = 0.025881904510252077, /* d2 * f1 [m] */
     g4 = 0.5, /* 1 / 2 */
     g5 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    g6 = 0.12940952255126037, /* 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
-    g7 = 0.22414386804201336; /* 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) */
+    g6 = 0.12940952255126037, /* 1 / 2 * f1 */
+    g7 = 0.22414386804201336; /* 1 / 2 * sqrt3 * f1 */
 
 const char *const concurrent_345_branches[8] = {
     "root1-noflip", "root1-flip", "root2-noflip", "root2-flip", "root3-noflip", "root3-flip",
@@ -492,86 +491,79 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void concurrent_345_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2, v2 = c1 * f2;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, y2_x = z1_x * f4 - v3 * f5,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2,
+        v2 = c1 * f2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, y2_x = z1_x * f4 - v3 * f5,
         y2_y = v4 * f5 - v2 * f4, y2_z = v5 * f5 + f6, z2_x = v3 * f4 + z1_x * f5,
         v6 = v4 * f4 + v2 * f5, z2_z = f7 - v5 * f4;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
-        y4_z = y2_z * c3 - x2_z * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v6 * s4,
-        x4_z = x3_z * c4 + z2_z * s4, z4_x = z2_x * c4 - x3_x * s4, v7 = v6 * c4 + x3_y * s4,
-        z4_z = z2_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
-        v10 = y4_z * c5 - x4_z * s5, y5_x = f4 * v8 + f5 * z4_x, y5_y = f4 * v9 - f5 * v7,
-        y5_z = f4 * v10 + f5 * z4_z, T13_ = f4 * z4_x - f5 * v8, v11 = f5 * v9 + f4 * v7,
-        T33_ = f4 * z4_z - f5 * v10;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
-        T32_ = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ * a6 +
-            T13_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 - v11 * d6,
-        T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ * d6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -v11; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3,
+        y4_y = y2_y * c3 - x2_y * s3, y4_z = y2_z * c3 - x2_z * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 - v6 * s4, x4_z = x3_z * c4 + z2_z * s4, z4_x = z2_x * c4 - x3_x * s4,
+        v7 = v6 * c4 + x3_y * s4, z4_z = z2_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5,
+        v9 = y4_y * c5 - x4_y * s5, v10 = y4_z * c5 - x4_z * s5, y5_x = f4 * v8 + f5 * z4_x,
+        y5_y = f4 * v9 - f5 * v7, y5_z = f4 * v10 + f5 * z4_z, z5_x = f4 * z4_x - f5 * v8,
+        v11 = f5 * v9 + f4 * v7, z5_z = f4 * z4_z - f5 * v10;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + y5_x * s6,
+        x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 + y5_z * s6;
+    T[0] = x6_x; T[1] = y5_x * c6 - x5_x * s6; T[2] = z5_x;
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + x6_x * a6 + z5_x *
+        d6;
+    T[4] = x6_y; T[5] = y5_y * c6 - x5_y * s6; T[6] = -v11;
+    T[7] = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + x6_y * a6 - v11 * d6;
+    T[8] = x6_z; T[9] = y5_z * c6 - x5_z * s6; T[10] = z5_z;
+    T[11] = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + x6_z * a6 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void concurrent_345_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * g1, y1_y = c1 * g1, J42 = s1 * g2,
-        v2 = c1 * g2;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2,
-        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
-        p2_z = d1 + x2_z * a2 + g3, y2_x = J42 * g4 - v3 * g5, y2_y = v4 * g5 - v2 * g4,
-        y2_z = v5 * g5 + g6, J43 = v3 * g4 + J42 * g5, v6 = v4 * g4 + v2 * g5, J63 = g7 - v5 * g4;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3, y4_y = y2_y * c3 - x2_y * s3,
-        y4_z = y2_z * c3 - x2_z * s3, p3_x = p2_x + J43 * d3, p3_y = p2_y - v6 * d3,
-        p3_z = p2_z + J63 * d3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v6 * s4,
-        x4_z = x3_z * c4 + J63 * s4, J45 = J43 * c4 - x3_x * s4, v7 = v6 * c4 + x3_y * s4,
-        J65 = J63 * c4 - x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5, v9 = y4_y * c5 - x4_y * s5,
-        v10 = y4_z * c5 - x4_z * s5, p5_x = p3_x + x5_x * a5 + J45 * d5,
-        p5_y = p3_y + x5_y * a5 - v7 * d5, p5_z = p3_z + x5_z * a5 + J65 * d5,
-        J46 = g4 * J45 - g5 * v8, v11 = g5 * v9 + g4 * v7, J66 = g4 * J65 - g5 * v10;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * g1,
+        y1_y = c1 * g1, z1_x = s1 * g2, v2 = c1 * g2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = g2 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = g2 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + g3, y2_x = z1_x * g4 - v3 * g5,
+        y2_y = v4 * g5 - v2 * g4, y2_z = v5 * g5 + g6, z2_x = v3 * g4 + z1_x * g5,
+        v6 = v4 * g4 + v2 * g5, z2_z = g7 - v5 * g4;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, y4_x = y2_x * c3 - x2_x * s3,
+        y4_y = y2_y * c3 - x2_y * s3, y4_z = y2_z * c3 - x2_z * s3, p3_x = p2_x + z2_x * d3,
+        p3_y = p2_y - v6 * d3, p3_z = p2_z + z2_z * d3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 - v6 * s4, x4_z = x3_z * c4 + z2_z * s4, z4_x = z2_x * c4 - x3_x * s4,
+        v7 = v6 * c4 + x3_y * s4, z4_z = z2_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v8 = y4_x * c5 - x4_x * s5,
+        v9 = y4_y * c5 - x4_y * s5, v10 = y4_z * c5 - x4_z * s5,
+        p5_x = p3_x + x5_x * a5 + z4_x * d5, p5_y = p3_y + x5_y * a5 - v7 * d5,
+        p5_z = p3_z + x5_z * a5 + z4_z * d5, z5_x = g4 * z4_x - g5 * v8, v11 = g5 * v9 + g4 * v7,
+        z5_z = g4 * z4_z - g5 * v10;
+    const double c6 = cos(q[5]), s6 = sin(q[5]),
+        p6_x = p5_x + (x5_x * c6 + (g4 * v8 + g5 * z4_x) * s6) * a6 + z5_x * d6,
         p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6,
-        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6, v12 = J21 - p1_x,
-        v13 = p6_y - p1_y, v14 = p6_z - d1, J22 = g1 * v12 - J42 * v14, J32 = J42 * v13 + v2 * v12,
-        v15 = J21 - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z, J23 = J63 * v15 - J43 * v17,
-        J33 = J43 * v16 + v6 * v15, v18 = J21 - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z,
-        J14 = -y4_y * v20 - -y4_z * v19, J24 = -y4_z * v18 - -y4_x * v20,
-        J34 = -y4_x * v19 - -y4_y * v18, J25 = J65 * v18 - J45 * v20, J35 = J45 * v19 + v7 * v18,
-        v21 = J21 - p5_x, v22 = p6_y - p5_y, v23 = p6_z - p5_z, J26 = J66 * v21 - J46 * v23,
-        J36 = J46 * v22 + v11 * v21;
-    J[0] = -p6_y; J[1] = -(v2 * v14 + g1 * v13); J[2] = -(v6 * v17 + J63 * v16); J[3] = J14;
-    J[4] = -(v7 * v20 + J65 * v19); J[5] = -(v11 * v23 + J66 * v22);
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = J42; J[20] = J43; J[21] = -y4_x; J[22] = J45; J[23] = J46;
+        p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * z4_z) * s6) * a6 + z5_z * d6, v12 = p6_x - p1_x,
+        v13 = p6_y - p1_y, v14 = p6_z - d1, v15 = p6_x - p2_x, v16 = p6_y - p2_y, v17 = p6_z - p2_z,
+        v18 = p6_x - p3_x, v19 = p6_y - p3_y, v20 = p6_z - p3_z, v21 = p6_x - p5_x,
+        v22 = p6_y - p5_y, v23 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(v2 * v14 + g1 * v13); J[2] = -(v6 * v17 + z2_z * v16);
+    J[3] = -y4_y * v20 - -y4_z * v19; J[4] = -(v7 * v20 + z4_z * v19);
+    J[5] = -(v11 * v23 + z5_z * v22);
+    J[6] = p6_x; J[7] = g1 * v12 - z1_x * v14; J[8] = z2_z * v15 - z2_x * v17;
+    J[9] = -y4_z * v18 - -y4_x * v20; J[10] = z4_z * v18 - z4_x * v20;
+    J[11] = z5_z * v21 - z5_x * v23;
+    J[12] = 0.0; J[13] = z1_x * v13 + v2 * v12; J[14] = z2_x * v16 + v6 * v15;
+    J[15] = -y4_x * v19 - -y4_y * v18; J[16] = z4_x * v19 + v7 * v18;
+    J[17] = z5_x * v22 + v11 * v21;
+    J[18] = 0.0; J[19] = z1_x; J[20] = z2_x; J[21] = -y4_x; J[22] = z4_x; J[23] = z5_x;
     J[24] = 0.0; J[25] = -v2; J[26] = -v6; J[27] = -y4_y; J[28] = -v7; J[29] = -v11;
-    J[30] = 1.0; J[31] = g1; J[32] = J63; J[33] = -y4_z; J[34] = J65; J[35] = J66;
+    J[30] = 1.0; J[31] = g1; J[32] = z2_z; J[33] = -y4_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -1017,14 +1009,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1049,15 +1050,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1075,56 +1076,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == CONCURRENT_345_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != CONCURRENT_345_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -112,11 +112,11 @@ near_limit_squared = 1e-06  # square of a length whose direction is good to few 
 free_limit_squared = 1e-24  # square of a length that fixes no angle
 k1 = 2.732050807568877  # sqrt3 + 1
 k2 = 0.125  # 1 / 8
-k3 = 0.12074072828613354  # d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 [m]
+k3 = 0.12074072828613354  # d3 * sqrt2 * k1 * 1 / 8 [m]
 k4 = 0.25  # 1 / 4
-k5 = -0.06755556302831987  # (d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 [m^2]
-k6 = 0.3380740392011739  # a2 * sqrt2 * (sqrt3 + 1) / 4 [m]
-k7 = 0.25284442352070435  # (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 [m^2]
+k5 = -0.06755556302831987  # (d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 [m^2]
+k6 = 0.3380740392011739  # a2 * sqrt2 * k1 / 4 [m]
+k7 = 0.25284442352070435  # (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 [m^2]
 k8 = 1.6  # 8 * a6 [m]
 k9 = 0.4  # d5 + 2 * d6 [m]
 k10 = 3.0553429721660432  # d1 * 8 + sqrt2 * (sqrt3 * (2 * d6 - d3) - (2 * d6 - 3 * d3)) [m]
@@ -129,42 +129,42 @@ k14 = 0.0625  # d3^2 [m^2]
 k15 = 1.1398079724067007
 k16 = 0.06  # 2 * a6 * a5 [m^2]
 k17 = 0.06928203230275509  # a6 * d5 * sqrt3 [m^2]
-# ((d1 * d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4 - d3 * sqrt2
-# * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2)^2 [m^6]
+# ((d1 * d3 * sqrt2 * k1 - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * k1 / 4 - d3 * sqrt2 * k1 * 1 / 8 *
+# (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2)^2 [m^6]
 k18 = 0.0028480795858198678
-# 1 / (d3 * sqrt2 * (sqrt3 + 1) * 1 / 8 * (d1 * a2 * sqrt2 * (sqrt3 + 1) + 2 * d3 * a1) / 2 - (d1 *
-# d3 * sqrt2 * (sqrt3 + 1) - 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * (sqrt3 + 1) / 4) [m^-3]
+# 1 / (d3 * sqrt2 * k1 * 1 / 8 * (d1 * a2 * sqrt2 * k1 + 2 * d3 * a1) / 2 - (d1 * d3 * sqrt2 * k1 -
+# 8 * a2 * a1) * 1 / 4 * a2 * sqrt2 * k1 / 4) [m^-3]
 k19 = 18.738030414662138
 k20 = 0.7  # 2 * a2 [m]
 k21 = 0.7320508075688772  # sqrt3 - 1
-k22 = 0.1830127018922193  # d3 * (sqrt3 - 1) [m]
-k23 = 0.512435565298214  # 2 * a2 * (sqrt3 - 1) [m]
+k22 = 0.1830127018922193  # d3 * k21 [m]
+k23 = 0.512435565298214  # 2 * a2 * k21 [m]
 k24 = 1.7294228634059947  # sqrt3 * (2 * d6 + d3) + (2 * d6 + 3 * d3) [m]
 k25 = -1.2679491924311228  # sqrt3 - 3
 k26 = 4.732050807568877  # sqrt3 + 3
 k27 = 0.8660254037844386  # sqrt3 / 2
-k28 = 1.4196152422706632  # d1 * (sqrt3 + 3) [m]
+k28 = 1.4196152422706632  # d1 * k26 [m]
 k29 = 1.3856406460551018  # 4 * d5 * sqrt3 [m]
-k30 = 1.035276180410083  # sqrt2 * (sqrt3 - 1)
-k31 = 0.7105828541230249  # d1 * sqrt2 * (sqrt3 - 1) + (d5 + 2 * d6) [m]
+k30 = 1.035276180410083  # sqrt2 * k21
+k31 = 0.7105828541230249  # d1 * sqrt2 * k21 + k9 [m]
 k32 = 0.8  # 4 * a1 [m]
-k33 = 0.8196152422706632  # d1 * (sqrt3 + 1) [m]
+k33 = 0.8196152422706632  # d1 * k1 [m]
 k34 = 1.4  # 4 * a2 [m]
 k35 = 7.698003589195011  # 1 / (a5 * sqrt3 / 2) [m^-1]
 f1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
 f2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
-f3 = 0.025881904510252077  # d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m]
+f3 = 0.025881904510252077  # d2 * f1 [m]
 f4 = 0.5  # 1 / 2
 f5 = 0.8660254037844386  # 1 / 2 * sqrt3
-f6 = 0.12940952255126037  # 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
-f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
+f6 = 0.12940952255126037  # 1 / 2 * f1
+f7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
 g1 = 0.25881904510252074  # 1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2
 g2 = 0.9659258262890683  # 1 / 4 * sqrt2 * sqrt3 + 1 / 4 * sqrt2
-g3 = 0.025881904510252077  # d2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2) [m]
+g3 = 0.025881904510252077  # d2 * f1 [m]
 g4 = 0.5  # 1 / 2
 g5 = 0.8660254037844386  # 1 / 2 * sqrt3
-g6 = 0.12940952255126037  # 1 / 2 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
-g7 = 0.22414386804201336  # 1 / 2 * sqrt3 * (1 / 4 * sqrt2 * sqrt3 - 1 / 4 * sqrt2)
+g6 = 0.12940952255126037  # 1 / 2 * f1
+g7 = 0.22414386804201336  # 1 / 2 * sqrt3 * f1
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -400,34 +400,26 @@ def fk(q):
     y5_x = f4 * v8 + f5 * z4_x
     y5_y = f4 * v9 - f5 * v7
     y5_z = f4 * v10 + f5 * z4_z
-    T13_ = f4 * z4_x - f5 * v8
+    z5_x = f4 * z4_x - f5 * v8
     v11 = f5 * v9 + f4 * v7
-    T33_ = f4 * z4_z - f5 * v10
+    z5_z = f4 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ * a6 + T13_ * d6
-    )
-    T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 - v11 * d6
-    T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ * d6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
+    x6_x = x5_x * c6 + y5_x * s6
+    x6_y = x5_y * c6 + y5_y * s6
+    x6_z = x5_z * c6 + y5_z * s6
+    T[0, 0] = x6_x
+    T[0, 1] = y5_x * c6 - x5_x * s6
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + x6_x * a6 + z5_x * d6
+    T[1, 0] = x6_y
+    T[1, 1] = y5_y * c6 - x5_y * s6
     T[1, 2] = -v11
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[1, 3] = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + x6_y * a6 - v11 * d6
+    T[2, 0] = x6_z
+    T[2, 1] = y5_z * c6 - x5_z * s6
+    T[2, 2] = z5_z
+    T[2, 3] = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + x6_z * a6 + z5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -444,7 +436,7 @@ def jacobian(q):
     p1_y = s1 * a1
     v1 = s1 * g1
     y1_y = c1 * g1
-    J42 = s1 * g2
+    z1_x = s1 * g2
     v2 = c1 * g2
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
@@ -454,15 +446,15 @@ def jacobian(q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = g2 * c2
-    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
     p2_z = d1 + x2_z * a2 + g3
-    y2_x = J42 * g4 - v3 * g5
+    y2_x = z1_x * g4 - v3 * g5
     y2_y = v4 * g5 - v2 * g4
     y2_z = v5 * g5 + g6
-    J43 = v3 * g4 + J42 * g5
+    z2_x = v3 * g4 + z1_x * g5
     v6 = v4 * g4 + v2 * g5
-    J63 = g7 - v5 * g4
+    z2_z = g7 - v5 * g4
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -471,17 +463,17 @@ def jacobian(q):
     y4_x = y2_x * c3 - x2_x * s3
     y4_y = y2_y * c3 - x2_y * s3
     y4_z = y2_z * c3 - x2_z * s3
-    p3_x = p2_x + J43 * d3
+    p3_x = p2_x + z2_x * d3
     p3_y = p2_y - v6 * d3
-    p3_z = p2_z + J63 * d3
+    p3_z = p2_z + z2_z * d3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + J43 * s4
+    x4_x = x3_x * c4 + z2_x * s4
     x4_y = x3_y * c4 - v6 * s4
-    x4_z = x3_z * c4 + J63 * s4
-    J45 = J43 * c4 - x3_x * s4
+    x4_z = x3_z * c4 + z2_z * s4
+    z4_x = z2_x * c4 - x3_x * s4
     v7 = v6 * c4 + x3_y * s4
-    J65 = J63 * c4 - x3_z * s4
+    z4_z = z2_z * c4 - x3_z * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     x5_x = x4_x * c5 + y4_x * s5
@@ -490,62 +482,51 @@ def jacobian(q):
     v8 = y4_x * c5 - x4_x * s5
     v9 = y4_y * c5 - x4_y * s5
     v10 = y4_z * c5 - x4_z * s5
-    p5_x = p3_x + x5_x * a5 + J45 * d5
+    p5_x = p3_x + x5_x * a5 + z4_x * d5
     p5_y = p3_y + x5_y * a5 - v7 * d5
-    p5_z = p3_z + x5_z * a5 + J65 * d5
-    J46 = g4 * J45 - g5 * v8
+    p5_z = p3_z + x5_z * a5 + z4_z * d5
+    z5_x = g4 * z4_x - g5 * v8
     v11 = g5 * v9 + g4 * v7
-    J66 = g4 * J65 - g5 * v10
+    z5_z = g4 * z4_z - g5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    J21 = p5_x + (x5_x * c6 + (g4 * v8 + g5 * J45) * s6) * a6 + J46 * d6
+    p6_x = p5_x + (x5_x * c6 + (g4 * v8 + g5 * z4_x) * s6) * a6 + z5_x * d6
     p6_y = p5_y + (x5_y * c6 + (g4 * v9 - g5 * v7) * s6) * a6 - v11 * d6
-    p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * J65) * s6) * a6 + J66 * d6
-    v12 = J21 - p1_x
+    p6_z = p5_z + (x5_z * c6 + (g4 * v10 + g5 * z4_z) * s6) * a6 + z5_z * d6
+    v12 = p6_x - p1_x
     v13 = p6_y - p1_y
     v14 = p6_z - d1
-    J22 = g1 * v12 - J42 * v14
-    J32 = J42 * v13 + v2 * v12
-    v15 = J21 - p2_x
+    v15 = p6_x - p2_x
     v16 = p6_y - p2_y
     v17 = p6_z - p2_z
-    J23 = J63 * v15 - J43 * v17
-    J33 = J43 * v16 + v6 * v15
-    v18 = J21 - p3_x
+    v18 = p6_x - p3_x
     v19 = p6_y - p3_y
     v20 = p6_z - p3_z
-    J14 = -y4_y * v20 - -y4_z * v19
-    J24 = -y4_z * v18 - -y4_x * v20
-    J34 = -y4_x * v19 - -y4_y * v18
-    J25 = J65 * v18 - J45 * v20
-    J35 = J45 * v19 + v7 * v18
-    v21 = J21 - p5_x
+    v21 = p6_x - p5_x
     v22 = p6_y - p5_y
     v23 = p6_z - p5_z
-    J26 = J66 * v21 - J46 * v23
-    J36 = J46 * v22 + v11 * v21
     J[0, 0] = -p6_y
     J[0, 1] = -(v2 * v14 + g1 * v13)
-    J[0, 2] = -(v6 * v17 + J63 * v16)
-    J[0, 3] = J14
-    J[0, 4] = -(v7 * v20 + J65 * v19)
-    J[0, 5] = -(v11 * v23 + J66 * v22)
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[3, 1] = J42
-    J[3, 2] = J43
+    J[0, 2] = -(v6 * v17 + z2_z * v16)
+    J[0, 3] = -y4_y * v20 - -y4_z * v19
+    J[0, 4] = -(v7 * v20 + z4_z * v19)
+    J[0, 5] = -(v11 * v23 + z5_z * v22)
+    J[1, 0] = p6_x
+    J[1, 1] = g1 * v12 - z1_x * v14
+    J[1, 2] = z2_z * v15 - z2_x * v17
+    J[1, 3] = -y4_z * v18 - -y4_x * v20
+    J[1, 4] = z4_z * v18 - z4_x * v20
+    J[1, 5] = z5_z * v21 - z5_x * v23
+    J[2, 1] = z1_x * v13 + v2 * v12
+    J[2, 2] = z2_x * v16 + v6 * v15
+    J[2, 3] = -y4_x * v19 - -y4_y * v18
+    J[2, 4] = z4_x * v19 + v7 * v18
+    J[2, 5] = z5_x * v22 + v11 * v21
+    J[3, 1] = z1_x
+    J[3, 2] = z2_x
     J[3, 3] = -y4_x
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 1] = -v2
     J[4, 2] = -v6
     J[4, 3] = -y4_y
@@ -553,10 +534,10 @@ def jacobian(q):
     J[4, 5] = -v11
     J[5, 0] = 1.0
     J[5, 1] = g1
-    J[5, 2] = J63
+    J[5, 2] = z2_z
     J[5, 3] = -y4_z
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -575,7 +556,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "concurrent_345 40627a1a020335ed"
+_KEY = "concurrent_345 0aa67e60a6b3f481"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -682,40 +663,38 @@ def _missed_by(pose, q):
     y5_x = f4 * v8 + f5 * z4_x
     y5_y = f4 * v9 - f5 * v7
     y5_z = f4 * v10 + f5 * z4_z
-    T13_ = f4 * z4_x - f5 * v8
+    z5_x = f4 * z4_x - f5 * v8
     v11 = f5 * v9 + f4 * v7
-    T33_ = f4 * z4_z - f5 * v10
+    z5_z = f4 * z4_z - f5 * v10
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + T11_ * a6 + T13_ * d6
-    )
-    T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + T21_ * a6 - v11 * d6
-    T34_ = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + T31_ * a6 + T33_ * d6
+    x6_x = x5_x * c6 + y5_x * s6
+    x6_y = x5_y * c6 + y5_y * s6
+    x6_z = x5_z * c6 + y5_z * s6
     miss = 0.0
-    off = T11_ - pose[0]
+    off = x6_x - pose[0]
     miss += (1.0 * off) ** 2
-    off = T13_ - pose[2]
+    off = z5_x - pose[2]
     miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
+    off = (
+        c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * d3 + x5_x * a5 + z4_x * d5 + x6_x * a6 + z5_x * d6
+        - pose[3]
+    )
     miss += (0.5405405405405406 * off) ** 2
-    off = T21_ - pose[4]
+    off = x6_y - pose[4]
     miss += (1.0 * off) ** 2
     off = -v11 - pose[6]
     miss += (1.0 * off) ** 2
-    off = T24_ - pose[7]
+    off = (
+        s1 * a1 + x2_y * a2 - v2 * d2 - v6 * d3 + x5_y * a5 - v7 * d5 + x6_y * a6 - v11 * d6 -
+        pose[7]
+    )
     miss += (0.5405405405405406 * off) ** 2
-    off = T31_ - pose[8]
+    off = x6_z - pose[8]
     miss += (1.0 * off) ** 2
-    off = T33_ - pose[10]
+    off = z5_z - pose[10]
     miss += (1.0 * off) ** 2
-    off = T34_ - pose[11]
+    off = d1 + x2_z * a2 + f3 + z2_z * d3 + x5_z * a5 + z4_z * d5 + x6_z * a6 + z5_z * d6 - pose[11]
     miss += (0.5405405405405406 * off) ** 2
     return math.sqrt(miss)
 
@@ -1488,8 +1467,8 @@ _MISS_WEIGHT = np.array([0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -1504,23 +1483,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -1532,49 +1511,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -1584,23 +1573,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

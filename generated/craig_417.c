@@ -221,10 +221,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -240,11 +242,11 @@ static const double
     pose_slack1 = 3.0000000000000004e-05, /* a pose may be rounded by this [m] */
     k1 = 0.5, /* 1 / 2 */
     k2 = 0.7071067811865476, /* sqrt2 * 1 / 2 */
-    k3 = 0.5000000000000001, /* (sqrt2 * 1 / 2)^2 */
+    k3 = 0.5000000000000001, /* k2^2 */
     k4 = 1.4142135623731953e-13, /* reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack) */
     k5 = 1.4142135623731051e-14, /* merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack) */
     k6 = 2.0, /* d3 + d4 [m] */
-    k7 = 2.8284271247461903, /* sqrt2 * (d3 + d4) [m] */
+    k7 = 2.8284271247461903, /* sqrt2 * k6 [m] */
     f1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
     g1 = 0.7071067811865476, /* 1 / 2 * sqrt2 */
     doubt_limit_squared = 1e-06, /* square of a length that fixes no angle */
@@ -275,21 +277,19 @@ static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 void craig_417_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2 * f1, v2 = s1 * s2 * f1,
-        T33_ = c2 * f1, v3 = s1 * f1, T13_ = v1 - v3, v4 = c1 * f1, T23_ = v2 + v4, v5 = v1 + v3,
-        v6 = v4 - v2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v5 * s3, x3_y = x2_y * c3 + v6 * s3, v7 = s2 * c3 + T33_ * s3,
-        v8 = v5 * c3 + x2_x * s3, y3_y = v6 * c3 - x2_y * s3, y3_z = s2 * s3 - T33_ * c3,
-        T14_ = T13_ + x3_x * a3 + T13_ * d4, T24_ = T23_ + x3_y * a3 + T23_ * d4,
-        T34_ = T33_ - v7 * a3 + T33_ * d4;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2 * f1,
+        v2 = s1 * s2 * f1, z3_z = c2 * f1, v3 = s1 * f1, z3_x = v1 - v3, v4 = c1 * f1,
+        z3_y = v2 + v4, v5 = v1 + v3, v6 = v4 - v2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v5 * s3,
+        x3_y = x2_y * c3 + v6 * s3, v7 = s2 * c3 + z3_z * s3, v8 = v5 * c3 + x2_x * s3,
+        y3_y = v6 * c3 - x2_y * s3, y3_z = s2 * s3 - z3_z * c3;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - v8 * s4, T21_ = x3_y * c4 + y3_y * s4,
-        T31_ = y3_z * s4 - v7 * c4, T22_ = y3_y * c4 - x3_y * s4, T32_ = y3_z * c4 + v7 * s4;
-    T[0] = T11_; T[1] = -(v8 * c4 + x3_x * s4); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x3_x * c4 - v8 * s4; T[1] = -(v8 * c4 + x3_x * s4); T[2] = z3_x;
+    T[3] = z3_x + x3_x * a3 + z3_x * d4;
+    T[4] = x3_y * c4 + y3_y * s4; T[5] = y3_y * c4 - x3_y * s4; T[6] = z3_y;
+    T[7] = z3_y + x3_y * a3 + z3_y * d4;
+    T[8] = y3_z * s4 - v7 * c4; T[9] = y3_z * c4 + v7 * s4; T[10] = z3_z;
+    T[11] = z3_z - v7 * a3 + z3_z * d4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -297,21 +297,19 @@ void craig_417_fk(const double q[4], double T[16])
 void craig_417_jacobian(const double q[4], double J[24])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double v1 = c1 * s2 * g1, v2 = s1 * s2 * g1, J63 = c2 * g1, v3 = s1 * g1, J43 = v1 - v3,
-        v4 = c1 * g1, J53 = v2 + v4;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J21 = J43 + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + J43 * d4,
-        p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4,
-        p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4, J12 = c1 * p4_z, J22 = s1 * p4_z,
-        v5 = J21 - J43, v6 = p4_y - J53, v7 = p4_z - J63, J13 = J53 * v7 - J63 * v6,
-        J23 = J63 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5;
-    J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = 0.0;
-    J[4] = J21; J[5] = J22; J[6] = J23; J[7] = 0.0;
-    J[8] = 0.0; J[9] = -(s1 * p4_y + c1 * J21); J[10] = J33; J[11] = 0.0;
-    J[12] = 0.0; J[13] = -s1; J[14] = J43; J[15] = J43;
-    J[16] = 0.0; J[17] = c1; J[18] = J53; J[19] = J53;
-    J[20] = 1.0; J[21] = 0.0; J[22] = J63; J[23] = J63;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), v1 = c1 * s2 * g1, v2 = s1 * s2 * g1,
+        z3_z = c2 * g1, v3 = s1 * g1, z3_x = v1 - v3, v4 = c1 * g1, z3_y = v2 + v4;
+    const double c3 = cos(q[2]), s3 = sin(q[2]),
+        p4_x = z3_x + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + z3_x * d4,
+        p4_y = z3_y + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + z3_y * d4,
+        p4_z = z3_z - (s2 * c3 + z3_z * s3) * a3 + z3_z * d4, v5 = p4_x - z3_x, v6 = p4_y - z3_y,
+        v7 = p4_z - z3_z;
+    J[0] = -p4_y; J[1] = c1 * p4_z; J[2] = z3_y * v7 - z3_z * v6; J[3] = 0.0;
+    J[4] = p4_x; J[5] = s1 * p4_z; J[6] = z3_z * v5 - z3_x * v7; J[7] = 0.0;
+    J[8] = 0.0; J[9] = -(s1 * p4_y + c1 * p4_x); J[10] = z3_x * v6 - z3_y * v5; J[11] = 0.0;
+    J[12] = 0.0; J[13] = -s1; J[14] = z3_x; J[15] = z3_x;
+    J[16] = 0.0; J[17] = c1; J[18] = z3_y; J[19] = z3_y;
+    J[20] = 1.0; J[21] = 0.0; J[22] = z3_z; J[23] = z3_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -666,14 +664,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[4], const double q[4], double half[4])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -698,15 +705,15 @@ static double off_pose(const double T[16], const double x[4], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[4], const double J[24], double e[6], double x[4])
+    double share, const int held[4], const double J[24], double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
-            A[i][j] = pace[j] * weights[i] * J[4 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[4 * i + j];
         A[i][4 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -724,56 +731,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[4])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[4])
 {
-    double x[4], J[24], pace[4] = { 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[4], half[4], J[24], last = HUGE_VAL;
+    int settled = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 4; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
-    double x[4], least = HUGE_VAL;
+    double x[4], half[4], J[24], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 4; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == CRAIG_417_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 4; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != CRAIG_417_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -91,11 +91,11 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 3.0000000000000004e-05  # a pose may be rounded by this [m]
 k1 = 0.5  # 1 / 2
 k2 = 0.7071067811865476  # sqrt2 * 1 / 2
-k3 = 0.5000000000000001  # (sqrt2 * 1 / 2)^2
+k3 = 0.5000000000000001  # k2^2
 k4 = 1.4142135623731953e-13  # reach_slack * (2 * sqrt2 * 1 / 2 + reach_slack)
 k5 = 1.4142135623731051e-14  # merge_slack * (2 * sqrt2 * 1 / 2 + merge_slack)
 k6 = 2.0  # d3 + d4 [m]
-k7 = 2.8284271247461903  # sqrt2 * (d3 + d4) [m]
+k7 = 2.8284271247461903  # sqrt2 * k6 [m]
 f1 = 0.7071067811865476  # 1 / 2 * sqrt2
 g1 = 0.7071067811865476  # 1 / 2 * sqrt2
 doubt_limit_squared = 1e-06  # square of a length that fixes no angle
@@ -204,43 +204,35 @@ def fk(q):
     x2_y = s1 * c2
     v1 = c1 * s2 * f1
     v2 = s1 * s2 * f1
-    T33_ = c2 * f1
+    z3_z = c2 * f1
     v3 = s1 * f1
-    T13_ = v1 - v3
+    z3_x = v1 - v3
     v4 = c1 * f1
-    T23_ = v2 + v4
+    z3_y = v2 + v4
     v5 = v1 + v3
     v6 = v4 - v2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 - v5 * s3
     x3_y = x2_y * c3 + v6 * s3
-    v7 = s2 * c3 + T33_ * s3
+    v7 = s2 * c3 + z3_z * s3
     v8 = v5 * c3 + x2_x * s3
     y3_y = v6 * c3 - x2_y * s3
-    y3_z = s2 * s3 - T33_ * c3
-    T14_ = T13_ + x3_x * a3 + T13_ * d4
-    T24_ = T23_ + x3_y * a3 + T23_ * d4
-    T34_ = T33_ - v7 * a3 + T33_ * d4
+    y3_z = s2 * s3 - z3_z * c3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    T11_ = x3_x * c4 - v8 * s4
-    T21_ = x3_y * c4 + y3_y * s4
-    T31_ = y3_z * s4 - v7 * c4
-    T22_ = y3_y * c4 - x3_y * s4
-    T32_ = y3_z * c4 + v7 * s4
-    T[0, 0] = T11_
+    T[0, 0] = x3_x * c4 - v8 * s4
     T[0, 1] = -(v8 * c4 + x3_x * s4)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 2] = z3_x
+    T[0, 3] = z3_x + x3_x * a3 + z3_x * d4
+    T[1, 0] = x3_y * c4 + y3_y * s4
+    T[1, 1] = y3_y * c4 - x3_y * s4
+    T[1, 2] = z3_y
+    T[1, 3] = z3_y + x3_y * a3 + z3_y * d4
+    T[2, 0] = y3_z * s4 - v7 * c4
+    T[2, 1] = y3_z * c4 + v7 * s4
+    T[2, 2] = z3_z
+    T[2, 3] = z3_z - v7 * a3 + z3_z * d4
     T[3, 3] = 1.0
     return T
 
@@ -257,41 +249,36 @@ def jacobian(q):
     s2 = math.sin(q[1])
     v1 = c1 * s2 * g1
     v2 = s1 * s2 * g1
-    J63 = c2 * g1
+    z3_z = c2 * g1
     v3 = s1 * g1
-    J43 = v1 - v3
+    z3_x = v1 - v3
     v4 = c1 * g1
-    J53 = v2 + v4
+    z3_y = v2 + v4
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J21 = J43 + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + J43 * d4
-    p4_y = J53 + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + J53 * d4
-    p4_z = J63 - (s2 * c3 + J63 * s3) * a3 + J63 * d4
-    J12 = c1 * p4_z
-    J22 = s1 * p4_z
-    v5 = J21 - J43
-    v6 = p4_y - J53
-    v7 = p4_z - J63
-    J13 = J53 * v7 - J63 * v6
-    J23 = J63 * v5 - J43 * v7
-    J33 = J43 * v6 - J53 * v5
+    p4_x = z3_x + (c1 * c2 * c3 - (v1 + v3) * s3) * a3 + z3_x * d4
+    p4_y = z3_y + (s1 * c2 * c3 + (v4 - v2) * s3) * a3 + z3_y * d4
+    p4_z = z3_z - (s2 * c3 + z3_z * s3) * a3 + z3_z * d4
+    v5 = p4_x - z3_x
+    v6 = p4_y - z3_y
+    v7 = p4_z - z3_z
     J[0, 0] = -p4_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[2, 1] = -(s1 * p4_y + c1 * J21)
-    J[2, 2] = J33
+    J[0, 1] = c1 * p4_z
+    J[0, 2] = z3_y * v7 - z3_z * v6
+    J[1, 0] = p4_x
+    J[1, 1] = s1 * p4_z
+    J[1, 2] = z3_z * v5 - z3_x * v7
+    J[2, 1] = -(s1 * p4_y + c1 * p4_x)
+    J[2, 2] = z3_x * v6 - z3_y * v5
     J[3, 1] = -s1
-    J[3, 2] = J43
-    J[3, 3] = J43
+    J[3, 2] = z3_x
+    J[3, 3] = z3_x
     J[4, 1] = c1
-    J[4, 2] = J53
-    J[4, 3] = J53
+    J[4, 2] = z3_y
+    J[4, 3] = z3_y
     J[5, 0] = 1.0
-    J[5, 2] = J63
-    J[5, 3] = J63
+    J[5, 2] = z3_z
+    J[5, 3] = z3_z
     return J
 
 
@@ -307,7 +294,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 f069577f8e98cd02"
+_KEY = "craig_417 27099c59ba64b082"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -530,8 +517,8 @@ _MISS_WEIGHT = np.array([0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -546,23 +533,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(4):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 10)), np.zeros(6)
     for i in range(6):
         for j in range(4):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 4 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -574,49 +561,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(10):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(4):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 4)), q.copy(), False
+    most = 0.0
+    for i in range(4):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(4)
+    held, A, x, settled = np.zeros(4, np.bool_), np.empty((6, 4)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(4):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(4)
     for i in range(4):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(4):
         q[i] = values[i]
     return settled
@@ -626,23 +623,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(4), 0, math.inf
+    x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
+    A = np.empty((6, 4))
     for i in range(4):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(4):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(4):
         q[place, i] = x[i]

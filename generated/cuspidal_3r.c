@@ -377,7 +377,7 @@ static const double
     k3 = -6.25, /* a1^2 - (a1^2 + (a2^2 + a3^2)) [m^2] */
     k4 = 0.5, /* 1 / 2 */
     k5 = 12.0, /* 2 * 2 * a3 * a2 [m^2] */
-    k6 = 36.0, /* (2 * a3 * a2)^2 [m^4] */
+    k6 = 36.0, /* k2^2 [m^4] */
     k7 = 81.0, /* (a3 * 2 * a3 * a2)^2 [m^6] */
     k8 = 0.1111111111111111; /* 1 / (a3 * 2 * a3 * a2) [m^-3] */
 
@@ -391,36 +391,32 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 void cuspidal_3r_fk(const double q[3], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, T13_ = c1 * s2, T23_ = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - s1 * s3, T21_ = x2_y * c3 + c1 * s3, v1 = s2 * c3,
-        T22_ = c1 * c3 - x2_y * s3, T32_ = s2 * s3,
-        T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + T11_ * a3,
-        T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + T21_ * a3;
-    T[0] = T11_; T[1] = -(s1 * c3 + x2_x * s3); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = -v1; T[9] = T32_; T[10] = c2; T[11] = -(s2 * a2 + v1 * a3);
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
+        x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3;
+    T[0] = x3_x; T[1] = -(s1 * c3 + x2_x * s3); T[2] = c1 * s2;
+    T[3] = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3;
+    T[4] = x3_y; T[5] = c1 * c3 - x2_y * s3; T[6] = s1 * s2;
+    T[7] = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3;
+    T[8] = -v1; T[9] = s2 * s3; T[10] = c2; T[11] = -(s2 * a2 + v1 * a3);
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void cuspidal_3r_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2, v1 = s2 * a2,
-        p2_x = p1_x + x2_x * a2 - s1 * d2, p2_y = p1_y + x2_y * a2 + c1 * d2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J21 = p2_x + (x2_x * c3 - s1 * s3) * a3, p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3,
-        v2 = v1 + s2 * c3 * a3, v3 = J21 - p2_x, v4 = p3_y - p2_y, v5 = v1 - v2,
-        J13 = J53 * v5 - c2 * v4, J23 = c2 * v3 - J43 * v5, J33 = J43 * v4 - J53 * v3;
-    J[0] = -p3_y; J[1] = -(c1 * v2); J[2] = J13;
-    J[3] = J21; J[4] = -(s1 * v2); J[5] = J23;
-    J[6] = 0.0; J[7] = -(s1 * (p3_y - p1_y) + c1 * (J21 - p1_x)); J[8] = J33;
-    J[9] = 0.0; J[10] = -s1; J[11] = J43;
-    J[12] = 0.0; J[13] = c1; J[14] = J53;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
+        z2_y = s1 * s2, v1 = s2 * a2, p2_x = p1_x + x2_x * a2 - s1 * d2,
+        p2_y = p1_y + x2_y * a2 + c1 * d2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), p3_x = p2_x + (x2_x * c3 - s1 * s3) * a3,
+        p3_y = p2_y + (x2_y * c3 + c1 * s3) * a3, v2 = v1 + s2 * c3 * a3, v3 = p3_x - p2_x,
+        v4 = p3_y - p2_y, v5 = v1 - v2;
+    J[0] = -p3_y; J[1] = -(c1 * v2); J[2] = z2_y * v5 - c2 * v4;
+    J[3] = p3_x; J[4] = -(s1 * v2); J[5] = c2 * v3 - z2_x * v5;
+    J[6] = 0.0; J[7] = -(s1 * (p3_y - p1_y) + c1 * (p3_x - p1_x)); J[8] = z2_x * v4 - z2_y * v3;
+    J[9] = 0.0; J[10] = -s1; J[11] = z2_x;
+    J[12] = 0.0; J[13] = c1; J[14] = z2_y;
     J[15] = 1.0; J[16] = 0.0; J[17] = c2;
 }
 
@@ -728,14 +724,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[3], const double q[3], double half[3])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[3] = { 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -755,15 +760,15 @@ static double off_pose(const double T[16], const double x[3], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[3], const double J[18], double e[6], double x[3])
+    double share, const int held[3], const double J[18], double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
-            A[i][j] = pace[j] * weights[i] * J[3 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
         A[i][3 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -781,56 +786,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[3])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[3])
 {
-    double x[3], J[18], pace[3] = { 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[3], half[3], J[18], last = HUGE_VAL;
+    int settled = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 3; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[4][3],
     unsigned char status[4])
 {
-    double x[3], least = HUGE_VAL;
+    double x[3], half[3], J[18], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 3; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = status[row] == CUSPIDAL_3R_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 3; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != CUSPIDAL_3R_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

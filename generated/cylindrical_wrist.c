@@ -228,10 +228,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -267,38 +269,36 @@ static const double weight[6] = { 1.0, 6.249999999999999, 6.249999999999999, 1.0
 void cylindrical_wrist_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = c1 * c4, x4_y = s1 * c4, v1 = c1 * s4, v2 = s1 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, v3 = s4 * c5,
-        T23_ = c1 * c5 + x4_y * s5, v4 = s4 * s5, T13_ = x4_x * s5 - s1 * c5;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = c1 * c4, x4_y = s1 * c4, v1 = c1 * s4,
+        v2 = s1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + s1 * s5,
+        x5_y = x4_y * c5 - c1 * s5, v3 = s4 * c5, z5_y = c1 * c5 + x4_y * s5, v4 = s4 * s5,
+        z5_x = x4_x * s5 - s1 * c5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - v1 * s6, T21_ = x5_y * c6 - v2 * s6, T32_ = v3 * s6 - c4 * c6,
-        T14_ = T13_ * d6 - s1 * q[2], T24_ = c1 * q[2] + T23_ * d6, T34_ = d1 + q[1] - v4 * d6;
-    T[0] = T11_; T[1] = -(v1 * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(v2 * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
-    T[8] = -(v3 * c6 + c4 * s6); T[9] = T32_; T[10] = -v4; T[11] = T34_;
+    T[0] = x5_x * c6 - v1 * s6; T[1] = -(v1 * c6 + x5_x * s6); T[2] = z5_x;
+    T[3] = z5_x * d6 - s1 * q[2];
+    T[4] = x5_y * c6 - v2 * s6; T[5] = -(v2 * c6 + x5_y * s6); T[6] = z5_y;
+    T[7] = c1 * q[2] + z5_y * d6;
+    T[8] = -(v3 * c6 + c4 * s6); T[9] = v3 * s6 - c4 * c6; T[10] = -v4; T[11] = d1 + q[1] - v4 * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void cylindrical_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p2_z = d1 + q[1], v1 = s1 * q[2], p3_y = c1 * q[2];
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double v2 = c1 * s4, v3 = s1 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J56 = c1 * c5 + s1 * c4 * s5, v4 = s4 * s5, J46 = c1 * c4 * s5 - s1 * c5,
-        J21 = J46 * d6 - v1, p6_y = p3_y + J56 * d6, v5 = v1 + J21, v6 = p6_y - p3_y,
-        v7 = p2_z - v4 * d6 - p2_z, J14 = c1 * v7, J24 = s1 * v7, J15 = c4 * v6 - v3 * v7,
-        J25 = v2 * v7 - c4 * v5, J35 = v3 * v5 - v2 * v6, J16 = J56 * v7 + v4 * v6,
-        J36 = J46 * v6 - J56 * v5;
-    J[0] = -p6_y; J[1] = 0.0; J[2] = -s1; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = 0.0; J[8] = c1; J[9] = J24; J[10] = J25; J[11] = -(v4 * v5 + J46 * v7);
-    J[12] = 0.0; J[13] = 1.0; J[14] = 0.0; J[15] = -(s1 * v6 + c1 * v5); J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = -s1; J[22] = -v2; J[23] = J46;
-    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = c1; J[28] = -v3; J[29] = J56;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p2_z = d1 + q[1], v1 = s1 * q[2], p3_y = c1 * q[2];
+    const double c4 = cos(q[3]), s4 = sin(q[3]), v2 = c1 * s4, v3 = s1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), z5_y = c1 * c5 + s1 * c4 * s5, v4 = s4 * s5,
+        z5_x = c1 * c4 * s5 - s1 * c5, p6_x = z5_x * d6 - v1, p6_y = p3_y + z5_y * d6,
+        v5 = v1 + p6_x, v6 = p6_y - p3_y, v7 = p2_z - v4 * d6 - p2_z;
+    J[0] = -p6_y; J[1] = 0.0; J[2] = -s1; J[3] = c1 * v7; J[4] = c4 * v6 - v3 * v7;
+    J[5] = z5_y * v7 + v4 * v6;
+    J[6] = p6_x; J[7] = 0.0; J[8] = c1; J[9] = s1 * v7; J[10] = v2 * v7 - c4 * v5;
+    J[11] = -(v4 * v5 + z5_x * v7);
+    J[12] = 0.0; J[13] = 1.0; J[14] = 0.0; J[15] = -(s1 * v6 + c1 * v5); J[16] = v3 * v5 - v2 * v6;
+    J[17] = z5_x * v6 - z5_y * v5;
+    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = -s1; J[22] = -v2; J[23] = z5_x;
+    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = c1; J[28] = -v3; J[29] = z5_y;
     J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = 0.0; J[34] = -c4; J[35] = -v4;
 }
 
@@ -561,16 +561,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 2.5;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 2.5));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 2.500, 2.500, 2.500, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 0.4, 0.4, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -595,15 +602,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -621,56 +628,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 0.4000, 0.4000, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[4][6],
     unsigned char status[4])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = status[row] == CYLINDRICAL_WRIST_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != CYLINDRICAL_WRIST_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

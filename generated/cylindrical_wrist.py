@@ -189,29 +189,23 @@ def fk(q):
     x5_x = x4_x * c5 + s1 * s5
     x5_y = x4_y * c5 - c1 * s5
     v3 = s4 * c5
-    T23_ = c1 * c5 + x4_y * s5
+    z5_y = c1 * c5 + x4_y * s5
     v4 = s4 * s5
-    T13_ = x4_x * s5 - s1 * c5
+    z5_x = x4_x * s5 - s1 * c5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 - v1 * s6
-    T21_ = x5_y * c6 - v2 * s6
-    T32_ = v3 * s6 - c4 * c6
-    T14_ = T13_ * d6 - s1 * q[2]
-    T24_ = c1 * q[2] + T23_ * d6
-    T34_ = d1 + q[1] - v4 * d6
-    T[0, 0] = T11_
+    T[0, 0] = x5_x * c6 - v1 * s6
     T[0, 1] = -(v1 * c6 + x5_x * s6)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 2] = z5_x
+    T[0, 3] = z5_x * d6 - s1 * q[2]
+    T[1, 0] = x5_y * c6 - v2 * s6
     T[1, 1] = -(v2 * c6 + x5_y * s6)
-    T[1, 2] = T23_
-    T[1, 3] = T24_
+    T[1, 2] = z5_y
+    T[1, 3] = c1 * q[2] + z5_y * d6
     T[2, 0] = -(v3 * c6 + c4 * s6)
-    T[2, 1] = T32_
+    T[2, 1] = v3 * s6 - c4 * c6
     T[2, 2] = -v4
-    T[2, 3] = T34_
+    T[2, 3] = d1 + q[1] - v4 * d6
     T[3, 3] = 1.0
     return T
 
@@ -233,41 +227,34 @@ def jacobian(q):
     v3 = s1 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J56 = c1 * c5 + s1 * c4 * s5
+    z5_y = c1 * c5 + s1 * c4 * s5
     v4 = s4 * s5
-    J46 = c1 * c4 * s5 - s1 * c5
-    J21 = J46 * d6 - v1
-    p6_y = p3_y + J56 * d6
-    v5 = v1 + J21
+    z5_x = c1 * c4 * s5 - s1 * c5
+    p6_x = z5_x * d6 - v1
+    p6_y = p3_y + z5_y * d6
+    v5 = v1 + p6_x
     v6 = p6_y - p3_y
     v7 = p2_z - v4 * d6 - p2_z
-    J14 = c1 * v7
-    J24 = s1 * v7
-    J15 = c4 * v6 - v3 * v7
-    J25 = v2 * v7 - c4 * v5
-    J35 = v3 * v5 - v2 * v6
-    J16 = J56 * v7 + v4 * v6
-    J36 = J46 * v6 - J56 * v5
     J[0, 0] = -p6_y
     J[0, 2] = -s1
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
+    J[0, 3] = c1 * v7
+    J[0, 4] = c4 * v6 - v3 * v7
+    J[0, 5] = z5_y * v7 + v4 * v6
+    J[1, 0] = p6_x
     J[1, 2] = c1
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = -(v4 * v5 + J46 * v7)
+    J[1, 3] = s1 * v7
+    J[1, 4] = v2 * v7 - c4 * v5
+    J[1, 5] = -(v4 * v5 + z5_x * v7)
     J[2, 1] = 1.0
     J[2, 3] = -(s1 * v6 + c1 * v5)
-    J[2, 4] = J35
-    J[2, 5] = J36
+    J[2, 4] = v3 * v5 - v2 * v6
+    J[2, 5] = z5_x * v6 - z5_y * v5
     J[3, 3] = -s1
     J[3, 4] = -v2
-    J[3, 5] = J46
+    J[3, 5] = z5_x
     J[4, 3] = c1
     J[4, 4] = -v3
-    J[4, 5] = J56
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 4] = -c4
     J[5, 5] = -v4
@@ -286,7 +273,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "cylindrical_wrist 4ad6a6a08d69e438"
+_KEY = "cylindrical_wrist a8832380fa7f2476"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -473,14 +460,14 @@ def _turned(joint, given, towards):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 0.4000, 0.4000, 1.0, 1.0, 1.0])
+_PACE = np.array([1.0, 0.4, 0.4, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([2.500, 2.500, 2.500, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([2.5, 2.5, 2.5, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -495,23 +482,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -523,51 +510,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 2.500
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 2.5))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -577,23 +573,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(4 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

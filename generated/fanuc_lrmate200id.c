@@ -234,10 +234,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -264,7 +266,7 @@ static const double
     k1 = 0.22110000000000002, /* 2 * d4 * a2 [m^2] */
     k2 = 0.023100000000000002, /* 2 * a3 * a2 [m^2] */
     k3 = 0.22235000000000002, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 20.235205939761407, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    k4 = 20.235205939761407, /* 1 / (k1^2 + k2^2) [m^-4] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.3456000000000003e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
@@ -275,9 +277,6 @@ static const double
 /* coefficients */
 static const double m3 = 1.5151515151515151, m4 = 0.006893939393939396, m5 = 0.15425297487880124,
 m6 = 1.4764213309828118, m7 = 0.006717717055971795, m8 = 0.0007018510356985458;
-static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
-low2 = -1.7453292529943296, high2 = 2.530727416391778, low3 = -1.2217304773960307,
-high3 = 3.5779249675883755, low5 = -2.181661565992912, high5 = 2.181661565992912;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -301,67 +300,57 @@ static const double highest[6] = {
 
 void fanuc_lrmate200id_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * s3 - s2 * c3, z3_x = y2_x * c3 - x2_x * s3, z3_y = y2_y * c3 - x2_y * s3,
-        z3_z = c2 * c3 + s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4,
-        v2 = q[4] + offset5;
-    const double c5 = cos(v2), s5 = sin(v2);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5, T11_ = z3_x * c5 - x4_x * s5, T21_ = z3_y * c5 - x4_y * s5,
-        T31_ = z3_z * c5 - x4_z * s5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * s3 - s2 * c3, z3_x = y2_x * c3 - x2_x * s3,
+        z3_y = y2_y * c3 - x2_y * s3, z3_z = c2 * c3 + s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4,
+        z4_y = x3_y * s4 - c1 * c4, v2 = q[4] + offset5;
+    const double c5 = cos(v2), s5 = sin(v2), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, T11_ = z3_x * c5 - x4_x * s5,
+        T21_ = z3_y * c5 - x4_y * s5, T31_ = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6,
-        T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6, T12_ = x5_x * s6 - z4_x * c6,
-        T22_ = x5_y * s6 - z4_y * c6, T32_ = x5_z * s6 - z4_z * c6;
-    T[0] = T11_; T[1] = T12_; T[2] = -(x5_x * c6 + z4_x * s6); T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -(x5_y * c6 + z4_y * s6); T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = -(x5_z * c6 + z4_z * s6); T[11] = T34_;
+    T[0] = T11_; T[1] = x5_x * s6 - z4_x * c6; T[2] = -(x5_x * c6 + z4_x * s6);
+    T[3] = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T11_ * d6;
+    T[4] = T21_; T[5] = x5_y * s6 - z4_y * c6; T[6] = -(x5_y * c6 + z4_y * s6);
+    T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T21_ * d6;
+    T[8] = T31_; T[9] = x5_z * s6 - z4_z * c6; T[10] = -(x5_z * c6 + z4_z * s6);
+    T[11] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T31_ * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void fanuc_lrmate200id_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
-        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * s3 - s2 * c3, J44 = y2_x * c3 - x2_x * s3, J54 = y2_y * c3 - x2_y * s3,
-        J64 = c2 * c3 + s2 * s3, p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3,
-        p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, p4_x = p3_x - J44 * d4,
-        p4_y = p3_y - J54 * d4, p4_z = p3_z - J64 * d4, J55 = x3_y * s4 - c1 * c4,
-        v2 = q[4] + offset5;
-    const double c5 = cos(v2), s5 = sin(v2);
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
-        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
-        J21 = p4_x - J46 * d6, v3 = p4_y - J56 * d6, v4 = p4_z - J66 * d6, v5 = v4 - d1,
-        J12 = c1 * v5, J22 = s1 * v5, v6 = v4 - p2_z, J33 = s1 * (v3 - p2_y) + c1 * (J21 - p2_x),
-        v7 = J21 - p3_x, v8 = v3 - p3_y, v9 = v4 - p3_z, J14 = J54 * v9 - J64 * v8,
-        J24 = J64 * v7 - J44 * v9, J34 = J44 * v8 - J54 * v7, v10 = J21 - p4_x, v11 = v3 - p4_y,
-        v12 = v4 - p4_z, J15 = J55 * v12 - J65 * v11, J25 = J65 * v10 - J45 * v12,
-        J35 = J45 * v11 - J55 * v10, J16 = J56 * v12 - J66 * v11, J26 = J66 * v10 - J46 * v12,
-        J36 = J46 * v11 - J56 * v10;
-    J[0] = -v3; J[1] = J12; J[2] = -(c1 * v6); J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = -(s1 * v6); J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = -(s1 * (v3 - p1_y) + c1 * (J21 - p1_x)); J[14] = J33; J[15] = J34;
-    J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = -s1; J[20] = s1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = c1; J[26] = -c1; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
+        v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * s3 - s2 * c3, z3_x = y2_x * c3 - x2_x * s3,
+        z3_y = y2_y * c3 - x2_y * s3, z3_z = c2 * c3 + s2 * s3, p3_x = p2_x + x3_x * a3,
+        p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4,
+        p4_x = p3_x - z3_x * d4, p4_y = p3_y - z3_y * d4, p4_z = p3_z - z3_z * d4,
+        z4_y = x3_y * s4 - c1 * c4, v2 = q[4] + offset5;
+    const double c5 = cos(v2), s5 = sin(v2), z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5,
+        z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5, z5_z = x3_z * c4 * s5 - z3_z * c5,
+        J21 = p4_x - z5_x * d6, v3 = p4_y - z5_y * d6, v4 = p4_z - z5_z * d6, v5 = v4 - d1,
+        v6 = v4 - p2_z, v7 = J21 - p3_x, v8 = v3 - p3_y, v9 = v4 - p3_z, v10 = J21 - p4_x,
+        v11 = v3 - p4_y, v12 = v4 - p4_z;
+    J[0] = -v3; J[1] = c1 * v5; J[2] = -(c1 * v6); J[3] = z3_y * v9 - z3_z * v8;
+    J[4] = z4_y * v12 - z4_z * v11; J[5] = z5_y * v12 - z5_z * v11;
+    J[6] = J21; J[7] = s1 * v5; J[8] = -(s1 * v6); J[9] = z3_z * v7 - z3_x * v9;
+    J[10] = z4_z * v10 - z4_x * v12; J[11] = z5_z * v10 - z5_x * v12;
+    J[12] = 0.0; J[13] = -(s1 * (v3 - p1_y) + c1 * (J21 - p1_x));
+    J[14] = s1 * (v3 - p2_y) + c1 * (J21 - p2_x); J[15] = z3_x * v8 - z3_y * v7;
+    J[16] = z4_x * v11 - z4_y * v10; J[17] = z5_x * v11 - z5_y * v10;
+    J[18] = 0.0; J[19] = -s1; J[20] = s1; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = c1; J[26] = -c1; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -502,10 +491,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v61 = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
         v62 = only_wide(half_turn < -v7, -whole_turn) - v7;
     const wide_mask v63 = beyond(angle1, 1), v64 = beyond(q1__m, 1);
-    const wide v65 = v59 + only_wide(v59 < low3, whole_turn),
-        v66 = v60 + only_wide(v60 < low3, whole_turn),
-        v67 = v61 + only_wide(v61 < low3, whole_turn),
-        v68 = v62 + only_wide(v62 < low3, whole_turn);
+    const wide v65 = v59 + only_wide(v59 < low(3), whole_turn),
+        v66 = v60 + only_wide(v60 < low(3), whole_turn),
+        v67 = v61 + only_wide(v61 < low(3), whole_turn),
+        v68 = v62 + only_wide(v62 < low(3), whole_turn);
     const wide_mask v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = beyond(v67, 3),
         v72 = beyond(v68, 3);
     const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, v60, v66),
@@ -609,7 +598,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q5_m = only_four(-v29 <= -half_turn, whole_turn) - v29,
         v30 = q3_ + only_four(half_turn < q3_, -whole_turn);
     const four_mask v31 = beyond_four(q1_, 1);
-    const four v32 = v30 + only_four(v30 < low3, whole_turn);
+    const four v32 = v30 + only_four(v30 < low(3), whole_turn);
     const four_mask v33 = beyond_four(v32, 3);
     const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
     const four_mask v34 = v33 | v31 | beyond_four(q2_p, 2), outside_p = v34 | beyond_four(q5_p, 5),
@@ -911,14 +900,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -943,15 +941,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -969,62 +967,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
+        return;
+    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == FANUC_LRMATE200ID_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != FANUC_LRMATE200ID_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -1062,7 +1067,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

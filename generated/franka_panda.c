@@ -227,10 +227,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -252,10 +254,9 @@ static const double
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.1155, /* 2 * (d3 * a4 + d5 * a3) [m^2] */
     k2 = 0.22907550000000002, /* 2 * (d3 * d5 - a4 * a3) [m^2] */
-    k3 = 0.06581583470025, /* (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4] */
+    k3 = 0.06581583470025, /* k1^2 + k2^2 [m^4] */
     k4 = 0.25318050000000003, /* d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2] */
-    /* 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4] */
-    k5 = 15.193911990243306,
+    k5 = 15.193911990243306, /* 1 / k3 [m^-4] */
     k6 = -12.121212121212121, /* -1 / a3 [m^-1] */
     doubt_limit_squared2 = 1.940449e-06, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
@@ -266,10 +267,6 @@ static const double
 /* coefficients */
 static const double m1 = 1.754896834873102, m2 = 3.4805529861209807, m3 = 1.2446337324912609,
 m4 = 0.0825, m5 = 0.2674017784649193, m7 = 0.384, m10 = 12.121212121212121;
-static const double low1 = -2.897300001, high1 = 2.897300001, low2 = -1.762800001,
-high2 = 1.762800001, low3 = -2.897300001, high3 = 2.897300001, low4 = -3.071800001,
-high4 = -0.069799999, low5 = -2.897300001, high5 = 2.897300001, low6 = -0.017500001,
-high6 = 3.752500001, low7 = -2.897300001, high7 = 2.897300001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -288,33 +285,27 @@ static const double highest[7] = { 2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.75
 void franka_panda_fk(const double q[7], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2, z3_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3,
-        z4_x = s1 * c3 + x2_x * s3, y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z3_x * s4, x4_y = x3_y * c4 + z3_y * s4,
-        x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4, y4_y = z3_y * c4 - x3_y * s4,
-        y4_z = c2 * c4 + v1 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - z4_x * s5, x5_y = x4_y * c5 + y3_y * s5,
-        x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5, z6_y = x4_y * s5 - y3_y * c5,
-        z6_z = x4_z * s5 - y3_z * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double x6_x = x5_x * c6 + y4_x * s6, x6_y = x5_y * c6 + y4_y * s6,
-        x6_z = x5_z * c6 + y4_z * s6, T13_ = x5_x * s6 - y4_x * c6, T23_ = x5_y * s6 - y4_y * c6,
-        T33_ = x5_z * s6 - y4_z * c6;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
+        z3_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
+        x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3, z4_x = s1 * c3 + x2_x * s3,
+        y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z3_x * s4,
+        x4_y = x3_y * c4 + z3_y * s4, x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4,
+        y4_y = z3_y * c4 - x3_y * s4, y4_z = c2 * c4 + v1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - z4_x * s5,
+        x5_y = x4_y * c5 + y3_y * s5, x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5,
+        z6_y = x4_y * s5 - y3_y * c5, z6_z = x4_z * s5 - y3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + y4_x * s6,
+        x6_y = x5_y * c6 + y4_y * s6, x6_z = x5_z * c6 + y4_z * s6, z7_x = x5_x * s6 - y4_x * c6,
+        z7_y = x5_y * s6 - y4_y * c6, z7_z = x5_z * s6 - y4_z * c6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + z6_x * s7, T21_ = x6_y * c7 + z6_y * s7,
-        T31_ = x6_z * c7 + z6_z * s7, T12_ = z6_x * c7 - x6_x * s7, T22_ = z6_y * c7 - x6_y * s7,
-        T32_ = z6_z * c7 - x6_z * s7,
-        T14_ = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + T13_ * d7,
-        T24_ = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + T23_ * d7,
-        T34_ = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + T33_ * d7;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x6_x * c7 + z6_x * s7; T[1] = z6_x * c7 - x6_x * s7; T[2] = z7_x;
+    T[3] = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + z7_x * d7;
+    T[4] = x6_y * c7 + z6_y * s7; T[5] = z6_y * c7 - x6_y * s7; T[6] = z7_y;
+    T[7] = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + z7_y * d7;
+    T[8] = x6_z * c7 + z6_z * s7; T[9] = z6_z * c7 - x6_z * s7; T[10] = z7_z;
+    T[11] = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + z7_z * d7;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -322,43 +313,37 @@ void franka_panda_fk(const double q[7], double T[16])
 void franka_panda_jacobian(const double q[7], double J[42])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2, p3_x = J43 * d3,
-        p3_y = J53 * d3, p3_z = d1 + c2 * d3;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3,
-        J44 = s1 * c3 + x2_x * s3, y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3,
-        p4_x = p3_x + x3_x * a3, p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4, x4_z = c2 * s4 - v1 * c4,
-        J45 = J43 * c4 - x3_x * s4, J55 = J53 * c4 - x3_y * s4, J65 = c2 * c4 + v1 * s4,
-        p5_x = p4_x - x4_x * a4 + J45 * d5, p5_y = p4_y - x4_y * a4 + J55 * d5,
-        p5_z = p4_z - x4_z * a4 + J65 * d5;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - J44 * s5, x5_y = x4_y * c5 + y3_y * s5,
-        x5_z = x4_z * c5 + y3_z * s5, J46 = J44 * c5 + x4_x * s5, J56 = x4_y * s5 - y3_y * c5,
-        J66 = x4_z * s5 - y3_z * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6,
-        p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6, p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6,
-        J47 = x5_x * s6 - J45 * c6, J57 = x5_y * s6 - J55 * c6, J67 = x5_z * s6 - J65 * c6,
-        J21 = p7_x + J47 * d7, v2 = p7_y + J57 * d7, v3 = p7_z + J67 * d7, v4 = v3 - d1,
-        J12 = c1 * v4, J22 = s1 * v4, v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z,
-        J13 = J53 * v7 - c2 * v6, J23 = c2 * v5 - J43 * v7, J33 = J43 * v6 - J53 * v5,
-        v8 = J21 - p4_x, v9 = v2 - p4_y, v10 = v3 - p4_z, J14 = -y3_y * v10 + y3_z * v9,
-        J34 = J44 * v9 - -y3_y * v8, v11 = J21 - p5_x, v12 = v2 - p5_y, v13 = v3 - p5_z,
-        J15 = J55 * v13 - J65 * v12, J25 = J65 * v11 - J45 * v13, J35 = J45 * v12 - J55 * v11,
-        J16 = J56 * v13 - J66 * v12, J26 = J66 * v11 - J46 * v13, J36 = J46 * v12 - J56 * v11,
-        v14 = J21 - p7_x, v15 = v2 - p7_y, v16 = v3 - p7_z, J17 = J57 * v16 - J67 * v15,
-        J27 = J67 * v14 - J47 * v16, J37 = J47 * v15 - J57 * v14;
-    J[0] = -v2; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
-    J[7] = J21; J[8] = J22; J[9] = J23; J[10] = -(y3_z * v8 + J44 * v10); J[11] = J25; J[12] = J26;
-    J[13] = J27;
-    J[14] = 0.0; J[15] = -(s1 * v2 + c1 * J21); J[16] = J33; J[17] = J34; J[18] = J35; J[19] = J36;
-    J[20] = J37;
-    J[21] = 0.0; J[22] = -s1; J[23] = J43; J[24] = J44; J[25] = J45; J[26] = J46; J[27] = J47;
-    J[28] = 0.0; J[29] = c1; J[30] = J53; J[31] = -y3_y; J[32] = J55; J[33] = J56; J[34] = J57;
-    J[35] = 1.0; J[36] = 0.0; J[37] = c2; J[38] = -y3_z; J[39] = J65; J[40] = J66; J[41] = J67;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
+        z3_y = s1 * s2, p3_x = z3_x * d3, p3_y = z3_y * d3, p3_z = d1 + c2 * d3;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
+        x3_y = x2_y * c3 + c1 * s3, v1 = s2 * c3, z4_x = s1 * c3 + x2_x * s3,
+        y3_y = c1 * c3 - x2_y * s3, y3_z = s2 * s3, p4_x = p3_x + x3_x * a3,
+        p4_y = p3_y + x3_y * a3, p4_z = p3_z - v1 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z3_x * s4,
+        x4_y = x3_y * c4 + z3_y * s4, x4_z = c2 * s4 - v1 * c4, y4_x = z3_x * c4 - x3_x * s4,
+        y4_y = z3_y * c4 - x3_y * s4, y4_z = c2 * c4 + v1 * s4, p5_x = p4_x - x4_x * a4 + y4_x * d5,
+        p5_y = p4_y - x4_y * a4 + y4_y * d5, p5_z = p4_z - x4_z * a4 + y4_z * d5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - z4_x * s5,
+        x5_y = x4_y * c5 + y3_y * s5, x5_z = x4_z * c5 + y3_z * s5, z6_x = z4_x * c5 + x4_x * s5,
+        z6_y = x4_y * s5 - y3_y * c5, z6_z = x4_z * s5 - y3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), p7_x = p5_x + (x5_x * c6 + y4_x * s6) * a6,
+        p7_y = p5_y + (x5_y * c6 + y4_y * s6) * a6, p7_z = p5_z + (x5_z * c6 + y4_z * s6) * a6,
+        z7_x = x5_x * s6 - y4_x * c6, z7_y = x5_y * s6 - y4_y * c6, z7_z = x5_z * s6 - y4_z * c6,
+        J21 = p7_x + z7_x * d7, v2 = p7_y + z7_y * d7, v3 = p7_z + z7_z * d7, v4 = v3 - d1,
+        v5 = J21 - p3_x, v6 = v2 - p3_y, v7 = v3 - p3_z, v8 = J21 - p4_x, v9 = v2 - p4_y,
+        v10 = v3 - p4_z, v11 = J21 - p5_x, v12 = v2 - p5_y, v13 = v3 - p5_z, v14 = J21 - p7_x,
+        v15 = v2 - p7_y, v16 = v3 - p7_z;
+    J[0] = -v2; J[1] = c1 * v4; J[2] = z3_y * v7 - c2 * v6; J[3] = -y3_y * v10 + y3_z * v9;
+    J[4] = y4_y * v13 - y4_z * v12; J[5] = z6_y * v13 - z6_z * v12; J[6] = z7_y * v16 - z7_z * v15;
+    J[7] = J21; J[8] = s1 * v4; J[9] = c2 * v5 - z3_x * v7; J[10] = -(y3_z * v8 + z4_x * v10);
+    J[11] = y4_z * v11 - y4_x * v13; J[12] = z6_z * v11 - z6_x * v13;
+    J[13] = z7_z * v14 - z7_x * v16;
+    J[14] = 0.0; J[15] = -(s1 * v2 + c1 * J21); J[16] = z3_x * v6 - z3_y * v5;
+    J[17] = z4_x * v9 - -y3_y * v8; J[18] = y4_x * v12 - y4_y * v11;
+    J[19] = z6_x * v12 - z6_y * v11; J[20] = z7_x * v15 - z7_y * v14;
+    J[21] = 0.0; J[22] = -s1; J[23] = z3_x; J[24] = z4_x; J[25] = y4_x; J[26] = z6_x; J[27] = z7_x;
+    J[28] = 0.0; J[29] = c1; J[30] = z3_y; J[31] = -y3_y; J[32] = y4_y; J[33] = z6_y; J[34] = z7_y;
+    J[35] = 1.0; J[36] = 0.0; J[37] = c2; J[38] = -y3_z; J[39] = y4_z; J[40] = z6_z; J[41] = z7_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -547,10 +532,10 @@ HELPER wide_mask solve_wide(
         v154 = only_wide(-v9 <= -half_turn, whole_turn) - v9;
     const wide_mask v155 = beyond(v153, 4), v156 = beyond(v154, 4), v157 = beyond(angle2, 5),
         v158 = beyond(q5_pmp, 5), v159 = beyond(angle3, 5), v160 = beyond(q5_mmp, 5);
-    const wide v161 = angle4 + only_wide(angle4 < low6, whole_turn),
-        v162 = angle5 + only_wide(angle5 < low6, whole_turn),
-        v163 = angle6 + only_wide(angle6 < low6, whole_turn),
-        v164 = angle7 + only_wide(angle7 < low6, whole_turn);
+    const wide v161 = angle4 + only_wide(angle4 < low(6), whole_turn),
+        v162 = angle5 + only_wide(angle5 < low(6), whole_turn),
+        v163 = angle6 + only_wide(angle6 < low(6), whole_turn),
+        v164 = angle7 + only_wide(angle7 < low(6), whole_turn);
     const wide_mask v165 = beyond(v161, 6), v166 = beyond(v162, 6), v167 = beyond(v163, 6),
         v168 = beyond(v164, 6);
     const wide q6_ppp = pick_wide(v165, angle4, v161), q6_pmp = pick_wide(v166, angle5, v162),
@@ -696,7 +681,7 @@ HELPER int solve_regular(
         q1_m = angle4 - signed_four(half_turn, -v38), q3_m = angle5 - signed_four(half_turn, v65),
         v82 = q4_ + only_four(q4_ <= -half_turn, whole_turn);
     const four_mask v83 = beyond_four(v82, 4), v84 = beyond_four(q5_p, 5);
-    const four v85 = angle3 + only_four(angle3 < low6, whole_turn);
+    const four v85 = angle3 + only_four(angle3 < low(6), whole_turn);
     const four_mask v86 = beyond_four(v85, 6);
     const four q6_p = pick_four(v86, angle3, v85), q4_p = v10 + v82;
     const four_mask outside_p = where_four(v87) | v86 | v84 | v83 | beyond_four(angle5, 3) |
@@ -883,8 +868,8 @@ static void solve(
                 v49 = c6 * v47 + s6 * v48 - c5 * v28, v52 = c5 * v21 - (c6 * v50 + s6 * v51);
 
             /* theta2 */
-            const double c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60;
-            const double v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61,
+            const double c2 = c6 * (c5 * v55 - v56) + s6 * (c5 * v57 + v58) + v60,
+                v62 = c6 * (v57 + c5 * v58) + s6 * (c5 * v56 - v55) + v61,
                 v65 = c5 * v59 - (c6 * v63 + s6 * v64);
 
             for (int i3 = 0; i3 < 2; i3++) { /* left, right */
@@ -897,8 +882,7 @@ static void solve(
                 const double q1 = atan2(s1, c1);
 
                 /* theta3 */
-                const double s3 = (s1 * v46 - c1 * v38) * k6;
-                const double v53 = a3 * (c1 * v49 + s1 * v52) * k6;
+                const double s3 = (s1 * v46 - c1 * v38) * k6, v53 = a3 * (c1 * v49 + s1 * v52) * k6;
                 const double q3 = atan2(s3, -v53);
 
                 /* theta2 */
@@ -1040,14 +1024,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[7], const double q[7], double half[7])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 7; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[7] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1072,15 +1065,15 @@ static double off_pose(const double T[16], const double x[7], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[7], const double J[42], double e[6], double x[7])
+    double share, const int held[7], const double J[42], double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
-            A[i][j] = pace[j] * weights[i] * J[7 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[7 * i + j];
         A[i][7 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1098,63 +1091,70 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[7])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[7])
 {
-    double x[7], J[42], pace[7] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[7], half[7], J[42], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 7; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    double x[7], least = HUGE_VAL;
+    double x[7], half[7], J[42], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 7; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
     x[6] = free_joints[0];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
+        return;
+    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == FRANKA_PANDA_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 7; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != FRANKA_PANDA_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -1193,7 +1193,7 @@ APART int ik_carefully(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -108,9 +108,9 @@ merge_slack1 = 1.393e-14  # nearer to that boundary two branches are one [m]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.1155  # 2 * (d3 * a4 + d5 * a3) [m^2]
 k2 = 0.22907550000000002  # 2 * (d3 * d5 - a4 * a3) [m^2]
-k3 = 0.06581583470025  # (2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2 [m^4]
+k3 = 0.06581583470025  # k1^2 + k2^2 [m^4]
 k4 = 0.25318050000000003  # d3^2 + (a4 * a3 + (d5^2 + (a4 * a3 - a6^2))) [m^2]
-k5 = 15.193911990243306  # 1 / ((2 * (d3 * a4 + d5 * a3))^2 + (2 * (d3 * d5 - a4 * a3))^2) [m^-4]
+k5 = 15.193911990243306  # 1 / k3 [m^-4]
 k6 = -12.121212121212121  # -1 / a3 [m^-1]
 doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
@@ -256,32 +256,23 @@ def fk(q):
     x6_x = x5_x * c6 + y4_x * s6
     x6_y = x5_y * c6 + y4_y * s6
     x6_z = x5_z * c6 + y4_z * s6
-    T13_ = x5_x * s6 - y4_x * c6
-    T23_ = x5_y * s6 - y4_y * c6
-    T33_ = x5_z * s6 - y4_z * c6
+    z7_x = x5_x * s6 - y4_x * c6
+    z7_y = x5_y * s6 - y4_y * c6
+    z7_z = x5_z * s6 - y4_z * c6
     c7 = math.cos(q[6])
     s7 = math.sin(q[6])
-    T11_ = x6_x * c7 + z6_x * s7
-    T21_ = x6_y * c7 + z6_y * s7
-    T31_ = x6_z * c7 + z6_z * s7
-    T12_ = z6_x * c7 - x6_x * s7
-    T22_ = z6_y * c7 - x6_y * s7
-    T32_ = z6_z * c7 - x6_z * s7
-    T14_ = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + T13_ * d7
-    T24_ = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + T23_ * d7
-    T34_ = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + T33_ * d7
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x6_x * c7 + z6_x * s7
+    T[0, 1] = z6_x * c7 - x6_x * s7
+    T[0, 2] = z7_x
+    T[0, 3] = z3_x * d3 + x3_x * a3 - x4_x * a4 + y4_x * d5 + x6_x * a6 + z7_x * d7
+    T[1, 0] = x6_y * c7 + z6_y * s7
+    T[1, 1] = z6_y * c7 - x6_y * s7
+    T[1, 2] = z7_y
+    T[1, 3] = z3_y * d3 + x3_y * a3 - x4_y * a4 + y4_y * d5 + x6_y * a6 + z7_y * d7
+    T[2, 0] = x6_z * c7 + z6_z * s7
+    T[2, 1] = z6_z * c7 - x6_z * s7
+    T[2, 2] = z7_z
+    T[2, 3] = d1 + c2 * d3 - v1 * a3 - x4_z * a4 + y4_z * d5 + x6_z * a6 + z7_z * d7
     T[3, 3] = 1.0
     return T
 
@@ -298,17 +289,17 @@ def jacobian(q):
     s2 = math.sin(q[1])
     x2_x = c1 * c2
     x2_y = s1 * c2
-    J43 = c1 * s2
-    J53 = s1 * s2
-    p3_x = J43 * d3
-    p3_y = J53 * d3
+    z3_x = c1 * s2
+    z3_y = s1 * s2
+    p3_x = z3_x * d3
+    p3_y = z3_y * d3
     p3_z = d1 + c2 * d3
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 - s1 * s3
     x3_y = x2_y * c3 + c1 * s3
     v1 = s2 * c3
-    J44 = s1 * c3 + x2_x * s3
+    z4_x = s1 * c3 + x2_x * s3
     y3_y = c1 * c3 - x2_y * s3
     y3_z = s2 * s3
     p4_x = p3_x + x3_x * a3
@@ -316,101 +307,85 @@ def jacobian(q):
     p4_z = p3_z - v1 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    x4_x = x3_x * c4 + J43 * s4
-    x4_y = x3_y * c4 + J53 * s4
+    x4_x = x3_x * c4 + z3_x * s4
+    x4_y = x3_y * c4 + z3_y * s4
     x4_z = c2 * s4 - v1 * c4
-    J45 = J43 * c4 - x3_x * s4
-    J55 = J53 * c4 - x3_y * s4
-    J65 = c2 * c4 + v1 * s4
-    p5_x = p4_x - x4_x * a4 + J45 * d5
-    p5_y = p4_y - x4_y * a4 + J55 * d5
-    p5_z = p4_z - x4_z * a4 + J65 * d5
+    y4_x = z3_x * c4 - x3_x * s4
+    y4_y = z3_y * c4 - x3_y * s4
+    y4_z = c2 * c4 + v1 * s4
+    p5_x = p4_x - x4_x * a4 + y4_x * d5
+    p5_y = p4_y - x4_y * a4 + y4_y * d5
+    p5_z = p4_z - x4_z * a4 + y4_z * d5
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    x5_x = x4_x * c5 - J44 * s5
+    x5_x = x4_x * c5 - z4_x * s5
     x5_y = x4_y * c5 + y3_y * s5
     x5_z = x4_z * c5 + y3_z * s5
-    J46 = J44 * c5 + x4_x * s5
-    J56 = x4_y * s5 - y3_y * c5
-    J66 = x4_z * s5 - y3_z * c5
+    z6_x = z4_x * c5 + x4_x * s5
+    z6_y = x4_y * s5 - y3_y * c5
+    z6_z = x4_z * s5 - y3_z * c5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    p7_x = p5_x + (x5_x * c6 + J45 * s6) * a6
-    p7_y = p5_y + (x5_y * c6 + J55 * s6) * a6
-    p7_z = p5_z + (x5_z * c6 + J65 * s6) * a6
-    J47 = x5_x * s6 - J45 * c6
-    J57 = x5_y * s6 - J55 * c6
-    J67 = x5_z * s6 - J65 * c6
-    J21 = p7_x + J47 * d7
-    v2 = p7_y + J57 * d7
-    v3 = p7_z + J67 * d7
+    p7_x = p5_x + (x5_x * c6 + y4_x * s6) * a6
+    p7_y = p5_y + (x5_y * c6 + y4_y * s6) * a6
+    p7_z = p5_z + (x5_z * c6 + y4_z * s6) * a6
+    z7_x = x5_x * s6 - y4_x * c6
+    z7_y = x5_y * s6 - y4_y * c6
+    z7_z = x5_z * s6 - y4_z * c6
+    J21 = p7_x + z7_x * d7
+    v2 = p7_y + z7_y * d7
+    v3 = p7_z + z7_z * d7
     v4 = v3 - d1
-    J12 = c1 * v4
-    J22 = s1 * v4
     v5 = J21 - p3_x
     v6 = v2 - p3_y
     v7 = v3 - p3_z
-    J13 = J53 * v7 - c2 * v6
-    J23 = c2 * v5 - J43 * v7
-    J33 = J43 * v6 - J53 * v5
     v8 = J21 - p4_x
     v9 = v2 - p4_y
     v10 = v3 - p4_z
-    J14 = -y3_y * v10 + y3_z * v9
-    J34 = J44 * v9 - -y3_y * v8
     v11 = J21 - p5_x
     v12 = v2 - p5_y
     v13 = v3 - p5_z
-    J15 = J55 * v13 - J65 * v12
-    J25 = J65 * v11 - J45 * v13
-    J35 = J45 * v12 - J55 * v11
-    J16 = J56 * v13 - J66 * v12
-    J26 = J66 * v11 - J46 * v13
-    J36 = J46 * v12 - J56 * v11
     v14 = J21 - p7_x
     v15 = v2 - p7_y
     v16 = v3 - p7_z
-    J17 = J57 * v16 - J67 * v15
-    J27 = J67 * v14 - J47 * v16
-    J37 = J47 * v15 - J57 * v14
     J[0, 0] = -v2
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[0, 6] = J17
+    J[0, 1] = c1 * v4
+    J[0, 2] = z3_y * v7 - c2 * v6
+    J[0, 3] = -y3_y * v10 + y3_z * v9
+    J[0, 4] = y4_y * v13 - y4_z * v12
+    J[0, 5] = z6_y * v13 - z6_z * v12
+    J[0, 6] = z7_y * v16 - z7_z * v15
     J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = -(y3_z * v8 + J44 * v10)
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[1, 6] = J27
+    J[1, 1] = s1 * v4
+    J[1, 2] = c2 * v5 - z3_x * v7
+    J[1, 3] = -(y3_z * v8 + z4_x * v10)
+    J[1, 4] = y4_z * v11 - y4_x * v13
+    J[1, 5] = z6_z * v11 - z6_x * v13
+    J[1, 6] = z7_z * v14 - z7_x * v16
     J[2, 1] = -(s1 * v2 + c1 * J21)
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[2, 6] = J37
+    J[2, 2] = z3_x * v6 - z3_y * v5
+    J[2, 3] = z4_x * v9 - -y3_y * v8
+    J[2, 4] = y4_x * v12 - y4_y * v11
+    J[2, 5] = z6_x * v12 - z6_y * v11
+    J[2, 6] = z7_x * v15 - z7_y * v14
     J[3, 1] = -s1
-    J[3, 2] = J43
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
-    J[3, 6] = J47
+    J[3, 2] = z3_x
+    J[3, 3] = z4_x
+    J[3, 4] = y4_x
+    J[3, 5] = z6_x
+    J[3, 6] = z7_x
     J[4, 1] = c1
-    J[4, 2] = J53
+    J[4, 2] = z3_y
     J[4, 3] = -y3_y
-    J[4, 4] = J55
-    J[4, 5] = J56
-    J[4, 6] = J57
+    J[4, 4] = y4_y
+    J[4, 5] = z6_y
+    J[4, 6] = z7_y
     J[5, 0] = 1.0
     J[5, 2] = c2
     J[5, 3] = -y3_z
-    J[5, 4] = J65
-    J[5, 5] = J66
-    J[5, 6] = J67
+    J[5, 4] = y4_z
+    J[5, 5] = z6_z
+    J[5, 6] = z7_z
     return J
 
 
@@ -426,7 +401,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 56be1a75db1d585f"
+_KEY = "franka_panda 9017a77b3bc36069"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -901,8 +876,8 @@ _MISS_WEIGHT = np.array([0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -917,23 +892,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(7):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 13)), np.zeros(6)
     for i in range(6):
         for j in range(7):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 7 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -945,54 +920,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(13):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(7):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 7)), q.copy(), False
+    most = 0.0
+    for i in range(7):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(7)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(7, np.bool_), np.empty((6, 7)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(7):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(7):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(7)
     for i in range(7):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(7):
         q[i] = values[i]
     return settled
@@ -1002,24 +988,26 @@ def _settle(pose, enough, q):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(7), 0, math.inf
+    x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
+    A = np.empty((6, 7))
     for i in range(7):
         x[i] = seed[i] - _overshoot(i, seed[i])
     x[6] = q_free[0]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
+        return
+    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(7):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(7):
         q[place, i] = x[i]
@@ -1039,8 +1027,9 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

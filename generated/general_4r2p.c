@@ -234,6 +234,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3133,11 +3134,11 @@ static const double weight[6] = { 1.0, 1.0, 0.33412409368839596, 1.0, 0.33412409
 
 void general_4r2p_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + z1_x * sa2,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + z1_x * sa2,
         y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f2, z2_x = z1_x * ca2 - v3 * sa2,
         z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + f3, x3_x = x2_x * cat3 - v6 * sat3,
         x3_y = x2_y * cat3 + y2_y * sat3, x3_z = x2_z * cat3 + y2_z * sat3,
@@ -3145,80 +3146,76 @@ void general_4r2p_fk(const double q[6], double T[16])
         v9 = y2_z * cat3 - x2_z * sat3, y3_x = v7 * ca3 + z2_x * sa3, y3_y = z2_y * sa3 - v8 * ca3,
         y3_z = z2_z * sa3 - v9 * ca3, z3_x = v7 * sa3 - z2_x * ca3, v10 = v8 * sa3 + z2_y * ca3,
         v11 = v9 * sa3 + z2_z * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
-        v14 = y3_z * c4 - x3_z * s4, y4_x = v12 * ca4 + z3_x * sa4, y4_y = v13 * ca4 - v10 * sa4,
-        y4_z = v14 * ca4 - v11 * sa4, z4_x = z3_x * ca4 - v12 * sa4, v15 = v13 * sa4 + v10 * ca4,
-        v16 = v14 * sa4 + v11 * ca4, x5_x = x4_x * cat5 - y4_x * sat5,
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v12 = y3_x * c4 - x3_x * s4,
+        v13 = y3_y * c4 - x3_y * s4, v14 = y3_z * c4 - x3_z * s4, y4_x = v12 * ca4 + z3_x * sa4,
+        y4_y = v13 * ca4 - v10 * sa4, y4_z = v14 * ca4 - v11 * sa4, z4_x = z3_x * ca4 - v12 * sa4,
+        v15 = v13 * sa4 + v10 * ca4, v16 = v14 * sa4 + v11 * ca4, x5_x = x4_x * cat5 - y4_x * sat5,
         x5_y = x4_y * cat5 - y4_y * sat5, x5_z = x4_z * cat5 - y4_z * sat5,
         v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
         v19 = x4_z * sat5 + y4_z * cat5, y5_x = v17 * ca5 - z4_x * sa5,
         y5_y = v18 * ca5 + v15 * sa5, y5_z = v19 * ca5 + v16 * sa5, z5_x = v17 * sa5 + z4_x * ca5,
         z5_y = v18 * sa5 - v15 * ca5, z5_z = v19 * sa5 - v16 * ca5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, v20 = y5_x * c6 - x5_x * s6, v21 = y5_y * c6 - x5_y * s6,
-        v22 = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 +
-            z4_x * q[4] + x5_x * a5 + T11_ * a6 + z5_x * d6,
-        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 * d4 - v15
-            * q[4] + x5_y * a5 + T21_ * a6 + z5_y * d6,
-        T34_ = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] +
-            x5_z * a5 + T31_ * a6 + z5_z * d6, T12_ = v20 * ca6 + z5_x * sa6,
-        T22_ = v21 * ca6 + z5_y * sa6, T32_ = v22 * ca6 + z5_z * sa6, T13_ = z5_x * ca6 - v20 * sa6,
-        T23_ = z5_y * ca6 - v21 * sa6, T33_ = z5_z * ca6 - v22 * sa6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + y5_x * s6,
+        x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 + y5_z * s6, v20 = y5_x * c6 - x5_x * s6,
+        v21 = y5_y * c6 - x5_y * s6, v22 = y5_z * c6 - x5_z * s6;
+    T[0] = x6_x; T[1] = v20 * ca6 + z5_x * sa6; T[2] = z5_x * ca6 - v20 * sa6;
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + z4_x
+        * q[4] + x5_x * a5 + x6_x * a6 + z5_x * d6;
+    T[4] = x6_y; T[5] = v21 * ca6 + z5_y * sa6; T[6] = z5_y * ca6 - v21 * sa6;
+    T[7] = s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 * d4 - v15 *
+        q[4] + x5_y * a5 + x6_y * a6 + z5_y * d6;
+    T[8] = x6_z; T[9] = v22 * ca6 + z5_z * sa6; T[10] = z5_z * ca6 - v22 * sa6;
+    T[11] = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z
+        * a5 + x6_z * a6 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void general_4r2p_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
-        v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + J42 * sa2,
-        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - g2, J13 = J42 * ca2 - v3 * sa2,
-        J23 = v4 * sa2 - v2 * ca2, J33 = v5 * sa2 + g3, x3_x = x2_x * cat3 - v6 * sat3,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1,
+        y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, v6 = v3 * ca2 + z1_x * sa2,
+        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - g2, z2_x = z1_x * ca2 - v3 * sa2,
+        z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + g3, x3_x = x2_x * cat3 - v6 * sat3,
         x3_y = x2_y * cat3 + y2_y * sat3, x3_z = x2_z * cat3 + y2_z * sat3,
         v7 = x2_x * sat3 + v6 * cat3, v8 = y2_y * cat3 - x2_y * sat3,
-        v9 = y2_z * cat3 - x2_z * sat3, p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3,
-        p3_y = p1_y + x2_y * a2 - v2 * d2 + J23 * q[2] + x3_y * a3,
-        p3_z = d1 + x2_z * a2 + g1 + J33 * q[2] + x3_z * a3, y3_x = v7 * ca3 + J13 * sa3,
-        y3_y = J23 * sa3 - v8 * ca3, y3_z = J33 * sa3 - v9 * ca3, J44 = v7 * sa3 - J13 * ca3,
-        v10 = v8 * sa3 + J23 * ca3, v11 = v9 * sa3 + J33 * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v12 = y3_x * c4 - x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
-        v14 = y3_z * c4 - x3_z * s4, y4_x = v12 * ca4 + J44 * sa4, y4_y = v13 * ca4 - v10 * sa4,
-        y4_z = v14 * ca4 - v11 * sa4, J15 = J44 * ca4 - v12 * sa4, v15 = v13 * sa4 + v10 * ca4,
-        v16 = v14 * sa4 + v11 * ca4, x5_x = x4_x * cat5 - y4_x * sat5,
+        v9 = y2_z * cat3 - x2_z * sat3,
+        p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3,
+        p3_y = p1_y + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3,
+        p3_z = d1 + x2_z * a2 + g1 + z2_z * q[2] + x3_z * a3, y3_x = v7 * ca3 + z2_x * sa3,
+        y3_y = z2_y * sa3 - v8 * ca3, y3_z = z2_z * sa3 - v9 * ca3, z3_x = v7 * sa3 - z2_x * ca3,
+        v10 = v8 * sa3 + z2_y * ca3, v11 = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v12 = y3_x * c4 - x3_x * s4,
+        v13 = y3_y * c4 - x3_y * s4, v14 = y3_z * c4 - x3_z * s4, y4_x = v12 * ca4 + z3_x * sa4,
+        y4_y = v13 * ca4 - v10 * sa4, y4_z = v14 * ca4 - v11 * sa4, z4_x = z3_x * ca4 - v12 * sa4,
+        v15 = v13 * sa4 + v10 * ca4, v16 = v14 * sa4 + v11 * ca4, x5_x = x4_x * cat5 - y4_x * sat5,
         x5_y = x4_y * cat5 - y4_y * sat5, x5_z = x4_z * cat5 - y4_z * sat5,
         v17 = x4_x * sat5 + y4_x * cat5, v18 = x4_y * sat5 + y4_y * cat5,
         v19 = x4_z * sat5 + y4_z * cat5,
-        p5_x = p3_x + x4_x * a4 + J44 * d4 + J15 * q[4] + x5_x * a5,
+        p5_x = p3_x + x4_x * a4 + z3_x * d4 + z4_x * q[4] + x5_x * a5,
         p5_y = p3_y + x4_y * a4 - v10 * d4 - v15 * q[4] + x5_y * a5,
-        p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5, J46 = v17 * sa5 + J15 * ca5,
-        J56 = v18 * sa5 - v15 * ca5, J66 = v19 * sa5 - v16 * ca5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 + (v17 * ca5 - J15 * sa5) * s6) * a6 + J46 * d6,
-        p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + J66 * d6, v20 = J21 - p1_x,
-        v21 = p6_y - p1_y, v22 = p6_z - d1, J22 = ca1 * v20 - J42 * v22, J32 = J42 * v21 + v2 * v20,
-        v23 = J21 - p3_x, v24 = p6_y - p3_y, v25 = p6_z - p3_z, J14 = v11 * v24 - v10 * v25,
-        J34 = J44 * v24 + v10 * v23, v26 = J21 - p5_x, v27 = p6_y - p5_y, v28 = p6_z - p5_z,
-        J16 = J56 * v28 - J66 * v27, J26 = J66 * v26 - J46 * v28, J36 = J46 * v27 - J56 * v26;
-    J[0] = -p6_y; J[1] = -(v2 * v22 + ca1 * v21); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(v11 * v23 + J44 * v25); J[10] = -v15; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = -v16; J[17] = J36;
-    J[18] = 0.0; J[19] = J42; J[20] = 0.0; J[21] = J44; J[22] = 0.0; J[23] = J46;
-    J[24] = 0.0; J[25] = -v2; J[26] = 0.0; J[27] = -v10; J[28] = 0.0; J[29] = J56;
-    J[30] = 1.0; J[31] = ca1; J[32] = 0.0; J[33] = -v11; J[34] = 0.0; J[35] = J66;
+        p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5, z5_x = v17 * sa5 + z4_x * ca5,
+        z5_y = v18 * sa5 - v15 * ca5, z5_z = v19 * sa5 - v16 * ca5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]),
+        p6_x = p5_x + (x5_x * c6 + (v17 * ca5 - z4_x * sa5) * s6) * a6 + z5_x * d6,
+        p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + z5_y * d6,
+        p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + z5_z * d6,
+        v20 = p6_x - p1_x, v21 = p6_y - p1_y, v22 = p6_z - d1, v23 = p6_x - p3_x, v24 = p6_y - p3_y,
+        v25 = p6_z - p3_z, v26 = p6_x - p5_x, v27 = p6_y - p5_y, v28 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(v2 * v22 + ca1 * v21); J[2] = z2_x; J[3] = v11 * v24 - v10 * v25;
+    J[4] = z4_x; J[5] = z5_y * v28 - z5_z * v27;
+    J[6] = p6_x; J[7] = ca1 * v20 - z1_x * v22; J[8] = z2_y; J[9] = -(v11 * v23 + z3_x * v25);
+    J[10] = -v15; J[11] = z5_z * v26 - z5_x * v28;
+    J[12] = 0.0; J[13] = z1_x * v21 + v2 * v20; J[14] = z2_z; J[15] = z3_x * v24 + v10 * v23;
+    J[16] = -v16; J[17] = z5_x * v27 - z5_y * v26;
+    J[18] = 0.0; J[19] = z1_x; J[20] = 0.0; J[21] = z3_x; J[22] = 0.0; J[23] = z5_x;
+    J[24] = 0.0; J[25] = -v2; J[26] = 0.0; J[27] = -v10; J[28] = 0.0; J[29] = z5_y;
+    J[30] = 1.0; J[31] = ca1; J[32] = 0.0; J[33] = -v11; J[34] = 0.0; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3327,16 +3324,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.5780346820809249;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.5780346820809249));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.5780, 0.5780, 0.5780, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.578, 0.578, 0.578, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.73, 1.0, 1.73, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3361,15 +3365,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3387,38 +3391,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.730, 1.0, 1.730, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3445,7 +3453,7 @@ int general_4r2p_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

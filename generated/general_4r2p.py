@@ -237,42 +237,24 @@ def fk(q):
     z5_z = v19 * sa5 - v16 * ca5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
+    x6_x = x5_x * c6 + y5_x * s6
+    x6_y = x5_y * c6 + y5_y * s6
+    x6_z = x5_z * c6 + y5_z * s6
     v20 = y5_x * c6 - x5_x * s6
     v21 = y5_y * c6 - x5_y * s6
     v22 = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + z4_x *
-        q[4] + x5_x * a5 + T11_ * a6 + z5_x * d6
-    )
-    T24_ = (
-        s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 * d4 - v15 * q[4]
-        + x5_y * a5 + T21_ * a6 + z5_y * d6
-    )
-    T34_ = (
-        d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z *
-        a5 + T31_ * a6 + z5_z * d6
-    )
-    T12_ = v20 * ca6 + z5_x * sa6
-    T22_ = v21 * ca6 + z5_y * sa6
-    T32_ = v22 * ca6 + z5_z * sa6
-    T13_ = z5_x * ca6 - v20 * sa6
-    T23_ = z5_y * ca6 - v21 * sa6
-    T33_ = z5_z * ca6 - v22 * sa6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x6_x
+    T[0, 1] = v20 * ca6 + z5_x * sa6
+    T[0, 2] = z5_x * ca6 - v20 * sa6
+    T[0, 3] = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + z4_x * q[4] + x5_x * a5 + x6_x * a6 + z5_x * d6
+    T[1, 0] = x6_y
+    T[1, 1] = v21 * ca6 + z5_y * sa6
+    T[1, 2] = z5_y * ca6 - v21 * sa6
+    T[1, 3] = s1 * a1 + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3 + x4_y * a4 - v10 * d4 - v15 * q[4] + x5_y * a5 + x6_y * a6 + z5_y * d6
+    T[2, 0] = x6_z
+    T[2, 1] = v22 * ca6 + z5_z * sa6
+    T[2, 2] = z5_z * ca6 - v22 * sa6
+    T[2, 3] = d1 + x2_z * a2 + f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5 + x6_z * a6 + z5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -289,7 +271,7 @@ def jacobian(q):
     p1_y = s1 * a1
     v1 = s1 * ca1
     y1_y = c1 * ca1
-    J42 = s1 * sa1
+    z1_x = s1 * sa1
     v2 = c1 * sa1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
@@ -299,27 +281,27 @@ def jacobian(q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = sa1 * c2
-    v6 = v3 * ca2 + J42 * sa2
+    v6 = v3 * ca2 + z1_x * sa2
     y2_y = v4 * ca2 + v2 * sa2
     y2_z = v5 * ca2 - g2
-    J13 = J42 * ca2 - v3 * sa2
-    J23 = v4 * sa2 - v2 * ca2
-    J33 = v5 * sa2 + g3
+    z2_x = z1_x * ca2 - v3 * sa2
+    z2_y = v4 * sa2 - v2 * ca2
+    z2_z = v5 * sa2 + g3
     x3_x = x2_x * cat3 - v6 * sat3
     x3_y = x2_y * cat3 + y2_y * sat3
     x3_z = x2_z * cat3 + y2_z * sat3
     v7 = x2_x * sat3 + v6 * cat3
     v8 = y2_y * cat3 - x2_y * sat3
     v9 = y2_z * cat3 - x2_z * sat3
-    p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3
-    p3_y = p1_y + x2_y * a2 - v2 * d2 + J23 * q[2] + x3_y * a3
-    p3_z = d1 + x2_z * a2 + g1 + J33 * q[2] + x3_z * a3
-    y3_x = v7 * ca3 + J13 * sa3
-    y3_y = J23 * sa3 - v8 * ca3
-    y3_z = J33 * sa3 - v9 * ca3
-    J44 = v7 * sa3 - J13 * ca3
-    v10 = v8 * sa3 + J23 * ca3
-    v11 = v9 * sa3 + J33 * ca3
+    p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3
+    p3_y = p1_y + x2_y * a2 - v2 * d2 + z2_y * q[2] + x3_y * a3
+    p3_z = d1 + x2_z * a2 + g1 + z2_z * q[2] + x3_z * a3
+    y3_x = v7 * ca3 + z2_x * sa3
+    y3_y = z2_y * sa3 - v8 * ca3
+    y3_z = z2_z * sa3 - v9 * ca3
+    z3_x = v7 * sa3 - z2_x * ca3
+    v10 = v8 * sa3 + z2_y * ca3
+    v11 = v9 * sa3 + z2_z * ca3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = x3_x * c4 + y3_x * s4
@@ -328,10 +310,10 @@ def jacobian(q):
     v12 = y3_x * c4 - x3_x * s4
     v13 = y3_y * c4 - x3_y * s4
     v14 = y3_z * c4 - x3_z * s4
-    y4_x = v12 * ca4 + J44 * sa4
+    y4_x = v12 * ca4 + z3_x * sa4
     y4_y = v13 * ca4 - v10 * sa4
     y4_z = v14 * ca4 - v11 * sa4
-    J15 = J44 * ca4 - v12 * sa4
+    z4_x = z3_x * ca4 - v12 * sa4
     v15 = v13 * sa4 + v10 * ca4
     v16 = v14 * sa4 + v11 * ca4
     x5_x = x4_x * cat5 - y4_x * sat5
@@ -340,60 +322,53 @@ def jacobian(q):
     v17 = x4_x * sat5 + y4_x * cat5
     v18 = x4_y * sat5 + y4_y * cat5
     v19 = x4_z * sat5 + y4_z * cat5
-    p5_x = p3_x + x4_x * a4 + J44 * d4 + J15 * q[4] + x5_x * a5
+    p5_x = p3_x + x4_x * a4 + z3_x * d4 + z4_x * q[4] + x5_x * a5
     p5_y = p3_y + x4_y * a4 - v10 * d4 - v15 * q[4] + x5_y * a5
     p5_z = p3_z + x4_z * a4 - v11 * d4 - v16 * q[4] + x5_z * a5
-    J46 = v17 * sa5 + J15 * ca5
-    J56 = v18 * sa5 - v15 * ca5
-    J66 = v19 * sa5 - v16 * ca5
+    z5_x = v17 * sa5 + z4_x * ca5
+    z5_y = v18 * sa5 - v15 * ca5
+    z5_z = v19 * sa5 - v16 * ca5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    J21 = p5_x + (x5_x * c6 + (v17 * ca5 - J15 * sa5) * s6) * a6 + J46 * d6
-    p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + J56 * d6
-    p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + J66 * d6
-    v20 = J21 - p1_x
+    p6_x = p5_x + (x5_x * c6 + (v17 * ca5 - z4_x * sa5) * s6) * a6 + z5_x * d6
+    p6_y = p5_y + (x5_y * c6 + (v18 * ca5 + v15 * sa5) * s6) * a6 + z5_y * d6
+    p6_z = p5_z + (x5_z * c6 + (v19 * ca5 + v16 * sa5) * s6) * a6 + z5_z * d6
+    v20 = p6_x - p1_x
     v21 = p6_y - p1_y
     v22 = p6_z - d1
-    J22 = ca1 * v20 - J42 * v22
-    J32 = J42 * v21 + v2 * v20
-    v23 = J21 - p3_x
+    v23 = p6_x - p3_x
     v24 = p6_y - p3_y
     v25 = p6_z - p3_z
-    J14 = v11 * v24 - v10 * v25
-    J34 = J44 * v24 + v10 * v23
-    v26 = J21 - p5_x
+    v26 = p6_x - p5_x
     v27 = p6_y - p5_y
     v28 = p6_z - p5_z
-    J16 = J56 * v28 - J66 * v27
-    J26 = J66 * v26 - J46 * v28
-    J36 = J46 * v27 - J56 * v26
     J[0, 0] = -p6_y
     J[0, 1] = -(v2 * v22 + ca1 * v21)
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = -(v11 * v23 + J44 * v25)
+    J[0, 2] = z2_x
+    J[0, 3] = v11 * v24 - v10 * v25
+    J[0, 4] = z4_x
+    J[0, 5] = z5_y * v28 - z5_z * v27
+    J[1, 0] = p6_x
+    J[1, 1] = ca1 * v20 - z1_x * v22
+    J[1, 2] = z2_y
+    J[1, 3] = -(v11 * v23 + z3_x * v25)
     J[1, 4] = -v15
-    J[1, 5] = J26
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
+    J[1, 5] = z5_z * v26 - z5_x * v28
+    J[2, 1] = z1_x * v21 + v2 * v20
+    J[2, 2] = z2_z
+    J[2, 3] = z3_x * v24 + v10 * v23
     J[2, 4] = -v16
-    J[2, 5] = J36
-    J[3, 1] = J42
-    J[3, 3] = J44
-    J[3, 5] = J46
+    J[2, 5] = z5_x * v27 - z5_y * v26
+    J[3, 1] = z1_x
+    J[3, 3] = z3_x
+    J[3, 5] = z5_x
     J[4, 1] = -v2
     J[4, 3] = -v10
-    J[4, 5] = J56
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 1] = ca1
     J[5, 3] = -v11
-    J[5, 5] = J66
+    J[5, 5] = z5_z
     return J
 
 
@@ -409,7 +384,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 6bb16b51df0e8067"
+_KEY = "general_4r2p c33f9e9f80de9403"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2082,14 +2057,14 @@ def _beyond_limits(values):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.730, 1.0, 1.730, 1.0])
+_PACE = np.array([1.0, 1.0, 1.73, 1.0, 1.73, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.5780, 0.5780, 0.5780, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.578, 0.578, 0.578, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2104,23 +2079,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2132,56 +2107,66 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.5780
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.578))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -2199,8 +2184,9 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

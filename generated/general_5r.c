@@ -235,6 +235,7 @@ static double pulled(
     const double high[5])
 {
     double least = HUGE_VAL, pull = 0.5, best[5], step[5];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3341,94 +3342,85 @@ static const double highest[5] = {
 
 void general_5r_fk(const double q[5], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
-        y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2,
-        z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2, z2_z = f3 - v5 * sa2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
-        v9 = y2_z * c3 - x2_z * s3, y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
-        y3_z = v9 * ca3 - z2_z * sa3, z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
-        z3_z = v9 * sa3 + z2_z * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
-        v12 = y3_z * c4 - x3_z * s4, y4_x = v10 * ca4 + z3_x * sa4, y4_y = v11 * ca4 + z3_y * sa4,
-        y4_z = v12 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v10 * sa4, z4_y = z3_y * ca4 - v11 * sa4,
-        z4_z = z3_z * ca4 - v12 * sa4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v13 = y4_x * c5 - x4_x * s5, v14 = y4_y * c5 - x4_y * s5,
-        v15 = y4_z * c5 - x4_z * s5, T12_ = v13 * ca5 - z4_x * sa5, T22_ = v14 * ca5 - z4_y * sa5,
-        T32_ = v15 * ca5 - z4_z * sa5, z5_x = v13 * sa5 + z4_x * ca5, z5_y = v14 * sa5 + z4_y * ca5,
-        z5_z = v15 * sa5 + z4_z * ca5,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 +
-            x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez,
-        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y *
-            a5 + z4_y * d5 + x5_y * ex + z5_y * ez,
-        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
-            z4_z * d5 + x5_z * ex + z5_z * ez, T11_ = x5_x * cae11 - z5_x * sae11,
-        T21_ = x5_y * cae11 - z5_y * sae11, T31_ = x5_z * cae11 - z5_z * sae11,
-        T13_ = x5_x * sae11 + z5_x * cae11, T23_ = x5_y * sae11 + z5_y * cae11,
-        T33_ = x5_z * sae11 + z5_z * cae11;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2, z2_x = v3 * sa2 + z1_x * ca2,
+        v6 = v4 * sa2 + v2 * ca2, z2_z = f3 - v5 * sa2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3,
+        v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3, y3_x = v7 * ca3 - z2_x * sa3,
+        y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - z2_z * sa3, z3_x = v7 * sa3 + z2_x * ca3,
+        z3_y = v8 * sa3 - v6 * ca3, z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v10 = y3_x * c4 - x3_x * s4,
+        v11 = y3_y * c4 - x3_y * s4, v12 = y3_z * c4 - x3_z * s4, y4_x = v10 * ca4 + z3_x * sa4,
+        y4_y = v11 * ca4 + z3_y * sa4, y4_z = v12 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v10 * sa4,
+        z4_y = z3_y * ca4 - v11 * sa4, z4_z = z3_z * ca4 - v12 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v13 = y4_x * c5 - x4_x * s5,
+        v14 = y4_y * c5 - x4_y * s5, v15 = y4_z * c5 - x4_z * s5, z5_x = v13 * sa5 + z4_x * ca5,
+        z5_y = v14 * sa5 + z4_y * ca5, z5_z = v15 * sa5 + z4_z * ca5;
+    T[0] = x5_x * cae11 - z5_x * sae11; T[1] = v13 * ca5 - z4_x * sa5;
+    T[2] = x5_x * sae11 + z5_x * cae11;
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x *
+        a5 + z4_x * d5 + x5_x * ex + z5_x * ez;
+    T[4] = x5_y * cae11 - z5_y * sae11; T[5] = v14 * ca5 - z4_y * sa5;
+    T[6] = x5_y * sae11 + z5_y * cae11;
+    T[7] = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5 +
+        z4_y * d5 + x5_y * ex + z5_y * ez;
+    T[8] = x5_z * cae11 - z5_z * sae11; T[9] = v15 * ca5 - z4_z * sa5;
+    T[10] = x5_z * sae11 + z5_z * cae11;
+    T[11] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z *
+        d5 + x5_z * ex + z5_z * ez;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void general_5r_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
-        v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
-        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
-        p2_z = d1 + x2_z * a2 + g1, y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
-        y2_z = v5 * ca2 + g2, J43 = v3 * sa2 + J42 * ca2, v6 = v4 * sa2 + v2 * ca2,
-        J63 = g3 - v5 * sa2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
-        v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + J43 * d3,
-        p3_y = p2_y + x3_y * a3 - v6 * d3, p3_z = p2_z + x3_z * a3 + J63 * d3,
-        y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - J63 * sa3,
-        J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v10 = y3_x * c4 - x3_x * s4, v11 = y3_y * c4 - x3_y * s4,
-        v12 = y3_z * c4 - x3_z * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 + J54 * d4, p4_z = p3_z + x4_z * a4 + J64 * d4,
-        y4_x = v10 * ca4 + J44 * sa4, y4_y = v11 * ca4 + J54 * sa4, y4_z = v12 * ca4 + J64 * sa4,
-        J45 = J44 * ca4 - v10 * sa4, J55 = J54 * ca4 - v11 * sa4, J65 = J64 * ca4 - v12 * sa4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5,
-        J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5)
-            * ez,
-        v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5)
-            * ez,
-        v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5)
-            * ez, v15 = J21 - p1_x, v16 = v13 - p1_y, v17 = v14 - d1, J22 = ca1 * v15 - J42 * v17,
-        J32 = J42 * v16 + v2 * v15, v18 = J21 - p2_x, v19 = v13 - p2_y, v20 = v14 - p2_z,
-        J23 = J63 * v18 - J43 * v20, J33 = J43 * v19 + v6 * v18, v21 = J21 - p3_x, v22 = v13 - p3_y,
-        v23 = v14 - p3_z, J14 = J54 * v23 - J64 * v22, J24 = J64 * v21 - J44 * v23,
-        J34 = J44 * v22 - J54 * v21, v24 = J21 - p4_x, v25 = v13 - p4_y, v26 = v14 - p4_z,
-        J15 = J55 * v26 - J65 * v25, J25 = J65 * v24 - J45 * v26, J35 = J45 * v25 - J55 * v24;
-    J[0] = -v13; J[1] = -(v2 * v17 + ca1 * v16); J[2] = -(v6 * v20 + J63 * v19); J[3] = J14;
-    J[4] = J15;
-    J[5] = J21; J[6] = J22; J[7] = J23; J[8] = J24; J[9] = J25;
-    J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
-    J[15] = 0.0; J[16] = J42; J[17] = J43; J[18] = J44; J[19] = J45;
-    J[20] = 0.0; J[21] = -v2; J[22] = -v6; J[23] = J54; J[24] = J55;
-    J[25] = 1.0; J[26] = ca1; J[27] = J63; J[28] = J64; J[29] = J65;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1,
+        y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + g1, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g2, z2_x = v3 * sa2 + z1_x * ca2,
+        v6 = v4 * sa2 + v2 * ca2, z2_z = g3 - v5 * sa2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3,
+        v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,
+        p3_y = p2_y + x3_y * a3 - v6 * d3, p3_z = p2_z + x3_z * a3 + z2_z * d3,
+        y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - z2_z * sa3,
+        z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3, z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v10 = y3_x * c4 - x3_x * s4,
+        v11 = y3_y * c4 - x3_y * s4, v12 = y3_z * c4 - x3_z * s4,
+        p4_x = p3_x + x4_x * a4 + z3_x * d4, p4_y = p3_y + x4_y * a4 + z3_y * d4,
+        p4_z = p3_z + x4_z * a4 + z3_z * d4, y4_x = v10 * ca4 + z3_x * sa4,
+        y4_y = v11 * ca4 + z3_y * sa4, y4_z = v12 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v10 * sa4,
+        z4_y = z3_y * ca4 - v11 * sa4, z4_z = z3_z * ca4 - v12 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5,
+        J21 = p4_x + x5_x * a5 + z4_x * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 + z4_x *
+            ca5) * ez,
+        v13 = p4_y + x5_y * a5 + z4_y * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 + z4_y *
+            ca5) * ez,
+        v14 = p4_z + x5_z * a5 + z4_z * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + z4_z *
+            ca5) * ez, v15 = J21 - p1_x, v16 = v13 - p1_y, v17 = v14 - d1, v18 = J21 - p2_x,
+        v19 = v13 - p2_y, v20 = v14 - p2_z, v21 = J21 - p3_x, v22 = v13 - p3_y, v23 = v14 - p3_z,
+        v24 = J21 - p4_x, v25 = v13 - p4_y, v26 = v14 - p4_z;
+    J[0] = -v13; J[1] = -(v2 * v17 + ca1 * v16); J[2] = -(v6 * v20 + z2_z * v19);
+    J[3] = z3_y * v23 - z3_z * v22; J[4] = z4_y * v26 - z4_z * v25;
+    J[5] = J21; J[6] = ca1 * v15 - z1_x * v17; J[7] = z2_z * v18 - z2_x * v20;
+    J[8] = z3_z * v21 - z3_x * v23; J[9] = z4_z * v24 - z4_x * v26;
+    J[10] = 0.0; J[11] = z1_x * v16 + v2 * v15; J[12] = z2_x * v19 + v6 * v18;
+    J[13] = z3_x * v22 - z3_y * v21; J[14] = z4_x * v25 - z4_y * v24;
+    J[15] = 0.0; J[16] = z1_x; J[17] = z2_x; J[18] = z3_x; J[19] = z4_x;
+    J[20] = 0.0; J[21] = -v2; J[22] = -v6; J[23] = z3_y; J[24] = z4_y;
+    J[25] = 1.0; J[26] = ca1; J[27] = z2_z; J[28] = z3_z; J[29] = z4_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3531,14 +3523,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[5], const double q[5], double half[5])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 5; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3563,15 +3564,15 @@ static double off_pose(const double T[16], const double x[5], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[5], const double J[30], double e[6], double x[5])
+    double share, const int held[5], const double J[30], double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
-            A[i][j] = pace[j] * weights[i] * J[5 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
         A[i][5 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3589,38 +3590,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[5])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], J[30], pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[5], half[5], J[30], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 5; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3647,7 +3652,7 @@ int general_5r_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -236,42 +236,21 @@ def fk(q):
     v13 = y4_x * c5 - x4_x * s5
     v14 = y4_y * c5 - x4_y * s5
     v15 = y4_z * c5 - x4_z * s5
-    T12_ = v13 * ca5 - z4_x * sa5
-    T22_ = v14 * ca5 - z4_y * sa5
-    T32_ = v15 * ca5 - z4_z * sa5
     z5_x = v13 * sa5 + z4_x * ca5
     z5_y = v14 * sa5 + z4_y * ca5
     z5_z = v15 * sa5 + z4_z * ca5
-    T14_ = (
-        c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5
-        + z4_x * d5 + x5_x * ex + z5_x * ez
-    )
-    T24_ = (
-        s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5 +
-        z4_y * d5 + x5_y * ex + z5_y * ez
-    )
-    T34_ = (
-        d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z * d5
-        + x5_z * ex + z5_z * ez
-    )
-    T11_ = x5_x * cae11 - z5_x * sae11
-    T21_ = x5_y * cae11 - z5_y * sae11
-    T31_ = x5_z * cae11 - z5_z * sae11
-    T13_ = x5_x * sae11 + z5_x * cae11
-    T23_ = x5_y * sae11 + z5_y * cae11
-    T33_ = x5_z * sae11 + z5_z * cae11
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x5_x * cae11 - z5_x * sae11
+    T[0, 1] = v13 * ca5 - z4_x * sa5
+    T[0, 2] = x5_x * sae11 + z5_x * cae11
+    T[0, 3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5 + z4_x * d5 + x5_x * ex + z5_x * ez
+    T[1, 0] = x5_y * cae11 - z5_y * sae11
+    T[1, 1] = v14 * ca5 - z4_y * sa5
+    T[1, 2] = x5_y * sae11 + z5_y * cae11
+    T[1, 3] = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5 + z4_y * d5 + x5_y * ex + z5_y * ez
+    T[2, 0] = x5_z * cae11 - z5_z * sae11
+    T[2, 1] = v15 * ca5 - z4_z * sa5
+    T[2, 2] = x5_z * sae11 + z5_z * cae11
+    T[2, 3] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z * d5 + x5_z * ex + z5_z * ez
     T[3, 3] = 1.0
     return T
 
@@ -288,7 +267,7 @@ def jacobian(q):
     p1_y = s1 * a1
     v1 = s1 * ca1
     y1_y = c1 * ca1
-    J42 = s1 * sa1
+    z1_x = s1 * sa1
     v2 = c1 * sa1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
@@ -298,15 +277,15 @@ def jacobian(q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = sa1 * c2
-    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
     p2_z = d1 + x2_z * a2 + g1
-    y2_x = J42 * sa2 - v3 * ca2
+    y2_x = z1_x * sa2 - v3 * ca2
     y2_y = v4 * ca2 - v2 * sa2
     y2_z = v5 * ca2 + g2
-    J43 = v3 * sa2 + J42 * ca2
+    z2_x = v3 * sa2 + z1_x * ca2
     v6 = v4 * sa2 + v2 * ca2
-    J63 = g3 - v5 * sa2
+    z2_z = g3 - v5 * sa2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -315,15 +294,15 @@ def jacobian(q):
     v7 = y2_x * c3 - x2_x * s3
     v8 = y2_y * c3 - x2_y * s3
     v9 = y2_z * c3 - x2_z * s3
-    p3_x = p2_x + x3_x * a3 + J43 * d3
+    p3_x = p2_x + x3_x * a3 + z2_x * d3
     p3_y = p2_y + x3_y * a3 - v6 * d3
-    p3_z = p2_z + x3_z * a3 + J63 * d3
-    y3_x = v7 * ca3 - J43 * sa3
+    p3_z = p2_z + x3_z * a3 + z2_z * d3
+    y3_x = v7 * ca3 - z2_x * sa3
     y3_y = v8 * ca3 + v6 * sa3
-    y3_z = v9 * ca3 - J63 * sa3
-    J44 = v7 * sa3 + J43 * ca3
-    J54 = v8 * sa3 - v6 * ca3
-    J64 = v9 * sa3 + J63 * ca3
+    y3_z = v9 * ca3 - z2_z * sa3
+    z3_x = v7 * sa3 + z2_x * ca3
+    z3_y = v8 * sa3 - v6 * ca3
+    z3_z = v9 * sa3 + z2_z * ca3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = x3_x * c4 + y3_x * s4
@@ -332,72 +311,68 @@ def jacobian(q):
     v10 = y3_x * c4 - x3_x * s4
     v11 = y3_y * c4 - x3_y * s4
     v12 = y3_z * c4 - x3_z * s4
-    p4_x = p3_x + x4_x * a4 + J44 * d4
-    p4_y = p3_y + x4_y * a4 + J54 * d4
-    p4_z = p3_z + x4_z * a4 + J64 * d4
-    y4_x = v10 * ca4 + J44 * sa4
-    y4_y = v11 * ca4 + J54 * sa4
-    y4_z = v12 * ca4 + J64 * sa4
-    J45 = J44 * ca4 - v10 * sa4
-    J55 = J54 * ca4 - v11 * sa4
-    J65 = J64 * ca4 - v12 * sa4
+    p4_x = p3_x + x4_x * a4 + z3_x * d4
+    p4_y = p3_y + x4_y * a4 + z3_y * d4
+    p4_z = p3_z + x4_z * a4 + z3_z * d4
+    y4_x = v10 * ca4 + z3_x * sa4
+    y4_y = v11 * ca4 + z3_y * sa4
+    y4_z = v12 * ca4 + z3_z * sa4
+    z4_x = z3_x * ca4 - v10 * sa4
+    z4_y = z3_y * ca4 - v11 * sa4
+    z4_z = z3_z * ca4 - v12 * sa4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     x5_x = x4_x * c5 + y4_x * s5
     x5_y = x4_y * c5 + y4_y * s5
     x5_z = x4_z * c5 + y4_z * s5
-    J21 = p4_x + x5_x * a5 + J45 * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5) * ez
-    v13 = p4_y + x5_y * a5 + J55 * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5) * ez
-    v14 = p4_z + x5_z * a5 + J65 * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5) * ez
+    J21 = (
+        p4_x + x5_x * a5 + z4_x * d5 + x5_x * ex + ((y4_x * c5 - x4_x * s5) * sa5 + z4_x * ca5) * ez
+    )
+    v13 = (
+        p4_y + x5_y * a5 + z4_y * d5 + x5_y * ex + ((y4_y * c5 - x4_y * s5) * sa5 + z4_y * ca5) * ez
+    )
+    v14 = (
+        p4_z + x5_z * a5 + z4_z * d5 + x5_z * ex + ((y4_z * c5 - x4_z * s5) * sa5 + z4_z * ca5) * ez
+    )
     v15 = J21 - p1_x
     v16 = v13 - p1_y
     v17 = v14 - d1
-    J22 = ca1 * v15 - J42 * v17
-    J32 = J42 * v16 + v2 * v15
     v18 = J21 - p2_x
     v19 = v13 - p2_y
     v20 = v14 - p2_z
-    J23 = J63 * v18 - J43 * v20
-    J33 = J43 * v19 + v6 * v18
     v21 = J21 - p3_x
     v22 = v13 - p3_y
     v23 = v14 - p3_z
-    J14 = J54 * v23 - J64 * v22
-    J24 = J64 * v21 - J44 * v23
-    J34 = J44 * v22 - J54 * v21
     v24 = J21 - p4_x
     v25 = v13 - p4_y
     v26 = v14 - p4_z
-    J15 = J55 * v26 - J65 * v25
-    J25 = J65 * v24 - J45 * v26
-    J35 = J45 * v25 - J55 * v24
     J[0, 0] = -v13
     J[0, 1] = -(v2 * v17 + ca1 * v16)
-    J[0, 2] = -(v6 * v20 + J63 * v19)
-    J[0, 3] = J14
-    J[0, 4] = J15
+    J[0, 2] = -(v6 * v20 + z2_z * v19)
+    J[0, 3] = z3_y * v23 - z3_z * v22
+    J[0, 4] = z4_y * v26 - z4_z * v25
     J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[3, 1] = J42
-    J[3, 2] = J43
-    J[3, 3] = J44
-    J[3, 4] = J45
+    J[1, 1] = ca1 * v15 - z1_x * v17
+    J[1, 2] = z2_z * v18 - z2_x * v20
+    J[1, 3] = z3_z * v21 - z3_x * v23
+    J[1, 4] = z4_z * v24 - z4_x * v26
+    J[2, 1] = z1_x * v16 + v2 * v15
+    J[2, 2] = z2_x * v19 + v6 * v18
+    J[2, 3] = z3_x * v22 - z3_y * v21
+    J[2, 4] = z4_x * v25 - z4_y * v24
+    J[3, 1] = z1_x
+    J[3, 2] = z2_x
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
     J[4, 1] = -v2
     J[4, 2] = -v6
-    J[4, 3] = J54
-    J[4, 4] = J55
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
     J[5, 0] = 1.0
     J[5, 1] = ca1
-    J[5, 2] = J63
-    J[5, 3] = J64
-    J[5, 4] = J65
+    J[5, 2] = z2_z
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
     return J
 
 
@@ -413,7 +388,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r a622564b6a3c3396"
+_KEY = "general_5r 4e19aea2d94286ba"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2207,8 +2182,8 @@ _MISS_WEIGHT = np.array([0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2223,23 +2198,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(5):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2251,54 +2226,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(5):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(5):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -2316,8 +2302,9 @@ def _whole(pose, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(5):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

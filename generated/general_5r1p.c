@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3404,97 +3405,88 @@ static const double weight[6] = { 1.0, 1.0, 0.14229201993625035, 1.0, 1.0, 1.0 }
 
 void general_5r1p_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double y1_x = s1 * ca1, v1 = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 + y1_x * s2, x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2,
-        v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2, v5 = sa1 * c2,
-        y2_x = v3 * ca2 - z1_x * sa2, y2_y = v2 * sa2 - v4 * ca2, y2_z = v5 * ca2 + f2,
-        z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2, z2_z = v5 * sa2 - f3,
-        x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), y1_x = s1 * ca1, v1 = c1 * ca1, z1_x = s1 * sa1,
+        v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 + y1_x * s2,
+        x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2, v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2,
+        v5 = sa1 * c2, y2_x = v3 * ca2 - z1_x * sa2, y2_y = v2 * sa2 - v4 * ca2,
+        y2_z = v5 * ca2 + f2, z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2,
+        z2_z = v5 * sa2 - f3, x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
         x3_z = x2_z * cat3 + y2_z * sat3, v7 = y2_x * cat3 - x2_x * sat3,
         v8 = y2_y * cat3 - x2_y * sat3, v9 = y2_z * cat3 - x2_z * sat3, v10 = v7 * ca3 + z2_x * sa3,
         y3_y = v6 * sa3 - v8 * ca3, v11 = v9 * ca3 + z2_z * sa3, z3_x = v7 * sa3 - z2_x * ca3,
         z3_y = v8 * sa3 + v6 * ca3, z3_z = v9 * sa3 - z2_z * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v10 * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 - v11 * s4, v12 = v10 * c4 + x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
-        v14 = v11 * c4 + x3_z * s4, v15 = v12 * ca4 + z3_x * sa4, y4_y = v13 * ca4 - z3_y * sa4,
-        v16 = v14 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v12 * sa4, z4_y = v13 * sa4 + z3_y * ca4,
-        z4_z = z3_z * ca4 - v14 * sa4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v15 * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 - v16 * s5, v17 = v15 * c5 + x4_x * s5, v18 = y4_y * c5 - x4_y * s5,
-        v19 = v16 * c5 + x4_z * s5, v20 = v17 * ca5 + z4_x * sa5, y5_y = v18 * ca5 - z4_y * sa5,
-        v21 = v19 * ca5 + z4_z * sa5, z5_x = z4_x * ca5 - v17 * sa5, z5_y = v18 * sa5 + z4_y * ca5,
-        z5_z = z4_z * ca5 - v19 * sa5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - v20 * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 - v21 * s6, v22 = v20 * c6 + x5_x * s6, v23 = y5_y * c6 - x5_y * s6,
-        v24 = v21 * c6 + x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 +
-            x5_x * a5 + z4_x * d5 + T11_ * a6 + z5_x * d6,
-        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y
-            * a5 + z4_y * d5 + T21_ * a6 + z5_y * d6,
-        T34_ = d1 + x2_z * a2 - f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
-            z4_z * d5 + T31_ * a6 + z5_z * d6, T12_ = v22 * ca6 + z5_x * sa6,
-        T22_ = z5_y * sa6 - v23 * ca6, T32_ = v24 * ca6 + z5_z * sa6, T13_ = v22 * sa6 - z5_x * ca6,
-        T33_ = v24 * sa6 - z5_z * ca6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -(v23 * sa6 + z5_y * ca6); T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - v10 * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 - v11 * s4, v12 = v10 * c4 + x3_x * s4,
+        v13 = y3_y * c4 - x3_y * s4, v14 = v11 * c4 + x3_z * s4, v15 = v12 * ca4 + z3_x * sa4,
+        y4_y = v13 * ca4 - z3_y * sa4, v16 = v14 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v12 * sa4,
+        z4_y = v13 * sa4 + z3_y * ca4, z4_z = z3_z * ca4 - v14 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - v15 * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 - v16 * s5, v17 = v15 * c5 + x4_x * s5,
+        v18 = y4_y * c5 - x4_y * s5, v19 = v16 * c5 + x4_z * s5, v20 = v17 * ca5 + z4_x * sa5,
+        y5_y = v18 * ca5 - z4_y * sa5, v21 = v19 * ca5 + z4_z * sa5, z5_x = z4_x * ca5 - v17 * sa5,
+        z5_y = v18 * sa5 + z4_y * ca5, z5_z = z4_z * ca5 - v19 * sa5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 - v20 * s6,
+        x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 - v21 * s6, v22 = v20 * c6 + x5_x * s6,
+        v23 = y5_y * c6 - x5_y * s6, v24 = v21 * c6 + x5_z * s6;
+    T[0] = x6_x; T[1] = v22 * ca6 + z5_x * sa6; T[2] = v22 * sa6 - z5_x * ca6;
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + x5_x
+        * a5 + z4_x * d5 + x6_x * a6 + z5_x * d6;
+    T[4] = x6_y; T[5] = z5_y * sa6 - v23 * ca6; T[6] = -(v23 * sa6 + z5_y * ca6);
+    T[7] = s1 * a1 + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y * a5
+        + z4_y * d5 + x6_y * a6 + z5_y * d6;
+    T[8] = x6_z; T[9] = v24 * ca6 + z5_z * sa6; T[10] = v24 * sa6 - z5_z * ca6;
+    T[11] = d1 + x2_z * a2 - f1 + z2_z * q[2] + x3_z * a3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z
+        * d5 + x6_z * a6 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void general_5r1p_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, y1_x = s1 * ca1, v1 = c1 * ca1, J42 = s1 * sa1,
-        v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 + y1_x * s2, x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2,
-        v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2, v5 = sa1 * c2,
-        y2_x = v3 * ca2 - J42 * sa2, y2_y = v2 * sa2 - v4 * ca2, y2_z = v5 * ca2 + g2,
-        J13 = v3 * sa2 + J42 * ca2, v6 = v4 * sa2 + v2 * ca2, J33 = v5 * sa2 - g3,
-        x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, y1_x = s1 * ca1,
+        v1 = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 + y1_x * s2,
+        x2_y = s1 * c2 - v1 * s2, x2_z = sa1 * s2, v3 = y1_x * c2 - c1 * s2, v4 = v1 * c2 + s1 * s2,
+        v5 = sa1 * c2, y2_x = v3 * ca2 - z1_x * sa2, y2_y = v2 * sa2 - v4 * ca2,
+        y2_z = v5 * ca2 + g2, z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2,
+        z2_z = v5 * sa2 - g3, x3_x = x2_x * cat3 + y2_x * sat3, x3_y = x2_y * cat3 + y2_y * sat3,
         x3_z = x2_z * cat3 + y2_z * sat3, v7 = y2_x * cat3 - x2_x * sat3,
         v8 = y2_y * cat3 - x2_y * sat3, v9 = y2_z * cat3 - x2_z * sat3,
-        p3_x = p1_x + x2_x * a2 + J42 * d2 + J13 * q[2] + x3_x * a3,
+        p3_x = p1_x + x2_x * a2 + z1_x * d2 + z2_x * q[2] + x3_x * a3,
         p3_y = p1_y + x2_y * a2 - v2 * d2 - v6 * q[2] + x3_y * a3,
-        p3_z = d1 + x2_z * a2 - g1 + J33 * q[2] + x3_z * a3, v10 = v7 * ca3 + J13 * sa3,
-        y3_y = v6 * sa3 - v8 * ca3, v11 = v9 * ca3 + J33 * sa3, J44 = v7 * sa3 - J13 * ca3,
-        J54 = v8 * sa3 + v6 * ca3, J64 = v9 * sa3 - J33 * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v10 * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 - v11 * s4, v12 = v10 * c4 + x3_x * s4, v13 = y3_y * c4 - x3_y * s4,
-        v14 = v11 * c4 + x3_z * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 + J54 * d4, p4_z = p3_z + x4_z * a4 + J64 * d4,
-        v15 = v12 * ca4 + J44 * sa4, y4_y = v13 * ca4 - J54 * sa4, v16 = v14 * ca4 + J64 * sa4,
-        J45 = J44 * ca4 - v12 * sa4, J55 = v13 * sa4 + J54 * ca4, J65 = J64 * ca4 - v14 * sa4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v15 * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 - v16 * s5, v17 = v15 * c5 + x4_x * s5, v18 = y4_y * c5 - x4_y * s5,
-        v19 = v16 * c5 + x4_z * s5, p5_x = p4_x + x5_x * a5 + J45 * d5,
-        p5_y = p4_y + x5_y * a5 + J55 * d5, p5_z = p4_z + x5_z * a5 + J65 * d5,
-        J46 = J45 * ca5 - v17 * sa5, J56 = v18 * sa5 + J55 * ca5, J66 = J65 * ca5 - v19 * sa5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 - (v17 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6,
-        p6_y = p5_y + (x5_y * c6 + (v18 * ca5 - J55 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 - (v19 * ca5 + J65 * sa5) * s6) * a6 + J66 * d6, v20 = J21 - p1_x,
-        v21 = p6_y - p1_y, v22 = p6_z - d1, J12 = ca1 * v21 - v2 * v22, J32 = J42 * v21 + v2 * v20,
-        v23 = J21 - p3_x, v24 = p6_y - p3_y, v25 = p6_z - p3_z, J14 = J54 * v25 - J64 * v24,
-        J24 = J64 * v23 - J44 * v25, J34 = J44 * v24 - J54 * v23, v26 = J21 - p4_x,
-        v27 = p6_y - p4_y, v28 = p6_z - p4_z, J15 = J55 * v28 - J65 * v27,
-        J25 = J65 * v26 - J45 * v28, J35 = J45 * v27 - J55 * v26, v29 = J21 - p5_x,
-        v30 = p6_y - p5_y, v31 = p6_z - p5_z, J16 = J56 * v31 - J66 * v30,
-        J26 = J66 * v29 - J46 * v31, J36 = J46 * v30 - J56 * v29;
-    J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -(ca1 * v20 + J42 * v22); J[8] = -v6; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = J42; J[20] = 0.0; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -v2; J[26] = 0.0; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = -ca1; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+        p3_z = d1 + x2_z * a2 - g1 + z2_z * q[2] + x3_z * a3, v10 = v7 * ca3 + z2_x * sa3,
+        y3_y = v6 * sa3 - v8 * ca3, v11 = v9 * ca3 + z2_z * sa3, z3_x = v7 * sa3 - z2_x * ca3,
+        z3_y = v8 * sa3 + v6 * ca3, z3_z = v9 * sa3 - z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - v10 * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 - v11 * s4, v12 = v10 * c4 + x3_x * s4,
+        v13 = y3_y * c4 - x3_y * s4, v14 = v11 * c4 + x3_z * s4,
+        p4_x = p3_x + x4_x * a4 + z3_x * d4, p4_y = p3_y + x4_y * a4 + z3_y * d4,
+        p4_z = p3_z + x4_z * a4 + z3_z * d4, v15 = v12 * ca4 + z3_x * sa4,
+        y4_y = v13 * ca4 - z3_y * sa4, v16 = v14 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v12 * sa4,
+        z4_y = v13 * sa4 + z3_y * ca4, z4_z = z3_z * ca4 - v14 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - v15 * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 - v16 * s5, v17 = v15 * c5 + x4_x * s5,
+        v18 = y4_y * c5 - x4_y * s5, v19 = v16 * c5 + x4_z * s5,
+        p5_x = p4_x + x5_x * a5 + z4_x * d5, p5_y = p4_y + x5_y * a5 + z4_y * d5,
+        p5_z = p4_z + x5_z * a5 + z4_z * d5, z5_x = z4_x * ca5 - v17 * sa5,
+        z5_y = v18 * sa5 + z4_y * ca5, z5_z = z4_z * ca5 - v19 * sa5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]),
+        p6_x = p5_x + (x5_x * c6 - (v17 * ca5 + z4_x * sa5) * s6) * a6 + z5_x * d6,
+        p6_y = p5_y + (x5_y * c6 + (v18 * ca5 - z4_y * sa5) * s6) * a6 + z5_y * d6,
+        p6_z = p5_z + (x5_z * c6 - (v19 * ca5 + z4_z * sa5) * s6) * a6 + z5_z * d6,
+        v20 = p6_x - p1_x, v21 = p6_y - p1_y, v22 = p6_z - d1, v23 = p6_x - p3_x, v24 = p6_y - p3_y,
+        v25 = p6_z - p3_z, v26 = p6_x - p4_x, v27 = p6_y - p4_y, v28 = p6_z - p4_z,
+        v29 = p6_x - p5_x, v30 = p6_y - p5_y, v31 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = ca1 * v21 - v2 * v22; J[2] = z2_x; J[3] = z3_y * v25 - z3_z * v24;
+    J[4] = z4_y * v28 - z4_z * v27; J[5] = z5_y * v31 - z5_z * v30;
+    J[6] = p6_x; J[7] = -(ca1 * v20 + z1_x * v22); J[8] = -v6; J[9] = z3_z * v23 - z3_x * v25;
+    J[10] = z4_z * v26 - z4_x * v28; J[11] = z5_z * v29 - z5_x * v31;
+    J[12] = 0.0; J[13] = z1_x * v21 + v2 * v20; J[14] = z2_z; J[15] = z3_x * v24 - z3_y * v23;
+    J[16] = z4_x * v27 - z4_y * v26; J[17] = z5_x * v30 - z5_y * v29;
+    J[18] = 0.0; J[19] = z1_x; J[20] = 0.0; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = -v2; J[26] = 0.0; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = -ca1; J[32] = 0.0; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3603,16 +3595,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.37721614485099964;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.37721614485099964));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.3772, 0.3772, 0.3772, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 2.651, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3637,15 +3636,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3663,38 +3662,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 2.651, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3721,7 +3724,7 @@ int general_5r1p_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3429,66 +3430,62 @@ static const double weight[6] = { 0.3076157350370323, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 void general_5r1p_pair_fk(const double q[6], double T[16])
 {
-    const double c2 = cos(-q[1]), s2 = sin(-q[1]);
-    const double v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * f1, z3_z = c2 * f1;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c2 * c3 - v1 * s3, v2 = f1 * s3, x3_z = s2 * c3 + y2_z * s3,
-        y3_x = v1 * c3 + c2 * s3, y3_y = f1 * c3, y3_z = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = y3_y * s4 - v2 * c4,
-        x4_z = x3_z * c4 + y3_z * s4, z4_x = y3_x * c4 - x3_x * s4, z4_y = y3_y * c4 + v2 * s4,
-        z4_z = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z2_x * s5, x5_y = x4_y * c5 - f2 * s5,
-        x5_z = x4_z * c5 - z3_z * s5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
-        T31_ = x5_z * c6 + z4_z * s6,
-        T14_ = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + T11_ * a6,
-        T24_ = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + T21_ * a6,
-        T34_ = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + T31_ * a6,
+    const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * f2, y2_z = c2 * f2, z2_x = s2 * f1,
+        z3_z = c2 * f1;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3 - v1 * s3, v2 = f1 * s3,
+        x3_z = s2 * c3 + y2_z * s3, y3_x = v1 * c3 + c2 * s3, y3_y = f1 * c3,
+        y3_z = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = y3_y * s4 - v2 * c4, x4_z = x3_z * c4 + y3_z * s4, z4_x = y3_x * c4 - x3_x * s4,
+        z4_y = y3_y * c4 + v2 * s4, z4_z = y3_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + z2_x * s5,
+        x5_y = x4_y * c5 - f2 * s5, x5_z = x4_z * c5 - z3_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + z4_x * s6,
+        x6_y = x5_y * c6 + z4_y * s6, x6_z = x5_z * c6 + z4_z * s6,
         v3 = (z4_x * c6 - x5_x * s6) * f5, v4 = (z4_y * c6 - x5_y * s6) * f5,
-        v5 = (z4_z * c6 - x5_z * s6) * f5, v6 = (x4_x * s5 - z2_x * c5) * f5, T12_ = v3 + v6,
-        v7 = (f2 * c5 + x4_y * s5) * f5, T22_ = v4 + v7, v8 = (z3_z * c5 + x4_z * s5) * f5,
-        T32_ = v5 + v8, T13_ = v6 - v3, T23_ = v7 - v4, T33_ = v8 - v5;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+        v5 = (z4_z * c6 - x5_z * s6) * f5, v6 = (x4_x * s5 - z2_x * c5) * f5,
+        v7 = (f2 * c5 + x4_y * s5) * f5, v8 = (z3_z * c5 + x4_z * s5) * f5;
+    T[0] = x6_x; T[1] = v3 + v6; T[2] = v6 - v3;
+    T[3] = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + x6_x * a6;
+    T[4] = x6_y; T[5] = v4 + v7; T[6] = v7 - v4;
+    T[7] = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + x6_y * a6;
+    T[8] = x6_z; T[9] = v5 + v8; T[10] = v8 - v5;
+    T[11] = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + x6_z * a6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void general_5r1p_pair_jacobian(const double q[6], double J[36])
 {
-    const double c2 = cos(-q[1]), s2 = sin(-q[1]);
-    const double v1 = s2 * g2, y2_z = c2 * g2, J43 = s2 * g1, J64 = c2 * g1;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c2 * c3 - v1 * s3, v2 = g1 * s3, x3_z = s2 * c3 + y2_z * s3,
-        y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3, p3_x = a1 + x3_x * a3 + J43 * d3,
-        v3 = d2 + v2 * a3 + g3, p3_z = q[0] + x3_z * a3 - J64 * d3, y3_z = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = y3_y * s4 - v2 * c4,
-        x4_z = x3_z * c4 + y3_z * s4, J45 = y3_x * c4 - x3_x * s4, J55 = y3_y * c4 + v2 * s4,
-        J65 = y3_z * c4 - x3_z * s4, p4_x = p3_x - J43 * d4, p4_y = g4 - v3, p4_z = p3_z + J64 * d4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J56 = g2 * c5 + x4_y * s5, J66 = J64 * c5 + x4_z * s5, p5_x = p4_x + J45 * d5,
-        p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5, J46 = x4_x * s5 - J43 * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double p6_x = p5_x + ((x4_x * c5 + J43 * s5) * c6 + J45 * s6) * a6,
-        p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + J55 * s6) * a6,
-        p6_z = p5_z + ((x4_z * c5 - J64 * s5) * c6 + J65 * s6) * a6, v4 = p6_x - a1,
-        J12 = p6_z - q[0], v5 = d2 + p6_y, J13 = J64 * v5 - g2 * J12, J33 = J43 * v5 + g2 * v4,
-        v6 = p6_x - p3_x, v7 = v3 + p6_y, v8 = p6_z - p3_z, J14 = g2 * v8 - J64 * v7,
-        J24 = J64 * v6 + J43 * v8, v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z,
-        J15 = J55 * v11 - J65 * v10, J25 = J65 * v9 - J45 * v11, J35 = J45 * v10 - J55 * v9,
-        v12 = p6_x - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z, J16 = J56 * v14 - J66 * v13,
-        J26 = J66 * v12 - J46 * v14, J36 = J46 * v13 - J56 * v12;
-    J[0] = 0.0; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = 0.0; J[7] = 0.0; J[8] = -(J64 * v4 + J43 * J12); J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 1.0; J[13] = -v4; J[14] = J33; J[15] = -(J43 * v7 + g2 * v6); J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = 0.0; J[20] = J43; J[21] = -J43; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = 1.0; J[26] = -g2; J[27] = g2; J[28] = J55; J[29] = J56;
-    J[30] = 0.0; J[31] = 0.0; J[32] = -J64; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c2 = cos(-q[1]), s2 = sin(-q[1]), v1 = s2 * g2, y2_z = c2 * g2, z2_x = s2 * g1,
+        z3_z = c2 * g1;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3 - v1 * s3, v2 = g1 * s3,
+        x3_z = s2 * c3 + y2_z * s3, y3_x = v1 * c3 + c2 * s3, y3_y = g1 * c3,
+        p3_x = a1 + x3_x * a3 + z2_x * d3, v3 = d2 + v2 * a3 + g3,
+        p3_z = q[0] + x3_z * a3 - z3_z * d3, y3_z = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = y3_y * s4 - v2 * c4, x4_z = x3_z * c4 + y3_z * s4, z4_x = y3_x * c4 - x3_x * s4,
+        z4_y = y3_y * c4 + v2 * s4, z4_z = y3_z * c4 - x3_z * s4, p4_x = p3_x - z2_x * d4,
+        p4_y = g4 - v3, p4_z = p3_z + z3_z * d4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), z5_y = g2 * c5 + x4_y * s5,
+        z5_z = z3_z * c5 + x4_z * s5, p5_x = p4_x + z4_x * d5, p5_y = p4_y + z4_y * d5,
+        p5_z = p4_z + z4_z * d5, z5_x = x4_x * s5 - z2_x * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]),
+        p6_x = p5_x + ((x4_x * c5 + z2_x * s5) * c6 + z4_x * s6) * a6,
+        p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + z4_y * s6) * a6,
+        p6_z = p5_z + ((x4_z * c5 - z3_z * s5) * c6 + z4_z * s6) * a6, v4 = p6_x - a1,
+        J12 = p6_z - q[0], v5 = d2 + p6_y, v6 = p6_x - p3_x, v7 = v3 + p6_y, v8 = p6_z - p3_z,
+        v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z, v12 = p6_x - p5_x,
+        v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    J[0] = 0.0; J[1] = J12; J[2] = z3_z * v5 - g2 * J12; J[3] = g2 * v8 - z3_z * v7;
+    J[4] = z4_y * v11 - z4_z * v10; J[5] = z5_y * v14 - z5_z * v13;
+    J[6] = 0.0; J[7] = 0.0; J[8] = -(z3_z * v4 + z2_x * J12); J[9] = z3_z * v6 + z2_x * v8;
+    J[10] = z4_z * v9 - z4_x * v11; J[11] = z5_z * v12 - z5_x * v14;
+    J[12] = 1.0; J[13] = -v4; J[14] = z2_x * v5 + g2 * v4; J[15] = -(z2_x * v7 + g2 * v6);
+    J[16] = z4_x * v10 - z4_y * v9; J[17] = z5_x * v13 - z5_y * v12;
+    J[18] = 0.0; J[19] = 0.0; J[20] = z2_x; J[21] = -z2_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = 1.0; J[26] = -g2; J[27] = g2; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 0.0; J[31] = 0.0; J[32] = -z3_z; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3597,16 +3594,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.5546311702717693;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.5546311702717693));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.803, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3631,15 +3635,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3657,38 +3661,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.803, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3715,7 +3723,7 @@ int general_5r1p_pair_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -199,36 +199,27 @@ def fk(q):
     x5_z = x4_z * c5 - z3_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + z4_x * s6
-    T21_ = x5_y * c6 + z4_y * s6
-    T31_ = x5_z * c6 + z4_z * s6
-    T14_ = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + T11_ * a6
-    T24_ = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + T21_ * a6
-    T34_ = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + T31_ * a6
+    x6_x = x5_x * c6 + z4_x * s6
+    x6_y = x5_y * c6 + z4_y * s6
+    x6_z = x5_z * c6 + z4_z * s6
     v3 = (z4_x * c6 - x5_x * s6) * f5
     v4 = (z4_y * c6 - x5_y * s6) * f5
     v5 = (z4_z * c6 - x5_z * s6) * f5
     v6 = (x4_x * s5 - z2_x * c5) * f5
-    T12_ = v3 + v6
     v7 = (f2 * c5 + x4_y * s5) * f5
-    T22_ = v4 + v7
     v8 = (z3_z * c5 + x4_z * s5) * f5
-    T32_ = v5 + v8
-    T13_ = v6 - v3
-    T23_ = v7 - v4
-    T33_ = v8 - v5
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x6_x
+    T[0, 1] = v3 + v6
+    T[0, 2] = v6 - v3
+    T[0, 3] = a1 + x3_x * a3 + z2_x * d3 - z2_x * d4 + z4_x * d5 + x6_x * a6
+    T[1, 0] = x6_y
+    T[1, 1] = v4 + v7
+    T[1, 2] = v7 - v4
+    T[1, 3] = f4 - (d2 + v2 * a3 + f3) + z4_y * d5 + x6_y * a6
+    T[2, 0] = x6_z
+    T[2, 1] = v5 + v8
+    T[2, 2] = v8 - v5
+    T[2, 3] = q[0] + x3_z * a3 - z3_z * d3 + z3_z * d4 + z4_z * d5 + x6_z * a6
     T[3, 3] = 1.0
     return T
 
@@ -243,8 +234,8 @@ def jacobian(q):
     s2 = math.sin(-q[1])
     v1 = s2 * g2
     y2_z = c2 * g2
-    J43 = s2 * g1
-    J64 = c2 * g1
+    z2_x = s2 * g1
+    z3_z = c2 * g1
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = c2 * c3 - v1 * s3
@@ -252,84 +243,74 @@ def jacobian(q):
     x3_z = s2 * c3 + y2_z * s3
     y3_x = v1 * c3 + c2 * s3
     y3_y = g1 * c3
-    p3_x = a1 + x3_x * a3 + J43 * d3
+    p3_x = a1 + x3_x * a3 + z2_x * d3
     v3 = d2 + v2 * a3 + g3
-    p3_z = q[0] + x3_z * a3 - J64 * d3
+    p3_z = q[0] + x3_z * a3 - z3_z * d3
     y3_z = s2 * s3 - y2_z * c3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = x3_x * c4 + y3_x * s4
     x4_y = y3_y * s4 - v2 * c4
     x4_z = x3_z * c4 + y3_z * s4
-    J45 = y3_x * c4 - x3_x * s4
-    J55 = y3_y * c4 + v2 * s4
-    J65 = y3_z * c4 - x3_z * s4
-    p4_x = p3_x - J43 * d4
+    z4_x = y3_x * c4 - x3_x * s4
+    z4_y = y3_y * c4 + v2 * s4
+    z4_z = y3_z * c4 - x3_z * s4
+    p4_x = p3_x - z2_x * d4
     p4_y = g4 - v3
-    p4_z = p3_z + J64 * d4
+    p4_z = p3_z + z3_z * d4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J56 = g2 * c5 + x4_y * s5
-    J66 = J64 * c5 + x4_z * s5
-    p5_x = p4_x + J45 * d5
-    p5_y = p4_y + J55 * d5
-    p5_z = p4_z + J65 * d5
-    J46 = x4_x * s5 - J43 * c5
+    z5_y = g2 * c5 + x4_y * s5
+    z5_z = z3_z * c5 + x4_z * s5
+    p5_x = p4_x + z4_x * d5
+    p5_y = p4_y + z4_y * d5
+    p5_z = p4_z + z4_z * d5
+    z5_x = x4_x * s5 - z2_x * c5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    p6_x = p5_x + ((x4_x * c5 + J43 * s5) * c6 + J45 * s6) * a6
-    p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + J55 * s6) * a6
-    p6_z = p5_z + ((x4_z * c5 - J64 * s5) * c6 + J65 * s6) * a6
+    p6_x = p5_x + ((x4_x * c5 + z2_x * s5) * c6 + z4_x * s6) * a6
+    p6_y = p5_y + ((x4_y * c5 - g2 * s5) * c6 + z4_y * s6) * a6
+    p6_z = p5_z + ((x4_z * c5 - z3_z * s5) * c6 + z4_z * s6) * a6
     v4 = p6_x - a1
     J12 = p6_z - q[0]
     v5 = d2 + p6_y
-    J13 = J64 * v5 - g2 * J12
-    J33 = J43 * v5 + g2 * v4
     v6 = p6_x - p3_x
     v7 = v3 + p6_y
     v8 = p6_z - p3_z
-    J14 = g2 * v8 - J64 * v7
-    J24 = J64 * v6 + J43 * v8
     v9 = p6_x - p4_x
     v10 = p6_y - p4_y
     v11 = p6_z - p4_z
-    J15 = J55 * v11 - J65 * v10
-    J25 = J65 * v9 - J45 * v11
-    J35 = J45 * v10 - J55 * v9
     v12 = p6_x - p5_x
     v13 = p6_y - p5_y
     v14 = p6_z - p5_z
-    J16 = J56 * v14 - J66 * v13
-    J26 = J66 * v12 - J46 * v14
-    J36 = J46 * v13 - J56 * v12
     J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 2] = -(J64 * v4 + J43 * J12)
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
+    J[0, 2] = z3_z * v5 - g2 * J12
+    J[0, 3] = g2 * v8 - z3_z * v7
+    J[0, 4] = z4_y * v11 - z4_z * v10
+    J[0, 5] = z5_y * v14 - z5_z * v13
+    J[1, 2] = -(z3_z * v4 + z2_x * J12)
+    J[1, 3] = z3_z * v6 + z2_x * v8
+    J[1, 4] = z4_z * v9 - z4_x * v11
+    J[1, 5] = z5_z * v12 - z5_x * v14
     J[2, 0] = 1.0
     J[2, 1] = -v4
-    J[2, 2] = J33
-    J[2, 3] = -(J43 * v7 + g2 * v6)
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[3, 2] = J43
-    J[3, 3] = -J43
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[2, 2] = z2_x * v5 + g2 * v4
+    J[2, 3] = -(z2_x * v7 + g2 * v6)
+    J[2, 4] = z4_x * v10 - z4_y * v9
+    J[2, 5] = z5_x * v13 - z5_y * v12
+    J[3, 2] = z2_x
+    J[3, 3] = -z2_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 1] = 1.0
     J[4, 2] = -g2
     J[4, 3] = g2
-    J[4, 4] = J55
-    J[4, 5] = J56
-    J[5, 2] = -J64
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
+    J[5, 2] = -z3_z
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -345,7 +326,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p_pair 647bff61f41ec797"
+_KEY = "general_5r1p_pair 44551a091ab0977f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2148,8 +2129,8 @@ _MISS_WEIGHT = np.array([0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2164,23 +2145,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2192,56 +2173,66 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.5546
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.5546))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -2259,8 +2250,9 @@ def _whole(pose, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

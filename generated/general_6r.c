@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3294,48 +3295,40 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void general_6r_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v3 = c1 * sa1,
-        v4 = q[1] + offset2;
-    const double c2 = cos(v4), s2 = sin(v4);
-    const double x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
+    const double c1 = cos(v1), s1 = sin(v1), v2 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v3 = c1 * sa1, v4 = q[1] + offset2;
+    const double c2 = cos(v4), s2 = sin(v4), x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2,
+        x2_z = sa1 * s2, v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
         y2_x = v5 * ca2 + z1_x * sa2, v8 = v6 * ca2 + v3 * sa2, y2_z = f2 - v7 * ca2,
         z2_x = v5 * sa2 - z1_x * ca2, z2_y = v3 * ca2 - v6 * sa2, v9 = v7 * sa2 + f3,
         v10 = q[2] + offset3;
-    const double c3 = cos(v10), s3 = sin(v10);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 - v8 * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v11 = y2_x * c3 - x2_x * s3, v12 = v8 * c3 + x2_y * s3,
-        v13 = y2_z * c3 - x2_z * s3, v14 = v11 * ca3 + z2_x * sa3, y3_y = v12 * ca3 - z2_y * sa3,
-        y3_z = v9 * sa3 - v13 * ca3, z3_x = v11 * sa3 - z2_x * ca3, v15 = v12 * sa3 + z2_y * ca3,
-        z3_z = v13 * sa3 + v9 * ca3, v16 = q[3] + offset4;
-    const double c4 = cos(v16), s4 = sin(v16);
-    const double x4_x = x3_x * c4 - v14 * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v17 = v14 * c4 + x3_x * s4, v18 = y3_y * c4 - x3_y * s4,
-        v19 = y3_z * c4 - x3_z * s4, y4_x = v17 * ca4 - z3_x * sa4, y4_y = v15 * sa4 - v18 * ca4,
-        v20 = v19 * ca4 + z3_z * sa4, v21 = v17 * sa4 + z3_x * ca4, z4_y = v18 * sa4 + v15 * ca4,
-        z4_z = v19 * sa4 - z3_z * ca4, v22 = q[4] + offset5;
-    const double c5 = cos(v22), s5 = sin(v22);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 - v20 * s5, v23 = y4_x * c5 - x4_x * s5, v24 = y4_y * c5 - x4_y * s5,
-        v25 = v20 * c5 + x4_z * s5, y5_x = v23 * ca5 - v21 * sa5, y5_y = v24 * ca5 + z4_y * sa5,
-        y5_z = z4_z * sa5 - v25 * ca5, v26 = v23 * sa5 + v21 * ca5, z5_y = z4_y * ca5 - v24 * sa5,
-        z5_z = v25 * sa5 + z4_z * ca5, v27 = q[5] + offset6;
-    const double c6 = cos(v27), s6 = sin(v27);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, v28 = y5_x * c6 - x5_x * s6, v29 = y5_y * c6 - x5_y * s6,
-        v30 = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 +
-            x5_x * a5 - v21 * d5 + T11_ * a6 - v26 * d6,
-        T24_ = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 + z2_y * d3 + x4_y * a4 - v15 * d4 + x5_y *
-            a5 + z4_y * d5 + T21_ * a6 + z5_y * d6,
-        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 - v9 * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z
-            * d5 + T31_ * a6 + z5_z * d6, T12_ = v28 * ca6 - v26 * sa6,
-        T22_ = v29 * ca6 + z5_y * sa6, T32_ = v30 * ca6 + z5_z * sa6, T23_ = z5_y * ca6 - v29 * sa6,
-        T33_ = z5_z * ca6 - v30 * sa6;
-    T[0] = T11_; T[1] = T12_; T[2] = -(v28 * sa6 + v26 * ca6); T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c3 = cos(v10), s3 = sin(v10), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 - v8 * s3, x3_z = x2_z * c3 + y2_z * s3, v11 = y2_x * c3 - x2_x * s3,
+        v12 = v8 * c3 + x2_y * s3, v13 = y2_z * c3 - x2_z * s3, v14 = v11 * ca3 + z2_x * sa3,
+        y3_y = v12 * ca3 - z2_y * sa3, y3_z = v9 * sa3 - v13 * ca3, z3_x = v11 * sa3 - z2_x * ca3,
+        v15 = v12 * sa3 + z2_y * ca3, z3_z = v13 * sa3 + v9 * ca3, v16 = q[3] + offset4;
+    const double c4 = cos(v16), s4 = sin(v16), x4_x = x3_x * c4 - v14 * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v17 = v14 * c4 + x3_x * s4,
+        v18 = y3_y * c4 - x3_y * s4, v19 = y3_z * c4 - x3_z * s4, y4_x = v17 * ca4 - z3_x * sa4,
+        y4_y = v15 * sa4 - v18 * ca4, v20 = v19 * ca4 + z3_z * sa4, v21 = v17 * sa4 + z3_x * ca4,
+        z4_y = v18 * sa4 + v15 * ca4, z4_z = v19 * sa4 - z3_z * ca4, v22 = q[4] + offset5;
+    const double c5 = cos(v22), s5 = sin(v22), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 - v20 * s5, v23 = y4_x * c5 - x4_x * s5,
+        v24 = y4_y * c5 - x4_y * s5, v25 = v20 * c5 + x4_z * s5, y5_x = v23 * ca5 - v21 * sa5,
+        y5_y = v24 * ca5 + z4_y * sa5, y5_z = z4_z * sa5 - v25 * ca5, v26 = v23 * sa5 + v21 * ca5,
+        z5_y = z4_y * ca5 - v24 * sa5, z5_z = v25 * sa5 + z4_z * ca5, v27 = q[5] + offset6;
+    const double c6 = cos(v27), s6 = sin(v27), x6_x = x5_x * c6 + y5_x * s6,
+        x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 + y5_z * s6, v28 = y5_x * c6 - x5_x * s6,
+        v29 = y5_y * c6 - x5_y * s6, v30 = y5_z * c6 - x5_z * s6;
+    T[0] = x6_x; T[1] = v28 * ca6 - v26 * sa6; T[2] = -(v28 * sa6 + v26 * ca6);
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x *
+        a5 - v21 * d5 + x6_x * a6 - v26 * d6;
+    T[4] = x6_y; T[5] = v29 * ca6 + z5_y * sa6; T[6] = z5_y * ca6 - v29 * sa6;
+    T[7] = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 + z2_y * d3 + x4_y * a4 - v15 * d4 + x5_y * a5
+        + z4_y * d5 + x6_y * a6 + z5_y * d6;
+    T[8] = x6_z; T[9] = v30 * ca6 + z5_z * sa6; T[10] = z5_z * ca6 - v30 * sa6;
+    T[11] = d1 + x2_z * a2 + f1 + x3_z * a3 - v9 * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z *
+        d5 + x6_z * a6 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -3343,58 +3336,53 @@ void general_6r_fk(const double q[6], double T[16])
 void general_6r_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v2 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
-        v3 = c1 * sa1, v4 = q[1] + offset2;
-    const double c2 = cos(v4), s2 = sin(v4);
-    const double x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
-        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v3 * d2,
-        p2_z = d1 + x2_z * a2 + g1, y2_x = v5 * ca2 + J42 * sa2, v8 = v6 * ca2 + v3 * sa2,
-        y2_z = g2 - v7 * ca2, J43 = v5 * sa2 - J42 * ca2, J53 = v3 * ca2 - v6 * sa2,
+    const double c1 = cos(v1), s1 = sin(v1), p1_x = c1 * a1, p1_y = s1 * a1, v2 = s1 * ca1,
+        y1_y = c1 * ca1, z1_x = s1 * sa1, v3 = c1 * sa1, v4 = q[1] + offset2;
+    const double c2 = cos(v4), s2 = sin(v4), x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2,
+        x2_z = sa1 * s2, v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
+        p2_x = p1_x + x2_x * a2 + z1_x * d2, p2_y = p1_y + x2_y * a2 - v3 * d2,
+        p2_z = d1 + x2_z * a2 + g1, y2_x = v5 * ca2 + z1_x * sa2, v8 = v6 * ca2 + v3 * sa2,
+        y2_z = g2 - v7 * ca2, z2_x = v5 * sa2 - z1_x * ca2, z2_y = v3 * ca2 - v6 * sa2,
         v9 = v7 * sa2 + g3, v10 = q[2] + offset3;
-    const double c3 = cos(v10), s3 = sin(v10);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 - v8 * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v11 = y2_x * c3 - x2_x * s3, v12 = v8 * c3 + x2_y * s3,
-        v13 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + J43 * d3,
-        p3_y = p2_y + x3_y * a3 + J53 * d3, p3_z = p2_z + x3_z * a3 - v9 * d3,
-        v14 = v11 * ca3 + J43 * sa3, y3_y = v12 * ca3 - J53 * sa3, y3_z = v9 * sa3 - v13 * ca3,
-        J44 = v11 * sa3 - J43 * ca3, v15 = v12 * sa3 + J53 * ca3, J64 = v13 * sa3 + v9 * ca3,
+    const double c3 = cos(v10), s3 = sin(v10), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 - v8 * s3, x3_z = x2_z * c3 + y2_z * s3, v11 = y2_x * c3 - x2_x * s3,
+        v12 = v8 * c3 + x2_y * s3, v13 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,
+        p3_y = p2_y + x3_y * a3 + z2_y * d3, p3_z = p2_z + x3_z * a3 - v9 * d3,
+        v14 = v11 * ca3 + z2_x * sa3, y3_y = v12 * ca3 - z2_y * sa3, y3_z = v9 * sa3 - v13 * ca3,
+        z3_x = v11 * sa3 - z2_x * ca3, v15 = v12 * sa3 + z2_y * ca3, z3_z = v13 * sa3 + v9 * ca3,
         v16 = q[3] + offset4;
-    const double c4 = cos(v16), s4 = sin(v16);
-    const double x4_x = x3_x * c4 - v14 * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v17 = v14 * c4 + x3_x * s4, v18 = y3_y * c4 - x3_y * s4,
-        v19 = y3_z * c4 - x3_z * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 - v15 * d4, p4_z = p3_z + x4_z * a4 + J64 * d4,
-        y4_x = v17 * ca4 - J44 * sa4, y4_y = v15 * sa4 - v18 * ca4, v20 = v19 * ca4 + J64 * sa4,
-        v21 = v17 * sa4 + J44 * ca4, J55 = v18 * sa4 + v15 * ca4, J65 = v19 * sa4 - J64 * ca4,
-        v22 = q[4] + offset5;
-    const double c5 = cos(v22), s5 = sin(v22);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 - v20 * s5, v23 = y4_x * c5 - x4_x * s5, v24 = y4_y * c5 - x4_y * s5,
-        v25 = v20 * c5 + x4_z * s5, p5_x = p4_x + x5_x * a5 - v21 * d5,
-        p5_y = p4_y + x5_y * a5 + J55 * d5, p5_z = p4_z + x5_z * a5 + J65 * d5,
-        v26 = v23 * sa5 + v21 * ca5, J56 = J55 * ca5 - v24 * sa5, J66 = v25 * sa5 + J65 * ca5,
+    const double c4 = cos(v16), s4 = sin(v16), x4_x = x3_x * c4 - v14 * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v17 = v14 * c4 + x3_x * s4,
+        v18 = y3_y * c4 - x3_y * s4, v19 = y3_z * c4 - x3_z * s4,
+        p4_x = p3_x + x4_x * a4 + z3_x * d4, p4_y = p3_y + x4_y * a4 - v15 * d4,
+        p4_z = p3_z + x4_z * a4 + z3_z * d4, y4_x = v17 * ca4 - z3_x * sa4,
+        y4_y = v15 * sa4 - v18 * ca4, v20 = v19 * ca4 + z3_z * sa4, v21 = v17 * sa4 + z3_x * ca4,
+        z4_y = v18 * sa4 + v15 * ca4, z4_z = v19 * sa4 - z3_z * ca4, v22 = q[4] + offset5;
+    const double c5 = cos(v22), s5 = sin(v22), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 - v20 * s5, v23 = y4_x * c5 - x4_x * s5,
+        v24 = y4_y * c5 - x4_y * s5, v25 = v20 * c5 + x4_z * s5, p5_x = p4_x + x5_x * a5 - v21 * d5,
+        p5_y = p4_y + x5_y * a5 + z4_y * d5, p5_z = p4_z + x5_z * a5 + z4_z * d5,
+        v26 = v23 * sa5 + v21 * ca5, z5_y = z4_y * ca5 - v24 * sa5, z5_z = v25 * sa5 + z4_z * ca5,
         v27 = q[5] + offset6;
-    const double c6 = cos(v27), s6 = sin(v27);
-    const double J21 = p5_x + (x5_x * c6 + (v23 * ca5 - v21 * sa5) * s6) * a6 - v26 * d6,
-        p6_y = p5_y + (x5_y * c6 + (v24 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 + (J65 * sa5 - v25 * ca5) * s6) * a6 + J66 * d6, v28 = J21 - p1_x,
-        v29 = p6_y - p1_y, v30 = p6_z - d1, J22 = ca1 * v28 - J42 * v30, J32 = J42 * v29 + v3 * v28,
-        v31 = J21 - p2_x, v32 = p6_y - p2_y, v33 = p6_z - p2_z, J13 = J53 * v33 + v9 * v32,
-        J33 = J43 * v32 - J53 * v31, v34 = J21 - p3_x, v35 = p6_y - p3_y, v36 = p6_z - p3_z,
-        J24 = J64 * v34 - J44 * v36, J34 = J44 * v35 + v15 * v34, v37 = J21 - p4_x,
-        v38 = p6_y - p4_y, v39 = p6_z - p4_z, J15 = J55 * v39 - J65 * v38,
-        J25 = J65 * v37 + v21 * v39, v40 = J21 - p5_x, v41 = p6_y - p5_y, v42 = p6_z - p5_z,
-        J16 = J56 * v42 - J66 * v41, J26 = J66 * v40 + v26 * v42;
-    J[0] = -p6_y; J[1] = -(v3 * v30 + ca1 * v29); J[2] = J13; J[3] = -(v15 * v36 + J64 * v35);
-    J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = -(v9 * v31 + J43 * v33); J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = -(v21 * v38 + J55 * v37);
-    J[17] = -(v26 * v41 + J56 * v40);
-    J[18] = 0.0; J[19] = J42; J[20] = J43; J[21] = J44; J[22] = -v21; J[23] = -v26;
-    J[24] = 0.0; J[25] = -v3; J[26] = J53; J[27] = -v15; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = ca1; J[32] = -v9; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c6 = cos(v27), s6 = sin(v27),
+        p6_x = p5_x + (x5_x * c6 + (v23 * ca5 - v21 * sa5) * s6) * a6 - v26 * d6,
+        p6_y = p5_y + (x5_y * c6 + (v24 * ca5 + z4_y * sa5) * s6) * a6 + z5_y * d6,
+        p6_z = p5_z + (x5_z * c6 + (z4_z * sa5 - v25 * ca5) * s6) * a6 + z5_z * d6,
+        v28 = p6_x - p1_x, v29 = p6_y - p1_y, v30 = p6_z - d1, v31 = p6_x - p2_x, v32 = p6_y - p2_y,
+        v33 = p6_z - p2_z, v34 = p6_x - p3_x, v35 = p6_y - p3_y, v36 = p6_z - p3_z,
+        v37 = p6_x - p4_x, v38 = p6_y - p4_y, v39 = p6_z - p4_z, v40 = p6_x - p5_x,
+        v41 = p6_y - p5_y, v42 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(v3 * v30 + ca1 * v29); J[2] = z2_y * v33 + v9 * v32;
+    J[3] = -(v15 * v36 + z3_z * v35); J[4] = z4_y * v39 - z4_z * v38;
+    J[5] = z5_y * v42 - z5_z * v41;
+    J[6] = p6_x; J[7] = ca1 * v28 - z1_x * v30; J[8] = -(v9 * v31 + z2_x * v33);
+    J[9] = z3_z * v34 - z3_x * v36; J[10] = z4_z * v37 + v21 * v39; J[11] = z5_z * v40 + v26 * v42;
+    J[12] = 0.0; J[13] = z1_x * v29 + v3 * v28; J[14] = z2_x * v32 - z2_y * v31;
+    J[15] = z3_x * v35 + v15 * v34; J[16] = -(v21 * v38 + z4_y * v37);
+    J[17] = -(v26 * v41 + z5_y * v40);
+    J[18] = 0.0; J[19] = z1_x; J[20] = z2_x; J[21] = z3_x; J[22] = -v21; J[23] = -v26;
+    J[24] = 0.0; J[25] = -v3; J[26] = z2_y; J[27] = -v15; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = ca1; J[32] = -v9; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

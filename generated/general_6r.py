@@ -257,41 +257,24 @@ def fk(q):
     v27 = q[5] + offset6
     c6 = math.cos(v27)
     s6 = math.sin(v27)
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
+    x6_x = x5_x * c6 + y5_x * s6
+    x6_y = x5_y * c6 + y5_y * s6
+    x6_z = x5_z * c6 + y5_z * s6
     v28 = y5_x * c6 - x5_x * s6
     v29 = y5_y * c6 - x5_y * s6
     v30 = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5
-        - v21 * d5 + T11_ * a6 - v26 * d6
-    )
-    T24_ = (
-        s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 + z2_y * d3 + x4_y * a4 - v15 * d4 + x5_y * a5 +
-        z4_y * d5 + T21_ * a6 + z5_y * d6
-    )
-    T34_ = (
-        d1 + x2_z * a2 + f1 + x3_z * a3 - v9 * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z * d5 +
-        T31_ * a6 + z5_z * d6
-    )
-    T12_ = v28 * ca6 - v26 * sa6
-    T22_ = v29 * ca6 + z5_y * sa6
-    T32_ = v30 * ca6 + z5_z * sa6
-    T23_ = z5_y * ca6 - v29 * sa6
-    T33_ = z5_z * ca6 - v30 * sa6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
+    T[0, 0] = x6_x
+    T[0, 1] = v28 * ca6 - v26 * sa6
     T[0, 2] = -(v28 * sa6 + v26 * ca6)
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x * a5 - v21 * d5 + x6_x * a6 - v26 * d6
+    T[1, 0] = x6_y
+    T[1, 1] = v29 * ca6 + z5_y * sa6
+    T[1, 2] = z5_y * ca6 - v29 * sa6
+    T[1, 3] = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 + z2_y * d3 + x4_y * a4 - v15 * d4 + x5_y * a5 + z4_y * d5 + x6_y * a6 + z5_y * d6
+    T[2, 0] = x6_z
+    T[2, 1] = v30 * ca6 + z5_z * sa6
+    T[2, 2] = z5_z * ca6 - v30 * sa6
+    T[2, 3] = d1 + x2_z * a2 + f1 + x3_z * a3 - v9 * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z * d5 + x6_z * a6 + z5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -309,7 +292,7 @@ def jacobian(q):
     p1_y = s1 * a1
     v2 = s1 * ca1
     y1_y = c1 * ca1
-    J42 = s1 * sa1
+    z1_x = s1 * sa1
     v3 = c1 * sa1
     v4 = q[1] + offset2
     c2 = math.cos(v4)
@@ -320,14 +303,14 @@ def jacobian(q):
     v5 = v2 * c2 + c1 * s2
     v6 = y1_y * c2 - s1 * s2
     v7 = sa1 * c2
-    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v3 * d2
     p2_z = d1 + x2_z * a2 + g1
-    y2_x = v5 * ca2 + J42 * sa2
+    y2_x = v5 * ca2 + z1_x * sa2
     v8 = v6 * ca2 + v3 * sa2
     y2_z = g2 - v7 * ca2
-    J43 = v5 * sa2 - J42 * ca2
-    J53 = v3 * ca2 - v6 * sa2
+    z2_x = v5 * sa2 - z1_x * ca2
+    z2_y = v3 * ca2 - v6 * sa2
     v9 = v7 * sa2 + g3
     v10 = q[2] + offset3
     c3 = math.cos(v10)
@@ -338,15 +321,15 @@ def jacobian(q):
     v11 = y2_x * c3 - x2_x * s3
     v12 = v8 * c3 + x2_y * s3
     v13 = y2_z * c3 - x2_z * s3
-    p3_x = p2_x + x3_x * a3 + J43 * d3
-    p3_y = p2_y + x3_y * a3 + J53 * d3
+    p3_x = p2_x + x3_x * a3 + z2_x * d3
+    p3_y = p2_y + x3_y * a3 + z2_y * d3
     p3_z = p2_z + x3_z * a3 - v9 * d3
-    v14 = v11 * ca3 + J43 * sa3
-    y3_y = v12 * ca3 - J53 * sa3
+    v14 = v11 * ca3 + z2_x * sa3
+    y3_y = v12 * ca3 - z2_y * sa3
     y3_z = v9 * sa3 - v13 * ca3
-    J44 = v11 * sa3 - J43 * ca3
-    v15 = v12 * sa3 + J53 * ca3
-    J64 = v13 * sa3 + v9 * ca3
+    z3_x = v11 * sa3 - z2_x * ca3
+    v15 = v12 * sa3 + z2_y * ca3
+    z3_z = v13 * sa3 + v9 * ca3
     v16 = q[3] + offset4
     c4 = math.cos(v16)
     s4 = math.sin(v16)
@@ -356,15 +339,15 @@ def jacobian(q):
     v17 = v14 * c4 + x3_x * s4
     v18 = y3_y * c4 - x3_y * s4
     v19 = y3_z * c4 - x3_z * s4
-    p4_x = p3_x + x4_x * a4 + J44 * d4
+    p4_x = p3_x + x4_x * a4 + z3_x * d4
     p4_y = p3_y + x4_y * a4 - v15 * d4
-    p4_z = p3_z + x4_z * a4 + J64 * d4
-    y4_x = v17 * ca4 - J44 * sa4
+    p4_z = p3_z + x4_z * a4 + z3_z * d4
+    y4_x = v17 * ca4 - z3_x * sa4
     y4_y = v15 * sa4 - v18 * ca4
-    v20 = v19 * ca4 + J64 * sa4
-    v21 = v17 * sa4 + J44 * ca4
-    J55 = v18 * sa4 + v15 * ca4
-    J65 = v19 * sa4 - J64 * ca4
+    v20 = v19 * ca4 + z3_z * sa4
+    v21 = v17 * sa4 + z3_x * ca4
+    z4_y = v18 * sa4 + v15 * ca4
+    z4_z = v19 * sa4 - z3_z * ca4
     v22 = q[4] + offset5
     c5 = math.cos(v22)
     s5 = math.sin(v22)
@@ -375,75 +358,65 @@ def jacobian(q):
     v24 = y4_y * c5 - x4_y * s5
     v25 = v20 * c5 + x4_z * s5
     p5_x = p4_x + x5_x * a5 - v21 * d5
-    p5_y = p4_y + x5_y * a5 + J55 * d5
-    p5_z = p4_z + x5_z * a5 + J65 * d5
+    p5_y = p4_y + x5_y * a5 + z4_y * d5
+    p5_z = p4_z + x5_z * a5 + z4_z * d5
     v26 = v23 * sa5 + v21 * ca5
-    J56 = J55 * ca5 - v24 * sa5
-    J66 = v25 * sa5 + J65 * ca5
+    z5_y = z4_y * ca5 - v24 * sa5
+    z5_z = v25 * sa5 + z4_z * ca5
     v27 = q[5] + offset6
     c6 = math.cos(v27)
     s6 = math.sin(v27)
-    J21 = p5_x + (x5_x * c6 + (v23 * ca5 - v21 * sa5) * s6) * a6 - v26 * d6
-    p6_y = p5_y + (x5_y * c6 + (v24 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6
-    p6_z = p5_z + (x5_z * c6 + (J65 * sa5 - v25 * ca5) * s6) * a6 + J66 * d6
-    v28 = J21 - p1_x
+    p6_x = p5_x + (x5_x * c6 + (v23 * ca5 - v21 * sa5) * s6) * a6 - v26 * d6
+    p6_y = p5_y + (x5_y * c6 + (v24 * ca5 + z4_y * sa5) * s6) * a6 + z5_y * d6
+    p6_z = p5_z + (x5_z * c6 + (z4_z * sa5 - v25 * ca5) * s6) * a6 + z5_z * d6
+    v28 = p6_x - p1_x
     v29 = p6_y - p1_y
     v30 = p6_z - d1
-    J22 = ca1 * v28 - J42 * v30
-    J32 = J42 * v29 + v3 * v28
-    v31 = J21 - p2_x
+    v31 = p6_x - p2_x
     v32 = p6_y - p2_y
     v33 = p6_z - p2_z
-    J13 = J53 * v33 + v9 * v32
-    J33 = J43 * v32 - J53 * v31
-    v34 = J21 - p3_x
+    v34 = p6_x - p3_x
     v35 = p6_y - p3_y
     v36 = p6_z - p3_z
-    J24 = J64 * v34 - J44 * v36
-    J34 = J44 * v35 + v15 * v34
-    v37 = J21 - p4_x
+    v37 = p6_x - p4_x
     v38 = p6_y - p4_y
     v39 = p6_z - p4_z
-    J15 = J55 * v39 - J65 * v38
-    J25 = J65 * v37 + v21 * v39
-    v40 = J21 - p5_x
+    v40 = p6_x - p5_x
     v41 = p6_y - p5_y
     v42 = p6_z - p5_z
-    J16 = J56 * v42 - J66 * v41
-    J26 = J66 * v40 + v26 * v42
     J[0, 0] = -p6_y
     J[0, 1] = -(v3 * v30 + ca1 * v29)
-    J[0, 2] = J13
-    J[0, 3] = -(v15 * v36 + J64 * v35)
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = -(v9 * v31 + J43 * v33)
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = -(v21 * v38 + J55 * v37)
-    J[2, 5] = -(v26 * v41 + J56 * v40)
-    J[3, 1] = J42
-    J[3, 2] = J43
-    J[3, 3] = J44
+    J[0, 2] = z2_y * v33 + v9 * v32
+    J[0, 3] = -(v15 * v36 + z3_z * v35)
+    J[0, 4] = z4_y * v39 - z4_z * v38
+    J[0, 5] = z5_y * v42 - z5_z * v41
+    J[1, 0] = p6_x
+    J[1, 1] = ca1 * v28 - z1_x * v30
+    J[1, 2] = -(v9 * v31 + z2_x * v33)
+    J[1, 3] = z3_z * v34 - z3_x * v36
+    J[1, 4] = z4_z * v37 + v21 * v39
+    J[1, 5] = z5_z * v40 + v26 * v42
+    J[2, 1] = z1_x * v29 + v3 * v28
+    J[2, 2] = z2_x * v32 - z2_y * v31
+    J[2, 3] = z3_x * v35 + v15 * v34
+    J[2, 4] = -(v21 * v38 + z4_y * v37)
+    J[2, 5] = -(v26 * v41 + z5_y * v40)
+    J[3, 1] = z1_x
+    J[3, 2] = z2_x
+    J[3, 3] = z3_x
     J[3, 4] = -v21
     J[3, 5] = -v26
     J[4, 1] = -v3
-    J[4, 2] = J53
+    J[4, 2] = z2_y
     J[4, 3] = -v15
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 1] = ca1
     J[5, 2] = -v9
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -459,7 +432,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_6r e0d654f3fb1ec6cb"
+_KEY = "general_6r 3ee885bd98645dc3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -234,6 +234,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3170,14 +3171,14 @@ static const double
     g15 = 0.4605467924491282, /* ca2 * ca1 - sa2 * cat1 * sa1 */
     g16 = 0.10599140039589122, /* d3 * sa3 [m] */
     g17 = 0.006811531943972054, /* d3 * ca3 * sat1 * sa2 [m] */
-    g18 = 0.02521472007885299, /* (sa2 * cat1 * ca1 + sa1 * ca2) * d3 * ca3 [m] */
-    g19 = 0.013551530025764803, /* d3 * ca3 * (ca2 * ca1 - sa2 * cat1 * sa1) [m] */
+    g18 = 0.02521472007885299, /* g14 * d3 * ca3 [m] */
+    g19 = 0.013551530025764803, /* d3 * ca3 * g15 [m] */
     g20 = 0.2230530535435802, /* sa3 * sat1 * sa2 */
-    g21 = 0.8256909538260336, /* (sa2 * cat1 * ca1 + sa1 * ca2) * sa3 */
-    g22 = 0.44376363163199056, /* sa3 * (ca2 * ca1 - sa2 * cat1 * sa1) */
+    g21 = 0.8256909538260336, /* g14 * sa3 */
+    g22 = 0.44376363163199056, /* sa3 * g15 */
     g23 = 0.06192301767247322, /* ca3 * sat1 * sa2 */
-    g24 = 0.22922472798957264, /* (sa2 * cat1 * ca1 + sa1 * ca2) * ca3 */
-    g25 = 0.12319572750695275, /* ca3 * (ca2 * ca1 - sa2 * cat1 * sa1) */
+    g24 = 0.22922472798957264, /* g14 * ca3 */
+    g25 = 0.12319572750695275, /* ca3 * g15 */
     g26 = 0.7384602626041288, /* sat4 * ca4 */
     g27 = 0.4034226801113349, /* sat4 * sa4 */
     g28 = 0.4741598817790379, /* cat4 * ca4 */
@@ -3199,14 +3200,14 @@ static const double weight[6] = { 0.32653061224489793, 1.0, 1.0, 0.3265306122448
 
 void general_prrprr_fk(const double q[6], double T[16])
 {
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = cat1 * c2 - f10 * s2, x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2,
-        v1 = f10 * c2 + cat1 * s2, y2_y = f11 * c2 - f1 * s2, y2_z = f12 * c2 - f2 * s2,
-        v2 = v1 * ca3 + f17, v3 = y2_y * ca3 + f18, v4 = y2_z * ca3 - f19, z3_x = f20 - v1 * sa3,
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = cat1 * c2 - f10 * s2,
+        x2_y = f1 * c2 + f11 * s2, x2_z = f2 * c2 + f12 * s2, v1 = f10 * c2 + cat1 * s2,
+        y2_y = f11 * c2 - f1 * s2, y2_z = f12 * c2 - f2 * s2, v2 = v1 * ca3 + f17,
+        v3 = y2_y * ca3 + f18, v4 = y2_z * ca3 - f19, z3_x = f20 - v1 * sa3,
         z3_y = y2_y * sa3 - f21, z3_z = y2_z * sa3 + f22;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3,
-        v5 = v2 * c3 + x2_x * s3, y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v2 * s3,
+        x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3, v5 = v2 * c3 + x2_x * s3,
+        y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
         x4_x = x3_x * cat4 - v5 * f23 + z3_x * f24, x4_y = x3_y * cat4 + y3_y * f23 + z3_y * f24,
         x4_z = x3_z * cat4 + y3_z * f23 + z3_z * f24, y4_x = z3_x * f26 - (x3_x * sat4 + v5 * f25),
         y4_y = y3_y * f25 - x3_y * sat4 + z3_y * f26, y4_z = y3_z * f25 - x3_z * sat4 + z3_z * f26,
@@ -3214,24 +3215,20 @@ void general_prrprr_fk(const double q[6], double T[16])
         z4_z = z3_z * ca4 - y3_z * sa4, v6 = z4_x * sa5 - y4_x * ca5, v7 = z4_y * sa5 - y4_y * ca5,
         v8 = z4_z * sa5 - y4_z * ca5, v9 = y4_x * sa5 + z4_x * ca5, v10 = y4_y * sa5 + z4_y * ca5,
         v11 = y4_z * sa5 + z4_z * ca5;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + v6 * s5, x5_y = x4_y * c5 + v7 * s5, x5_z = x4_z * c5 + v8 * s5,
-        y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5,
-        T14_ = f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * f27 -
-            z4_x * f28 + x5_x * a6 + y5_x * f29 - v9 * f30,
-        T24_ = f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y * q[3] +
-            x4_y * a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30,
-        T34_ = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] +
-            x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30,
-        v12 = y5_x * ca6 + v9 * sa6, v13 = y5_y * ca6 + v10 * sa6, v14 = y5_z * ca6 + v11 * sa6,
-        T13_ = y5_x * sa6 - v9 * ca6, T23_ = y5_y * sa6 - v10 * ca6, T33_ = y5_z * sa6 - v11 * ca6;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + v6 * s5,
+        x5_y = x4_y * c5 + v7 * s5, x5_z = x4_z * c5 + v8 * s5, y5_x = v6 * c5 - x4_x * s5,
+        y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5, v12 = y5_x * ca6 + v9 * sa6,
+        v13 = y5_y * ca6 + v10 * sa6, v14 = y5_z * ca6 + v11 * sa6;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + v12 * s6, T21_ = x5_y * c6 + v13 * s6,
-        T31_ = x5_z * c6 + v14 * s6, T12_ = v12 * c6 - x5_x * s6, T22_ = v13 * c6 - x5_y * s6,
-        T32_ = v14 * c6 - x5_z * s6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 + v12 * s6; T[1] = v12 * c6 - x5_x * s6; T[2] = y5_x * sa6 - v9 * ca6;
+    T[3] = f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * f27 - z4_x
+        * f28 + x5_x * a6 + y5_x * f29 - v9 * f30;
+    T[4] = x5_y * c6 + v13 * s6; T[5] = v13 * c6 - x5_y * s6; T[6] = y5_y * sa6 - v10 * ca6;
+    T[7] = f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y * q[3] + x4_y
+        * a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30;
+    T[8] = x5_z * c6 + v14 * s6; T[9] = v14 * c6 - x5_z * s6; T[10] = y5_z * sa6 - v11 * ca6;
+    T[11] = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] +
+        x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -3239,41 +3236,44 @@ void general_prrprr_fk(const double q[6], double T[16])
 void general_prrprr_jacobian(const double q[6], double J[36])
 {
     const double p2_y = g3 - sa1 * q[0] - g6 - g8, p2_z = ca1 * q[0] + g4 - g7 + g9;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = cat1 * c2 - g10 * s2, x2_y = g1 * c2 + g11 * s2, x2_z = g2 * c2 + g12 * s2,
-        v1 = g10 * c2 + cat1 * s2, y2_y = g11 * c2 - g1 * s2, y2_z = g12 * c2 - g2 * s2,
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = cat1 * c2 - g10 * s2,
+        x2_y = g1 * c2 + g11 * s2, x2_z = g2 * c2 + g12 * s2, v1 = g10 * c2 + cat1 * s2,
+        y2_y = g11 * c2 - g1 * s2, y2_z = g12 * c2 - g2 * s2,
         p3_x = g5 + x2_x * a3 - v1 * g16 + g17, p3_y = p2_y + x2_y * a3 + y2_y * g16 - g18,
         p3_z = p2_z + x2_z * a3 + y2_z * g16 + g19, v2 = v1 * ca3 + g20, v3 = y2_y * ca3 + g21,
-        v4 = y2_z * ca3 - g22, J43 = g23 - v1 * sa3, J53 = y2_y * sa3 - g24, J63 = y2_z * sa3 + g25;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3,
-        v5 = v2 * c3 + x2_x * s3, y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
-        x4_x = x3_x * cat4 - v5 * g26 + J43 * g27, x4_y = x3_y * cat4 + y3_y * g26 + J53 * g27,
-        x4_z = x3_z * cat4 + y3_z * g26 + J63 * g27, y4_x = J43 * g29 - (x3_x * sat4 + v5 * g28),
-        y4_y = y3_y * g28 - x3_y * sat4 + J53 * g29, y4_z = y3_z * g28 - x3_z * sat4 + J63 * g29,
-        J14 = v5 * sa4 + J43 * ca4, J24 = J53 * ca4 - y3_y * sa4, J34 = J63 * ca4 - y3_z * sa4,
-        p5_x = p3_x + x3_x * a4 + J14 * q[3] + x4_x * a5 - y4_x * g30 - J14 * g31,
-        p5_y = p3_y + x3_y * a4 + J24 * q[3] + x4_y * a5 - y4_y * g30 - J24 * g31,
-        p5_z = p3_z + x3_z * a4 + J34 * q[3] + x4_z * a5 - y4_z * g30 - J34 * g31,
-        v6 = J14 * sa5 - y4_x * ca5, v7 = J24 * sa5 - y4_y * ca5, v8 = J34 * sa5 - y4_z * ca5,
-        v9 = y4_x * sa5 + J14 * ca5, v10 = y4_y * sa5 + J24 * ca5, v11 = y4_z * sa5 + J34 * ca5;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double y5_x = v6 * c5 - x4_x * s5, y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5,
+        v4 = y2_z * ca3 - g22, z3_x = g23 - v1 * sa3, z3_y = y2_y * sa3 - g24,
+        z3_z = y2_z * sa3 + g25;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v2 * s3,
+        x3_y = x2_y * c3 + v3 * s3, x3_z = x2_z * c3 + v4 * s3, v5 = v2 * c3 + x2_x * s3,
+        y3_y = v3 * c3 - x2_y * s3, y3_z = v4 * c3 - x2_z * s3,
+        x4_x = x3_x * cat4 - v5 * g26 + z3_x * g27, x4_y = x3_y * cat4 + y3_y * g26 + z3_y * g27,
+        x4_z = x3_z * cat4 + y3_z * g26 + z3_z * g27, y4_x = z3_x * g29 - (x3_x * sat4 + v5 * g28),
+        y4_y = y3_y * g28 - x3_y * sat4 + z3_y * g29, y4_z = y3_z * g28 - x3_z * sat4 + z3_z * g29,
+        z4_x = v5 * sa4 + z3_x * ca4, z4_y = z3_y * ca4 - y3_y * sa4,
+        z4_z = z3_z * ca4 - y3_z * sa4,
+        p5_x = p3_x + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * g30 - z4_x * g31,
+        p5_y = p3_y + x3_y * a4 + z4_y * q[3] + x4_y * a5 - y4_y * g30 - z4_y * g31,
+        p5_z = p3_z + x3_z * a4 + z4_z * q[3] + x4_z * a5 - y4_z * g30 - z4_z * g31,
+        v6 = z4_x * sa5 - y4_x * ca5, v7 = z4_y * sa5 - y4_y * ca5, v8 = z4_z * sa5 - y4_z * ca5,
+        v9 = y4_x * sa5 + z4_x * ca5, v10 = y4_y * sa5 + z4_y * ca5, v11 = y4_z * sa5 + z4_z * ca5;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), y5_x = v6 * c5 - x4_x * s5,
+        y5_y = v7 * c5 - x4_y * s5, y5_z = v8 * c5 - x4_z * s5,
         p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33,
         p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * g32 - v10 * g33,
-        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33,
-        J46 = y5_x * sa6 - v9 * ca6, J56 = y5_y * sa6 - v10 * ca6, J66 = y5_z * sa6 - v11 * ca6,
-        v12 = p6_x - g5, v13 = p6_y - p2_y, v14 = p6_z - p2_z, J22 = g15 * v12 - g13 * v14,
-        J32 = g13 * v13 + g14 * v12, v15 = p6_x - p3_x, v16 = p6_y - p3_y, v17 = p6_z - p3_z,
-        J13 = J53 * v17 - J63 * v16, J23 = J63 * v15 - J43 * v17, J33 = J43 * v16 - J53 * v15,
-        v18 = p6_x - p5_x, v19 = p6_y - p5_y, v20 = p6_z - p5_z, J15 = v11 * v19 - v10 * v20,
-        J25 = v9 * v20 - v11 * v18, J35 = v10 * v18 - v9 * v19;
-    J[0] = 0.0; J[1] = -(g14 * v14 + g15 * v13); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = 0.0;
-    J[6] = -sa1; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = 0.0;
-    J[12] = ca1; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = 0.0;
-    J[18] = 0.0; J[19] = g13; J[20] = J43; J[21] = 0.0; J[22] = -v9; J[23] = J46;
-    J[24] = 0.0; J[25] = -g14; J[26] = J53; J[27] = 0.0; J[28] = -v10; J[29] = J56;
-    J[30] = 0.0; J[31] = g15; J[32] = J63; J[33] = 0.0; J[34] = -v11; J[35] = J66;
+        p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33, v12 = p6_x - g5,
+        v13 = p6_y - p2_y, v14 = p6_z - p2_z, v15 = p6_x - p3_x, v16 = p6_y - p3_y,
+        v17 = p6_z - p3_z, v18 = p6_x - p5_x, v19 = p6_y - p5_y, v20 = p6_z - p5_z;
+    J[0] = 0.0; J[1] = -(g14 * v14 + g15 * v13); J[2] = z3_y * v17 - z3_z * v16; J[3] = z4_x;
+    J[4] = v11 * v19 - v10 * v20; J[5] = 0.0;
+    J[6] = -sa1; J[7] = g15 * v12 - g13 * v14; J[8] = z3_z * v15 - z3_x * v17; J[9] = z4_y;
+    J[10] = v9 * v20 - v11 * v18; J[11] = 0.0;
+    J[12] = ca1; J[13] = g13 * v13 + g14 * v12; J[14] = z3_x * v16 - z3_y * v15; J[15] = z4_z;
+    J[16] = v10 * v18 - v9 * v19; J[17] = 0.0;
+    J[18] = 0.0; J[19] = g13; J[20] = z3_x; J[21] = 0.0; J[22] = -v9; J[23] = y5_x * sa6 - v9 * ca6;
+    J[24] = 0.0; J[25] = -g14; J[26] = z3_y; J[27] = 0.0; J[28] = -v10;
+    J[29] = y5_y * sa6 - v10 * ca6;
+    J[30] = 0.0; J[31] = g15; J[32] = z3_z; J[33] = 0.0; J[34] = -v11;
+    J[35] = y5_z * sa6 - v11 * ca6;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3382,16 +3382,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.5714285714285714;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.5714285714285714));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.75, 1.0, 1.0, 1.75, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3416,15 +3423,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3442,38 +3449,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.750, 1.0, 1.0, 1.750, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3500,7 +3511,7 @@ int general_prrprr_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

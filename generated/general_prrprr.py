@@ -155,14 +155,14 @@ g14 = 0.8569186234130046  # sa2 * cat1 * ca1 + sa1 * ca2
 g15 = 0.4605467924491282  # ca2 * ca1 - sa2 * cat1 * sa1
 g16 = 0.10599140039589122  # d3 * sa3 [m]
 g17 = 0.006811531943972054  # d3 * ca3 * sat1 * sa2 [m]
-g18 = 0.02521472007885299  # (sa2 * cat1 * ca1 + sa1 * ca2) * d3 * ca3 [m]
-g19 = 0.013551530025764803  # d3 * ca3 * (ca2 * ca1 - sa2 * cat1 * sa1) [m]
+g18 = 0.02521472007885299  # g14 * d3 * ca3 [m]
+g19 = 0.013551530025764803  # d3 * ca3 * g15 [m]
 g20 = 0.2230530535435802  # sa3 * sat1 * sa2
-g21 = 0.8256909538260336  # (sa2 * cat1 * ca1 + sa1 * ca2) * sa3
-g22 = 0.44376363163199056  # sa3 * (ca2 * ca1 - sa2 * cat1 * sa1)
+g21 = 0.8256909538260336  # g14 * sa3
+g22 = 0.44376363163199056  # sa3 * g15
 g23 = 0.06192301767247322  # ca3 * sat1 * sa2
-g24 = 0.22922472798957264  # (sa2 * cat1 * ca1 + sa1 * ca2) * ca3
-g25 = 0.12319572750695275  # ca3 * (ca2 * ca1 - sa2 * cat1 * sa1)
+g24 = 0.22922472798957264  # g14 * ca3
+g25 = 0.12319572750695275  # ca3 * g15
 g26 = 0.7384602626041288  # sat4 * ca4
 g27 = 0.4034226801113349  # sat4 * sa4
 g28 = 0.4741598817790379  # cat4 * ca4
@@ -270,44 +270,23 @@ def fk(q):
     y5_x = v6 * c5 - x4_x * s5
     y5_y = v7 * c5 - x4_y * s5
     y5_z = v8 * c5 - x4_z * s5
-    T14_ = (
-        f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * f27 - z4_x *
-        f28 + x5_x * a6 + y5_x * f29 - v9 * f30
-    )
-    T24_ = (
-        f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y * q[3] + x4_y *
-        a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30
-    )
-    T34_ = (
-        ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] + x4_z *
-        a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30
-    )
     v12 = y5_x * ca6 + v9 * sa6
     v13 = y5_y * ca6 + v10 * sa6
     v14 = y5_z * ca6 + v11 * sa6
-    T13_ = y5_x * sa6 - v9 * ca6
-    T23_ = y5_y * sa6 - v10 * ca6
-    T33_ = y5_z * sa6 - v11 * ca6
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + v12 * s6
-    T21_ = x5_y * c6 + v13 * s6
-    T31_ = x5_z * c6 + v14 * s6
-    T12_ = v12 * c6 - x5_x * s6
-    T22_ = v13 * c6 - x5_y * s6
-    T32_ = v14 * c6 - x5_z * s6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x5_x * c6 + v12 * s6
+    T[0, 1] = v12 * c6 - x5_x * s6
+    T[0, 2] = y5_x * sa6 - v9 * ca6
+    T[0, 3] = f5 + x2_x * a3 - v1 * f13 + f14 + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * f27 - z4_x * f28 + x5_x * a6 + y5_x * f29 - v9 * f30
+    T[1, 0] = x5_y * c6 + v13 * s6
+    T[1, 1] = v13 * c6 - x5_y * s6
+    T[1, 2] = y5_y * sa6 - v10 * ca6
+    T[1, 3] = f3 - sa1 * q[0] - f6 - f8 + x2_y * a3 + y2_y * f13 - f15 + x3_y * a4 + z4_y * q[3] + x4_y * a5 - y4_y * f27 - z4_y * f28 + x5_y * a6 + y5_y * f29 - v10 * f30
+    T[2, 0] = x5_z * c6 + v14 * s6
+    T[2, 1] = v14 * c6 - x5_z * s6
+    T[2, 2] = y5_z * sa6 - v11 * ca6
+    T[2, 3] = ca1 * q[0] + f4 - f7 + f9 + x2_z * a3 + y2_z * f13 + f16 + x3_z * a4 + z4_z * q[3] + x4_z * a5 - y4_z * f27 - z4_z * f28 + x5_z * a6 + y5_z * f29 - v11 * f30
     T[3, 3] = 1.0
     return T
 
@@ -334,9 +313,9 @@ def jacobian(q):
     v2 = v1 * ca3 + g20
     v3 = y2_y * ca3 + g21
     v4 = y2_z * ca3 - g22
-    J43 = g23 - v1 * sa3
-    J53 = y2_y * sa3 - g24
-    J63 = y2_z * sa3 + g25
+    z3_x = g23 - v1 * sa3
+    z3_y = y2_y * sa3 - g24
+    z3_z = y2_z * sa3 + g25
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 - v2 * s3
@@ -345,24 +324,24 @@ def jacobian(q):
     v5 = v2 * c3 + x2_x * s3
     y3_y = v3 * c3 - x2_y * s3
     y3_z = v4 * c3 - x2_z * s3
-    x4_x = x3_x * cat4 - v5 * g26 + J43 * g27
-    x4_y = x3_y * cat4 + y3_y * g26 + J53 * g27
-    x4_z = x3_z * cat4 + y3_z * g26 + J63 * g27
-    y4_x = J43 * g29 - (x3_x * sat4 + v5 * g28)
-    y4_y = y3_y * g28 - x3_y * sat4 + J53 * g29
-    y4_z = y3_z * g28 - x3_z * sat4 + J63 * g29
-    J14 = v5 * sa4 + J43 * ca4
-    J24 = J53 * ca4 - y3_y * sa4
-    J34 = J63 * ca4 - y3_z * sa4
-    p5_x = p3_x + x3_x * a4 + J14 * q[3] + x4_x * a5 - y4_x * g30 - J14 * g31
-    p5_y = p3_y + x3_y * a4 + J24 * q[3] + x4_y * a5 - y4_y * g30 - J24 * g31
-    p5_z = p3_z + x3_z * a4 + J34 * q[3] + x4_z * a5 - y4_z * g30 - J34 * g31
-    v6 = J14 * sa5 - y4_x * ca5
-    v7 = J24 * sa5 - y4_y * ca5
-    v8 = J34 * sa5 - y4_z * ca5
-    v9 = y4_x * sa5 + J14 * ca5
-    v10 = y4_y * sa5 + J24 * ca5
-    v11 = y4_z * sa5 + J34 * ca5
+    x4_x = x3_x * cat4 - v5 * g26 + z3_x * g27
+    x4_y = x3_y * cat4 + y3_y * g26 + z3_y * g27
+    x4_z = x3_z * cat4 + y3_z * g26 + z3_z * g27
+    y4_x = z3_x * g29 - (x3_x * sat4 + v5 * g28)
+    y4_y = y3_y * g28 - x3_y * sat4 + z3_y * g29
+    y4_z = y3_z * g28 - x3_z * sat4 + z3_z * g29
+    z4_x = v5 * sa4 + z3_x * ca4
+    z4_y = z3_y * ca4 - y3_y * sa4
+    z4_z = z3_z * ca4 - y3_z * sa4
+    p5_x = p3_x + x3_x * a4 + z4_x * q[3] + x4_x * a5 - y4_x * g30 - z4_x * g31
+    p5_y = p3_y + x3_y * a4 + z4_y * q[3] + x4_y * a5 - y4_y * g30 - z4_y * g31
+    p5_z = p3_z + x3_z * a4 + z4_z * q[3] + x4_z * a5 - y4_z * g30 - z4_z * g31
+    v6 = z4_x * sa5 - y4_x * ca5
+    v7 = z4_y * sa5 - y4_y * ca5
+    v8 = z4_z * sa5 - y4_z * ca5
+    v9 = y4_x * sa5 + z4_x * ca5
+    v10 = y4_y * sa5 + z4_y * ca5
+    v11 = y4_z * sa5 + z4_z * ca5
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     y5_x = v6 * c5 - x4_x * s5
@@ -371,52 +350,41 @@ def jacobian(q):
     p6_x = p5_x + (x4_x * c5 + v6 * s5) * a6 + y5_x * g32 - v9 * g33
     p6_y = p5_y + (x4_y * c5 + v7 * s5) * a6 + y5_y * g32 - v10 * g33
     p6_z = p5_z + (x4_z * c5 + v8 * s5) * a6 + y5_z * g32 - v11 * g33
-    J46 = y5_x * sa6 - v9 * ca6
-    J56 = y5_y * sa6 - v10 * ca6
-    J66 = y5_z * sa6 - v11 * ca6
     v12 = p6_x - g5
     v13 = p6_y - p2_y
     v14 = p6_z - p2_z
-    J22 = g15 * v12 - g13 * v14
-    J32 = g13 * v13 + g14 * v12
     v15 = p6_x - p3_x
     v16 = p6_y - p3_y
     v17 = p6_z - p3_z
-    J13 = J53 * v17 - J63 * v16
-    J23 = J63 * v15 - J43 * v17
-    J33 = J43 * v16 - J53 * v15
     v18 = p6_x - p5_x
     v19 = p6_y - p5_y
     v20 = p6_z - p5_z
-    J15 = v11 * v19 - v10 * v20
-    J25 = v9 * v20 - v11 * v18
-    J35 = v10 * v18 - v9 * v19
     J[0, 1] = -(g14 * v14 + g15 * v13)
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
+    J[0, 2] = z3_y * v17 - z3_z * v16
+    J[0, 3] = z4_x
+    J[0, 4] = v11 * v19 - v10 * v20
     J[1, 0] = -sa1
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
+    J[1, 1] = g15 * v12 - g13 * v14
+    J[1, 2] = z3_z * v15 - z3_x * v17
+    J[1, 3] = z4_y
+    J[1, 4] = v9 * v20 - v11 * v18
     J[2, 0] = ca1
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
+    J[2, 1] = g13 * v13 + g14 * v12
+    J[2, 2] = z3_x * v16 - z3_y * v15
+    J[2, 3] = z4_z
+    J[2, 4] = v10 * v18 - v9 * v19
     J[3, 1] = g13
-    J[3, 2] = J43
+    J[3, 2] = z3_x
     J[3, 4] = -v9
-    J[3, 5] = J46
+    J[3, 5] = y5_x * sa6 - v9 * ca6
     J[4, 1] = -g14
-    J[4, 2] = J53
+    J[4, 2] = z3_y
     J[4, 4] = -v10
-    J[4, 5] = J56
+    J[4, 5] = y5_y * sa6 - v10 * ca6
     J[5, 1] = g15
-    J[5, 2] = J63
+    J[5, 2] = z3_z
     J[5, 4] = -v11
-    J[5, 5] = J66
+    J[5, 5] = y5_z * sa6 - v11 * ca6
     return J
 
 
@@ -432,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr f2552927dc1b5b8c"
+_KEY = "general_prrprr cb3a75938ed7045a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2101,14 +2069,14 @@ def _beyond_limits(values):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.750, 1.0, 1.0, 1.750, 1.0, 1.0])
+_PACE = np.array([1.75, 1.0, 1.0, 1.75, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.5714, 0.5714, 0.5714, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2123,23 +2091,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2151,56 +2119,66 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.5714
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.5714))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -2218,8 +2196,9 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -234,6 +234,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3128,39 +3129,25 @@ static const double
     d6 = 0.12, /* joint offset 6 [m] */
     f1 = -0.7701962384697986, /* ca2 * ca1 - sa2 * cat2 * sa1 */
     f2 = -0.12623975606886617, /* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
-    /* a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m] */
-    f3 = -0.015148770728263941,
-    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 *
-     * cat2 * sa1) */
+    f3 = -0.015148770728263941, /* a3 * f2 [m] */
+    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * f1 */
     f4 = 0.9739951538781595,
-    /* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
-     * sa2 * cat2 * sa1)) [m] */
+    /* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1) [m] */
     f5 = -0.02633971333380174,
-    /* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
-     * sa2 * cat2 * sa1)) */
+    /* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1) */
     f6 = -0.17051348073383996,
-    /* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
-     * sa2 * cat2 * sa1)) */
+    /* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1) */
     f7 = -0.0795117418848544,
     g1 = -0.7701962384697986, /* ca2 * ca1 - sa2 * cat2 * sa1 */
     g2 = -0.12623975606886617, /* cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1) */
-    /* a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m] */
-    g3 = -0.015148770728263941,
-    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 *
-     * cat2 * sa1) */
+    g3 = -0.015148770728263941, /* a3 * f2 [m] */
+    /* ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * f1 */
     g4 = 0.9739951538781595,
-    /* sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2 *
-     * cat2 * sa1) */
+    /* sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1 */
     g5 = -0.18814080952715528,
-    /* d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
-     * sa2 * cat2 * sa1)) [m] */
-    g6 = -0.02633971333380174,
-    /* sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
-     * sa2 * cat2 * sa1)) */
-    g7 = -0.17051348073383996,
-    /* ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 -
-     * sa2 * cat2 * sa1)) */
-    g8 = -0.0795117418848544;
+    g6 = -0.02633971333380174, /* d4 * g5 [m] */
+    g7 = -0.17051348073383996, /* sa4 * g5 */
+    g8 = -0.0795117418848544; /* ca4 * g5 */
 
 const char *const general_rpprrr_branches[8] = {
     "root1", "root2", "root3", "root4", "root5", "root6", "root7", "root8",
@@ -3174,81 +3161,74 @@ static const double weight[6] = { 1.0, 0.4822530864197531, 0.4822530864197531, 1
 
 void general_rpprrr_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1,
-        x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2, v3 = c1 * sat2 + v1 * cat2,
-        v4 = y1_y * cat2 - s1 * sat2, y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
-        z2_x = v3 * sa2 + z1_x * ca2, v5 = v4 * sa2 + v2 * ca2, x3_x = x2_x * cat3 - y2_x * sat3,
-        x3_y = x2_y * cat3 - y2_y * sat3, v6 = x2_x * sat3 + y2_x * cat3,
-        v7 = x2_y * sat3 + y2_y * cat3, y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3,
-        z3_x = v6 * sa3 + z2_x * ca3, z3_y = v7 * sa3 - v5 * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = f2 * c4 + f4 * s4, v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4,
-        v10 = f4 * c4 - f2 * s4, y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4,
-        y4_z = v10 * ca4 + f6, z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4,
-        z4_z = f7 - v10 * sa4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v11 = y4_x * c5 - x4_x * s5, v12 = y4_y * c5 - x4_y * s5,
-        v13 = y4_z * c5 - x4_z * s5, y5_x = v11 * ca5 - z4_x * sa5, y5_y = v12 * ca5 - z4_y * sa5,
-        y5_z = v13 * ca5 - z4_z * sa5, T13_ = v11 * sa5 + z4_x * ca5, T23_ = v12 * sa5 + z4_y * ca5,
-        T33_ = v13 * sa5 + z4_z * ca5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v2 = c1 * sa1, x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2,
+        v3 = c1 * sat2 + v1 * cat2, v4 = y1_y * cat2 - s1 * sat2, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, z2_x = v3 * sa2 + z1_x * ca2, v5 = v4 * sa2 + v2 * ca2,
+        x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3,
+        v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3,
+        y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3, z3_x = v6 * sa3 + z2_x * ca3,
+        z3_y = v7 * sa3 - v5 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = f2 * c4 + f4 * s4, v8 = y3_x * c4 - x3_x * s4,
+        v9 = y3_y * c4 - x3_y * s4, v10 = f4 * c4 - f2 * s4, y4_x = v8 * ca4 + z3_x * sa4,
+        y4_y = v9 * ca4 + z3_y * sa4, y4_z = v10 * ca4 + f6, z4_x = z3_x * ca4 - v8 * sa4,
+        z4_y = z3_y * ca4 - v9 * sa4, z4_z = f7 - v10 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v11 = y4_x * c5 - x4_x * s5,
+        v12 = y4_y * c5 - x4_y * s5, v13 = y4_z * c5 - x4_z * s5, y5_x = v11 * ca5 - z4_x * sa5,
+        y5_y = v12 * ca5 - z4_y * sa5, y5_z = v13 * ca5 - z4_z * sa5, z5_x = v11 * sa5 + z4_x * ca5,
+        z5_y = v12 * sa5 + z4_y * ca5, z5_z = v13 * sa5 + z4_z * ca5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
-        T32_ = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + x5_x * a5 +
-            z4_x * d5 + T13_ * d6,
-        T24_ = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y * a5 +
-            z4_y * d5 + T23_ * d6,
-        T34_ = d1 + ca1 * q[1] + f1 * q[2] + f3 + x4_z * a4 + f5 + x5_z * a5 + z4_z * d5 + T33_ *
-            d6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 + y5_x * s6; T[1] = y5_x * c6 - x5_x * s6; T[2] = z5_x;
+    T[3] = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + x5_x * a5 +
+        z4_x * d5 + z5_x * d6;
+    T[4] = x5_y * c6 + y5_y * s6; T[5] = y5_y * c6 - x5_y * s6; T[6] = z5_y;
+    T[7] = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y * a5 + z4_y *
+        d5 + z5_y * d6;
+    T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = z5_z;
+    T[11] = d1 + ca1 * q[1] + f1 * q[2] + f3 + x4_z * a4 + f5 + x5_z * a5 + z4_z * d5 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void general_rpprrr_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1, y1_y = c1 * ca1, J12 = s1 * sa1, v2 = c1 * sa1,
-        x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2, v3 = c1 * sat2 + v1 * cat2,
-        v4 = y1_y * cat2 - s1 * sat2, y2_x = J12 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
-        J13 = v3 * sa2 + J12 * ca2, v5 = v4 * sa2 + v2 * ca2, x3_x = x2_x * cat3 - y2_x * sat3,
-        x3_y = x2_y * cat3 - y2_y * sat3, v6 = x2_x * sat3 + y2_x * cat3,
-        v7 = x2_y * sat3 + y2_y * cat3, p3_x = c1 * a1 + J12 * q[1] + J13 * q[2] + x3_x * a3,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v2 = c1 * sa1, x2_x = c1 * cat2 - v1 * sat2, x2_y = s1 * cat2 + y1_y * sat2,
+        v3 = c1 * sat2 + v1 * cat2, v4 = y1_y * cat2 - s1 * sat2, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, z2_x = v3 * sa2 + z1_x * ca2, v5 = v4 * sa2 + v2 * ca2,
+        x3_x = x2_x * cat3 - y2_x * sat3, x3_y = x2_y * cat3 - y2_y * sat3,
+        v6 = x2_x * sat3 + y2_x * cat3, v7 = x2_y * sat3 + y2_y * cat3,
+        p3_x = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3,
         p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3, p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3,
-        y3_x = v6 * ca3 - J13 * sa3, y3_y = v7 * ca3 + v5 * sa3, J44 = v6 * sa3 + J13 * ca3,
-        J54 = v7 * sa3 - v5 * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = g2 * c4 + g4 * s4, v8 = y3_x * c4 - x3_x * s4, v9 = y3_y * c4 - x3_y * s4,
-        v10 = g4 * c4 - g2 * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 + J54 * d4, p4_z = p3_z + x4_z * a4 + g6,
-        y4_x = v8 * ca4 + J44 * sa4, y4_y = v9 * ca4 + J54 * sa4, y4_z = v10 * ca4 + g7,
-        J45 = J44 * ca4 - v8 * sa4, J55 = J54 * ca4 - v9 * sa4, J65 = g8 - v10 * sa4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + J45 * d5,
-        p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + J55 * d5,
-        p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + J65 * d5,
-        J46 = (y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5,
-        J56 = (y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5,
-        J66 = (y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5, J21 = p5_x + J46 * d6,
-        p6_y = p5_y + J56 * d6, p6_z = p5_z + J66 * d6, v11 = J21 - p3_x, v12 = p6_y - p3_y,
-        v13 = p6_z - p3_z, J14 = J54 * v13 - g5 * v12, J24 = g5 * v11 - J44 * v13,
-        J34 = J44 * v12 - J54 * v11, v14 = J21 - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z,
-        J15 = J55 * v16 - J65 * v15, J25 = J65 * v14 - J45 * v16, J35 = J45 * v15 - J55 * v14,
-        v17 = J21 - p5_x, v18 = p6_y - p5_y, v19 = p6_z - p5_z, J16 = J56 * v19 - J66 * v18,
-        J26 = J66 * v17 - J46 * v19, J36 = J46 * v18 - J56 * v17;
-    J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -v2; J[8] = -v5; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = ca1; J[14] = g1; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = g5; J[34] = J65; J[35] = J66;
+        y3_x = v6 * ca3 - z2_x * sa3, y3_y = v7 * ca3 + v5 * sa3, z3_x = v6 * sa3 + z2_x * ca3,
+        z3_y = v7 * sa3 - v5 * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = g2 * c4 + g4 * s4, v8 = y3_x * c4 - x3_x * s4,
+        v9 = y3_y * c4 - x3_y * s4, v10 = g4 * c4 - g2 * s4, p4_x = p3_x + x4_x * a4 + z3_x * d4,
+        p4_y = p3_y + x4_y * a4 + z3_y * d4, p4_z = p3_z + x4_z * a4 + g6,
+        y4_x = v8 * ca4 + z3_x * sa4, y4_y = v9 * ca4 + z3_y * sa4, y4_z = v10 * ca4 + g7,
+        z4_x = z3_x * ca4 - v8 * sa4, z4_y = z3_y * ca4 - v9 * sa4, z4_z = g8 - v10 * sa4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]),
+        p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + z4_x * d5,
+        p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + z4_y * d5,
+        p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + z4_z * d5,
+        z5_x = (y4_x * c5 - x4_x * s5) * sa5 + z4_x * ca5,
+        z5_y = (y4_y * c5 - x4_y * s5) * sa5 + z4_y * ca5,
+        z5_z = (y4_z * c5 - x4_z * s5) * sa5 + z4_z * ca5, p6_x = p5_x + z5_x * d6,
+        p6_y = p5_y + z5_y * d6, p6_z = p5_z + z5_z * d6, v11 = p6_x - p3_x, v12 = p6_y - p3_y,
+        v13 = p6_z - p3_z, v14 = p6_x - p4_x, v15 = p6_y - p4_y, v16 = p6_z - p4_z,
+        v17 = p6_x - p5_x, v18 = p6_y - p5_y, v19 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = z1_x; J[2] = z2_x; J[3] = z3_y * v13 - g5 * v12;
+    J[4] = z4_y * v16 - z4_z * v15; J[5] = z5_y * v19 - z5_z * v18;
+    J[6] = p6_x; J[7] = -v2; J[8] = -v5; J[9] = g5 * v11 - z3_x * v13;
+    J[10] = z4_z * v14 - z4_x * v16; J[11] = z5_z * v17 - z5_x * v19;
+    J[12] = 0.0; J[13] = ca1; J[14] = g1; J[15] = z3_x * v12 - z3_y * v11;
+    J[16] = z4_x * v15 - z4_y * v14; J[17] = z5_x * v18 - z5_y * v17;
+    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = g5; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3357,16 +3337,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.6944444444444444;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.6944444444444444));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.44, 1.44, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3391,15 +3378,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3417,38 +3404,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.440, 1.440, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3475,7 +3466,7 @@ int general_rpprrr_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -115,37 +115,25 @@ sa5 = 0.766044443118978  # sine of twist 5
 d6 = 0.12  # joint offset 6 [m]
 f1 = -0.7701962384697986  # ca2 * ca1 - sa2 * cat2 * sa1
 f2 = -0.12623975606886617  # cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)
-f3 = -0.015148770728263941  # a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m]
-# ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 * cat2
-# * sa1)
+f3 = -0.015148770728263941  # a3 * f2 [m]
+# ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * f1
 f4 = 0.9739951538781595
-# d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2 *
-# cat2 * sa1)) [m]
+# d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1) [m]
 f5 = -0.02633971333380174
-# sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
-# * cat2 * sa1))
+# sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1)
 f6 = -0.17051348073383996
-# ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
-# * cat2 * sa1))
+# ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1)
 f7 = -0.0795117418848544
 g1 = -0.7701962384697986  # ca2 * ca1 - sa2 * cat2 * sa1
 g2 = -0.12623975606886617  # cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)
-g3 = -0.015148770728263941  # a3 * (cat3 * sat2 * sa1 - sat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) [m]
-# ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * (ca2 * ca1 - sa2 * cat2
-# * sa1)
+g3 = -0.015148770728263941  # a3 * f2 [m]
+# ca3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) - sa3 * f1
 g4 = 0.9739951538781595
-# sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2 * cat2
-# * sa1)
+# sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * f1
 g5 = -0.18814080952715528
-# d4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2 *
-# cat2 * sa1)) [m]
-g6 = -0.02633971333380174
-# sa4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
-# * cat2 * sa1))
-g7 = -0.17051348073383996
-# ca4 * (sa3 * (sat3 * sat2 * sa1 + cat3 * (ca2 * cat2 * sa1 + sa2 * ca1)) + ca3 * (ca2 * ca1 - sa2
-# * cat2 * sa1))
-g8 = -0.0795117418848544
+g6 = -0.02633971333380174  # d4 * g5 [m]
+g7 = -0.17051348073383996  # sa4 * g5
+g8 = -0.0795117418848544  # ca4 * g5
 
 _TURN = 6.283185307179586
 # The limits with what rounding may add.
@@ -247,38 +235,23 @@ def fk(q):
     y5_x = v11 * ca5 - z4_x * sa5
     y5_y = v12 * ca5 - z4_y * sa5
     y5_z = v13 * ca5 - z4_z * sa5
-    T13_ = v11 * sa5 + z4_x * ca5
-    T23_ = v12 * sa5 + z4_y * ca5
-    T33_ = v13 * sa5 + z4_z * ca5
+    z5_x = v11 * sa5 + z4_x * ca5
+    z5_y = v12 * sa5 + z4_y * ca5
+    z5_z = v13 * sa5 + z4_z * ca5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + x5_x * a5 + z4_x *
-        d5 + T13_ * d6
-    )
-    T24_ = (
-        s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y * a5 + z4_y * d5
-        + T23_ * d6
-    )
-    T34_ = d1 + ca1 * q[1] + f1 * q[2] + f3 + x4_z * a4 + f5 + x5_z * a5 + z4_z * d5 + T33_ * d6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x5_x * c6 + y5_x * s6
+    T[0, 1] = y5_x * c6 - x5_x * s6
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3 + x4_x * a4 + z3_x * d4 + x5_x * a5 + z4_x * d5 + z5_x * d6
+    T[1, 0] = x5_y * c6 + y5_y * s6
+    T[1, 1] = y5_y * c6 - x5_y * s6
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3 + x4_y * a4 + z3_y * d4 + x5_y * a5 + z4_y * d5 + z5_y * d6
+    T[2, 0] = x5_z * c6 + y5_z * s6
+    T[2, 1] = y5_z * c6 - x5_z * s6
+    T[2, 2] = z5_z
+    T[2, 3] = d1 + ca1 * q[1] + f1 * q[2] + f3 + x4_z * a4 + f5 + x5_z * a5 + z4_z * d5 + z5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -293,27 +266,27 @@ def jacobian(q):
     s1 = math.sin(q[0])
     v1 = s1 * ca1
     y1_y = c1 * ca1
-    J12 = s1 * sa1
+    z1_x = s1 * sa1
     v2 = c1 * sa1
     x2_x = c1 * cat2 - v1 * sat2
     x2_y = s1 * cat2 + y1_y * sat2
     v3 = c1 * sat2 + v1 * cat2
     v4 = y1_y * cat2 - s1 * sat2
-    y2_x = J12 * sa2 - v3 * ca2
+    y2_x = z1_x * sa2 - v3 * ca2
     y2_y = v4 * ca2 - v2 * sa2
-    J13 = v3 * sa2 + J12 * ca2
+    z2_x = v3 * sa2 + z1_x * ca2
     v5 = v4 * sa2 + v2 * ca2
     x3_x = x2_x * cat3 - y2_x * sat3
     x3_y = x2_y * cat3 - y2_y * sat3
     v6 = x2_x * sat3 + y2_x * cat3
     v7 = x2_y * sat3 + y2_y * cat3
-    p3_x = c1 * a1 + J12 * q[1] + J13 * q[2] + x3_x * a3
+    p3_x = c1 * a1 + z1_x * q[1] + z2_x * q[2] + x3_x * a3
     p3_y = s1 * a1 - v2 * q[1] - v5 * q[2] + x3_y * a3
     p3_z = d1 + ca1 * q[1] + g1 * q[2] + g3
-    y3_x = v6 * ca3 - J13 * sa3
+    y3_x = v6 * ca3 - z2_x * sa3
     y3_y = v7 * ca3 + v5 * sa3
-    J44 = v6 * sa3 + J13 * ca3
-    J54 = v7 * sa3 - v5 * ca3
+    z3_x = v6 * sa3 + z2_x * ca3
+    z3_y = v7 * sa3 - v5 * ca3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = x3_x * c4 + y3_x * s4
@@ -322,71 +295,62 @@ def jacobian(q):
     v8 = y3_x * c4 - x3_x * s4
     v9 = y3_y * c4 - x3_y * s4
     v10 = g4 * c4 - g2 * s4
-    p4_x = p3_x + x4_x * a4 + J44 * d4
-    p4_y = p3_y + x4_y * a4 + J54 * d4
+    p4_x = p3_x + x4_x * a4 + z3_x * d4
+    p4_y = p3_y + x4_y * a4 + z3_y * d4
     p4_z = p3_z + x4_z * a4 + g6
-    y4_x = v8 * ca4 + J44 * sa4
-    y4_y = v9 * ca4 + J54 * sa4
+    y4_x = v8 * ca4 + z3_x * sa4
+    y4_y = v9 * ca4 + z3_y * sa4
     y4_z = v10 * ca4 + g7
-    J45 = J44 * ca4 - v8 * sa4
-    J55 = J54 * ca4 - v9 * sa4
-    J65 = g8 - v10 * sa4
+    z4_x = z3_x * ca4 - v8 * sa4
+    z4_y = z3_y * ca4 - v9 * sa4
+    z4_z = g8 - v10 * sa4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + J45 * d5
-    p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + J55 * d5
-    p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + J65 * d5
-    J46 = (y4_x * c5 - x4_x * s5) * sa5 + J45 * ca5
-    J56 = (y4_y * c5 - x4_y * s5) * sa5 + J55 * ca5
-    J66 = (y4_z * c5 - x4_z * s5) * sa5 + J65 * ca5
-    J21 = p5_x + J46 * d6
-    p6_y = p5_y + J56 * d6
-    p6_z = p5_z + J66 * d6
-    v11 = J21 - p3_x
+    p5_x = p4_x + (x4_x * c5 + y4_x * s5) * a5 + z4_x * d5
+    p5_y = p4_y + (x4_y * c5 + y4_y * s5) * a5 + z4_y * d5
+    p5_z = p4_z + (x4_z * c5 + y4_z * s5) * a5 + z4_z * d5
+    z5_x = (y4_x * c5 - x4_x * s5) * sa5 + z4_x * ca5
+    z5_y = (y4_y * c5 - x4_y * s5) * sa5 + z4_y * ca5
+    z5_z = (y4_z * c5 - x4_z * s5) * sa5 + z4_z * ca5
+    p6_x = p5_x + z5_x * d6
+    p6_y = p5_y + z5_y * d6
+    p6_z = p5_z + z5_z * d6
+    v11 = p6_x - p3_x
     v12 = p6_y - p3_y
     v13 = p6_z - p3_z
-    J14 = J54 * v13 - g5 * v12
-    J24 = g5 * v11 - J44 * v13
-    J34 = J44 * v12 - J54 * v11
-    v14 = J21 - p4_x
+    v14 = p6_x - p4_x
     v15 = p6_y - p4_y
     v16 = p6_z - p4_z
-    J15 = J55 * v16 - J65 * v15
-    J25 = J65 * v14 - J45 * v16
-    J35 = J45 * v15 - J55 * v14
-    v17 = J21 - p5_x
+    v17 = p6_x - p5_x
     v18 = p6_y - p5_y
     v19 = p6_z - p5_z
-    J16 = J56 * v19 - J66 * v18
-    J26 = J66 * v17 - J46 * v19
-    J36 = J46 * v18 - J56 * v17
     J[0, 0] = -p6_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
+    J[0, 1] = z1_x
+    J[0, 2] = z2_x
+    J[0, 3] = z3_y * v13 - g5 * v12
+    J[0, 4] = z4_y * v16 - z4_z * v15
+    J[0, 5] = z5_y * v19 - z5_z * v18
+    J[1, 0] = p6_x
     J[1, 1] = -v2
     J[1, 2] = -v5
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
+    J[1, 3] = g5 * v11 - z3_x * v13
+    J[1, 4] = z4_z * v14 - z4_x * v16
+    J[1, 5] = z5_z * v17 - z5_x * v19
     J[2, 1] = ca1
     J[2, 2] = g1
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
-    J[4, 3] = J54
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[2, 3] = z3_x * v12 - z3_y * v11
+    J[2, 4] = z4_x * v15 - z4_y * v14
+    J[2, 5] = z5_x * v18 - z5_y * v17
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 3] = g5
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -402,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 62c84ebf4c4340e5"
+_KEY = "general_rpprrr 18d6d563afa8d2d3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2071,14 +2035,14 @@ def _beyond_limits(values):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.440, 1.440, 1.0, 1.0, 1.0])
+_PACE = np.array([1.0, 1.44, 1.44, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2093,23 +2057,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2121,56 +2085,66 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.6944
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.6944))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -2188,8 +2162,9 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

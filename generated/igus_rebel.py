@@ -111,7 +111,7 @@ offset5 = 3.141592653589793  # offset of joint 5 [rad]
 k1 = 0.081056  # 2 * d4 * a2 [m^2]
 k2 = 0.0567392  # 2 * a3 * a2 [m^2]
 k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
-k4 = 102.1511817908859  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+k4 = 102.1511817908859  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 8.049678400000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 whole_turn = 6.283185307179586  # 2 pi [rad]
@@ -242,31 +242,23 @@ def fk(q):
     x5_x = x4_x * c5 - v6 * s5
     x5_y = x4_y * c5 - v7 * s5
     x5_z = z3_z * s5 - v8 * c5
-    T13_ = v6 * c5 + x4_x * s5
-    T23_ = v7 * c5 + x4_y * s5
+    z5_x = v6 * c5 + x4_x * s5
+    z5_y = v7 * c5 + x4_y * s5
     v11 = z3_z * c5 + v8 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + z4_x * s6
-    T21_ = x5_y * c6 + z4_y * s6
-    T31_ = x5_z * c6 - v9 * s6
-    T12_ = z4_x * c6 - x5_x * s6
-    T22_ = z4_y * c6 - x5_y * s6
-    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + T13_ * d6
-    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + T23_ * d6
-    T34_ = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[0, 0] = x5_x * c6 + z4_x * s6
+    T[0, 1] = z4_x * c6 - x5_x * s6
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + z5_x * d6
+    T[1, 0] = x5_y * c6 + z4_y * s6
+    T[1, 1] = z4_y * c6 - x5_y * s6
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + z5_y * d6
+    T[2, 0] = x5_z * c6 - v9 * s6
     T[2, 1] = -(v9 * c6 + x5_z * s6)
     T[2, 2] = -v11
-    T[2, 3] = T34_
+    T[2, 3] = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6
     T[3, 3] = 1.0
     return T
 
@@ -299,74 +291,64 @@ def jacobian(q):
     v5 = s2 * c3 + c2 * s3
     v6 = v2 * c3 + x2_x * s3
     v7 = v3 * c3 + x2_y * s3
-    J64 = s2 * s3 - c2 * c3
+    z3_z = s2 * s3 - c2 * c3
     p3_x = p2_x + x3_x * a3
     p3_y = p2_y + x3_y * a3
     p3_z = p2_z - v5 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J55 = c1 * c4 + x3_y * s4
+    z4_y = c1 * c4 + x3_y * s4
     v8 = v5 * s4
     p4_x = p3_x - v6 * d4
     p4_y = p3_y - v7 * d4
-    p4_z = p3_z + J64 * d4
-    J45 = x3_x * s4 - s1 * c4
+    p4_z = p3_z + z3_z * d4
+    z4_x = x3_x * s4 - s1 * c4
     v9 = q[4] + offset5
     c5 = math.cos(v9)
     s5 = math.sin(v9)
-    J46 = v6 * c5 + (x3_x * c4 + s1 * s4) * s5
-    J56 = v7 * c5 + (x3_y * c4 - c1 * s4) * s5
-    v10 = J64 * c5 + v5 * c4 * s5
-    J21 = p4_x + J46 * d6
-    p6_y = p4_y + J56 * d6
+    z5_x = v6 * c5 + (x3_x * c4 + s1 * s4) * s5
+    z5_y = v7 * c5 + (x3_y * c4 - c1 * s4) * s5
+    v10 = z3_z * c5 + v5 * c4 * s5
+    p6_x = p4_x + z5_x * d6
+    p6_y = p4_y + z5_y * d6
     p6_z = p4_z - v10 * d6
     v11 = p6_z - d1
-    J12 = c1 * v11
-    J22 = s1 * v11
     v12 = p6_z - p2_z
-    J13 = c1 * v12
-    J23 = s1 * v12
-    v13 = J21 - p3_x
+    v13 = p6_x - p3_x
     v14 = p6_y - p3_y
     v15 = p6_z - p3_z
-    J24 = J64 * v13 + v6 * v15
-    J34 = v7 * v13 - v6 * v14
-    v16 = J21 - p4_x
+    v16 = p6_x - p4_x
     v17 = p6_y - p4_y
     v18 = p6_z - p4_z
-    J15 = J55 * v18 + v8 * v17
-    J35 = J45 * v17 - J55 * v16
-    J16 = J56 * v18 + v10 * v17
-    J36 = J46 * v17 - J56 * v16
     J[0, 0] = -p6_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = -(v7 * v15 + J64 * v14)
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = -(v8 * v16 + J45 * v18)
-    J[1, 5] = -(v10 * v16 + J46 * v18)
-    J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x))
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
+    J[0, 1] = c1 * v11
+    J[0, 2] = c1 * v12
+    J[0, 3] = -(v7 * v15 + z3_z * v14)
+    J[0, 4] = z4_y * v18 + v8 * v17
+    J[0, 5] = z5_y * v18 + v10 * v17
+    J[1, 0] = p6_x
+    J[1, 1] = s1 * v11
+    J[1, 2] = s1 * v12
+    J[1, 3] = z3_z * v13 + v6 * v15
+    J[1, 4] = -(v8 * v16 + z4_x * v18)
+    J[1, 5] = -(v10 * v16 + z5_x * v18)
+    J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
+    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x))
+    J[2, 3] = v7 * v13 - v6 * v14
+    J[2, 4] = z4_x * v17 - z4_y * v16
+    J[2, 5] = z5_x * v17 - z5_y * v16
     J[3, 1] = -s1
     J[3, 2] = -s1
     J[3, 3] = -v6
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 1] = c1
     J[4, 2] = c1
     J[4, 3] = -v7
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
-    J[5, 3] = J64
+    J[5, 3] = z3_z
     J[5, 4] = -v8
     J[5, 5] = -v10
     return J
@@ -384,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "igus_rebel b00da03a510aacee"
+_KEY = "igus_rebel c5347f2e83a167de"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -627,8 +609,8 @@ _MISS_WEIGHT = np.array([1.115, 1.115, 1.115, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -643,23 +625,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -671,49 +653,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -723,23 +715,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3347,80 +3348,66 @@ static const double highest[7] = { INFINITY, 2.24, INFINITY, 2.57, INFINITY, 2.0
 
 void kinova_gen3_7_fk(const double q[7], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, v2 = s1 * c2, z2_x = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
-    const double c3 = cos(v4), s3 = sin(v4);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3, v5 = s2 * c3,
-        v6 = c1 * c3 + v2 * s3, v7 = s2 * s3, z3_x = x2_x * s3 - s1 * c3, v8 = q[3] + offset4;
-    const double c4 = cos(v8), s4 = sin(v8);
-    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v5 * c4,
-        z4_y = v3 * c4 + x3_y * s4, v9 = c2 * c4 + v5 * s4, z4_x = x3_x * s4 - z2_x * c4,
-        v10 = q[4] + offset5;
-    const double c5 = cos(v10), s5 = sin(v10);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 - v6 * s5,
-        x5_z = x4_z * c5 - v7 * s5, z5_y = v6 * c5 + x4_y * s5, z5_z = v7 * c5 + x4_z * s5,
-        z5_x = x4_x * s5 - z3_x * c5, v11 = q[5] + offset6;
-    const double c6 = cos(v11), s6 = sin(v11);
-    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
-        x6_z = x5_z * c6 - v9 * s6, T33_ = v9 * c6 + x5_z * s6, T13_ = x5_x * s6 - z4_x * c6,
-        T23_ = x5_y * s6 - z4_y * c6, v12 = q[6] + offset7;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, v2 = s1 * c2, z2_x = c1 * s2,
+        v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4), x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3,
+        v5 = s2 * c3, v6 = c1 * c3 + v2 * s3, v7 = s2 * s3, z3_x = x2_x * s3 - s1 * c3,
+        v8 = q[3] + offset4;
+    const double c4 = cos(v8), s4 = sin(v8), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v5 * c4, z4_y = v3 * c4 + x3_y * s4,
+        v9 = c2 * c4 + v5 * s4, z4_x = x3_x * s4 - z2_x * c4, v10 = q[4] + offset5;
+    const double c5 = cos(v10), s5 = sin(v10), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 - v6 * s5, x5_z = x4_z * c5 - v7 * s5, z5_y = v6 * c5 + x4_y * s5,
+        z5_z = v7 * c5 + x4_z * s5, z5_x = x4_x * s5 - z3_x * c5, v11 = q[5] + offset6;
+    const double c6 = cos(v11), s6 = sin(v11), x6_x = x5_x * c6 + z4_x * s6,
+        x6_y = x5_y * c6 + z4_y * s6, x6_z = x5_z * c6 - v9 * s6, z6_z = v9 * c6 + x5_z * s6,
+        z6_x = x5_x * s6 - z4_x * c6, z6_y = x5_y * s6 - z4_y * c6, v12 = q[6] + offset7;
     const double c7 = cos(v12), s7 = sin(v12);
-    const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
-        T31_ = x6_z * c7 + z5_z * s7, T12_ = z5_x * c7 - x6_x * s7, T22_ = z5_y * c7 - x6_y * s7,
-        T32_ = z5_z * c7 - x6_z * s7,
-        T24_ = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - T23_ * d7,
-        T34_ = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - T33_ * d7;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_;
-    T[3] = -(s1 * d2 + z2_x * d3 + z3_x * d4 + z4_x * d5 + z5_x * d6 + T13_ * d7);
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x6_x * c7 + z5_x * s7; T[1] = z5_x * c7 - x6_x * s7; T[2] = z6_x;
+    T[3] = -(s1 * d2 + z2_x * d3 + z3_x * d4 + z4_x * d5 + z5_x * d6 + z6_x * d7);
+    T[4] = x6_y * c7 + z5_y * s7; T[5] = z5_y * c7 - x6_y * s7; T[6] = z6_y;
+    T[7] = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - z6_y * d7;
+    T[8] = x6_z * c7 + z5_z * s7; T[9] = z5_z * c7 - x6_z * s7; T[10] = z6_z;
+    T[11] = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - z6_z * d7;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void kinova_gen3_7_jacobian(const double q[7], double J[42])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, v2 = s1 * c2, J43 = c1 * s2, v3 = s1 * s2, v4 = s1 * d2,
-        v5 = c1 * d2, v6 = q[2] + offset3;
-    const double c3 = cos(v6), s3 = sin(v6);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3, v7 = s2 * c3,
-        v8 = c1 * c3 + v2 * s3, v9 = s2 * s3, v10 = v4 + J43 * d3, p3_y = v3 * d3 - v5,
-        p3_z = d1 - c2 * d3, J44 = x2_x * s3 - s1 * c3, v11 = q[3] + offset4;
-    const double c4 = cos(v11), s4 = sin(v11);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v7 * c4,
-        J55 = v3 * c4 + x3_y * s4, v12 = c2 * c4 + v7 * s4, v13 = v10 + J44 * d4,
-        p4_y = p3_y + v8 * d4, p4_z = p3_z + v9 * d4, J45 = x3_x * s4 - J43 * c4,
-        v14 = q[4] + offset5;
-    const double c5 = cos(v14), s5 = sin(v14);
-    const double J56 = v8 * c5 + x4_y * s5, J66 = v9 * c5 + x4_z * s5, v15 = v13 + J45 * d5,
-        p5_y = p4_y - J55 * d5, p5_z = p4_z + v12 * d5, J46 = x4_x * s5 - J44 * c5,
-        v16 = q[5] + offset6;
-    const double c6 = cos(v16), s6 = sin(v16);
-    const double J67 = v12 * c6 + (x4_z * c5 - v9 * s5) * s6, v17 = v15 + J46 * d6,
-        p6_y = p5_y - J56 * d6, p6_z = p5_z - J66 * d6,
-        J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6, J57 = (x4_y * c5 - v8 * s5) * s6 - J55 * c6,
-        J21 = v17 + J47 * d7, J11 = p6_y - J57 * d7, p7_z = p6_z - J67 * d7, v18 = p7_z - d1,
-        J12 = c1 * v18, J32 = s1 * J11 + c1 * J21, v19 = v4 - J21, v20 = v5 + J11,
-        J23 = c2 * v19 - J43 * v18, J33 = J43 * v20 + v3 * v19, v21 = v10 - J21, v22 = J11 - p3_y,
-        v23 = p7_z - p3_z, J14 = v9 * v22 - v8 * v23, J34 = J44 * v22 + v8 * v21, v24 = v13 - J21,
-        v25 = J11 - p4_y, v26 = p7_z - p4_z, J15 = J55 * v26 + v12 * v25,
-        J35 = J45 * v25 - J55 * v24, v27 = v15 - J21, v28 = J11 - p5_y, v29 = p7_z - p5_z,
-        J16 = J56 * v29 - J66 * v28, J26 = J66 * v27 - J46 * v29, J36 = J46 * v28 - J56 * v27,
-        v30 = v17 - J21, v31 = J11 - p6_y, v32 = p7_z - p6_z, J17 = J57 * v32 - J67 * v31,
-        J27 = J67 * v30 - J47 * v32, J37 = J47 * v31 - J57 * v30;
-    J[0] = J11; J[1] = J12; J[2] = -(v3 * v18 + c2 * v20); J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J17;
-    J[7] = J21; J[8] = -(s1 * v18); J[9] = J23; J[10] = -(v9 * v21 + J44 * v23);
-    J[11] = -(v12 * v24 + J45 * v26); J[12] = J26; J[13] = J27;
-    J[14] = 0.0; J[15] = J32; J[16] = J33; J[17] = J34; J[18] = J35; J[19] = J36; J[20] = J37;
-    J[21] = 0.0; J[22] = s1; J[23] = J43; J[24] = J44; J[25] = J45; J[26] = J46; J[27] = J47;
-    J[28] = 0.0; J[29] = c1; J[30] = -v3; J[31] = -v8; J[32] = J55; J[33] = J56; J[34] = J57;
-    J[35] = -1.0; J[36] = 0.0; J[37] = c2; J[38] = -v9; J[39] = -v12; J[40] = J66; J[41] = J67;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, v2 = s1 * c2, z2_x = c1 * s2,
+        v3 = s1 * s2, v4 = s1 * d2, v5 = c1 * d2, v6 = q[2] + offset3;
+    const double c3 = cos(v6), s3 = sin(v6), x3_x = x2_x * c3 + s1 * s3, x3_y = c1 * s3 - v2 * c3,
+        v7 = s2 * c3, v8 = c1 * c3 + v2 * s3, v9 = s2 * s3, v10 = v4 + z2_x * d3,
+        p3_y = v3 * d3 - v5, p3_z = d1 - c2 * d3, z3_x = x2_x * s3 - s1 * c3, v11 = q[3] + offset4;
+    const double c4 = cos(v11), s4 = sin(v11), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 - v3 * s4, x4_z = c2 * s4 - v7 * c4, z4_y = v3 * c4 + x3_y * s4,
+        v12 = c2 * c4 + v7 * s4, v13 = v10 + z3_x * d4, p4_y = p3_y + v8 * d4,
+        p4_z = p3_z + v9 * d4, z4_x = x3_x * s4 - z2_x * c4, v14 = q[4] + offset5;
+    const double c5 = cos(v14), s5 = sin(v14), z5_y = v8 * c5 + x4_y * s5,
+        z5_z = v9 * c5 + x4_z * s5, v15 = v13 + z4_x * d5, p5_y = p4_y - z4_y * d5,
+        p5_z = p4_z + v12 * d5, z5_x = x4_x * s5 - z3_x * c5, v16 = q[5] + offset6;
+    const double c6 = cos(v16), s6 = sin(v16), z6_z = v12 * c6 + (x4_z * c5 - v9 * s5) * s6,
+        v17 = v15 + z5_x * d6, p6_y = p5_y - z5_y * d6, p6_z = p5_z - z5_z * d6,
+        z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6,
+        z6_y = (x4_y * c5 - v8 * s5) * s6 - z4_y * c6, J21 = v17 + z6_x * d7,
+        p7_y = p6_y - z6_y * d7, p7_z = p6_z - z6_z * d7, v18 = p7_z - d1, v19 = v4 - J21,
+        v20 = v5 + p7_y, v21 = v10 - J21, v22 = p7_y - p3_y, v23 = p7_z - p3_z, v24 = v13 - J21,
+        v25 = p7_y - p4_y, v26 = p7_z - p4_z, v27 = v15 - J21, v28 = p7_y - p5_y, v29 = p7_z - p5_z,
+        v30 = v17 - J21, v31 = p7_y - p6_y, v32 = p7_z - p6_z;
+    J[0] = p7_y; J[1] = c1 * v18; J[2] = -(v3 * v18 + c2 * v20); J[3] = v9 * v22 - v8 * v23;
+    J[4] = z4_y * v26 + v12 * v25; J[5] = z5_y * v29 - z5_z * v28; J[6] = z6_y * v32 - z6_z * v31;
+    J[7] = J21; J[8] = -(s1 * v18); J[9] = c2 * v19 - z2_x * v18; J[10] = -(v9 * v21 + z3_x * v23);
+    J[11] = -(v12 * v24 + z4_x * v26); J[12] = z5_z * v27 - z5_x * v29;
+    J[13] = z6_z * v30 - z6_x * v32;
+    J[14] = 0.0; J[15] = s1 * p7_y + c1 * J21; J[16] = z2_x * v20 + v3 * v19;
+    J[17] = z3_x * v22 + v8 * v21; J[18] = z4_x * v25 - z4_y * v24; J[19] = z5_x * v28 - z5_y * v27;
+    J[20] = z6_x * v31 - z6_y * v30;
+    J[21] = 0.0; J[22] = s1; J[23] = z2_x; J[24] = z3_x; J[25] = z4_x; J[26] = z5_x; J[27] = z6_x;
+    J[28] = 0.0; J[29] = c1; J[30] = -v3; J[31] = -v8; J[32] = z4_y; J[33] = z5_y; J[34] = z6_y;
+    J[35] = -1.0; J[36] = 0.0; J[37] = c2; J[38] = -v9; J[39] = -v12; J[40] = z5_z; J[41] = z6_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3527,14 +3514,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[7], const double q[7], double half[7])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 7; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.8690, 0.8690, 0.8690, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.869, 0.869, 0.869, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3559,15 +3555,15 @@ static double off_pose(const double T[16], const double x[7], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[7], const double J[42], double e[6], double x[7])
+    double share, const int held[7], const double J[42], double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
-            A[i][j] = pace[j] * weights[i] * J[7 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[7 * i + j];
         A[i][7 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3585,38 +3581,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[7])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[7])
 {
-    double x[7], J[42], pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[7], half[7], J[42], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 7; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3644,7 +3644,7 @@ int kinova_gen3_7_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -209,32 +209,24 @@ def fk(q):
     x6_x = x5_x * c6 + z4_x * s6
     x6_y = x5_y * c6 + z4_y * s6
     x6_z = x5_z * c6 - v9 * s6
-    T33_ = v9 * c6 + x5_z * s6
-    T13_ = x5_x * s6 - z4_x * c6
-    T23_ = x5_y * s6 - z4_y * c6
+    z6_z = v9 * c6 + x5_z * s6
+    z6_x = x5_x * s6 - z4_x * c6
+    z6_y = x5_y * s6 - z4_y * c6
     v12 = q[6] + offset7
     c7 = math.cos(v12)
     s7 = math.sin(v12)
-    T11_ = x6_x * c7 + z5_x * s7
-    T21_ = x6_y * c7 + z5_y * s7
-    T31_ = x6_z * c7 + z5_z * s7
-    T12_ = z5_x * c7 - x6_x * s7
-    T22_ = z5_y * c7 - x6_y * s7
-    T32_ = z5_z * c7 - x6_z * s7
-    T24_ = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - T23_ * d7
-    T34_ = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - T33_ * d7
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = -(s1 * d2 + z2_x * d3 + z3_x * d4 + z4_x * d5 + z5_x * d6 + T13_ * d7)
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x6_x * c7 + z5_x * s7
+    T[0, 1] = z5_x * c7 - x6_x * s7
+    T[0, 2] = z6_x
+    T[0, 3] = -(s1 * d2 + z2_x * d3 + z3_x * d4 + z4_x * d5 + z5_x * d6 + z6_x * d7)
+    T[1, 0] = x6_y * c7 + z5_y * s7
+    T[1, 1] = z5_y * c7 - x6_y * s7
+    T[1, 2] = z6_y
+    T[1, 3] = v3 * d3 - c1 * d2 + v6 * d4 - z4_y * d5 - z5_y * d6 - z6_y * d7
+    T[2, 0] = x6_z * c7 + z5_z * s7
+    T[2, 1] = z5_z * c7 - x6_z * s7
+    T[2, 2] = z6_z
+    T[2, 3] = d1 - c2 * d3 + v7 * d4 + v9 * d5 - z5_z * d6 - z6_z * d7
     T[3, 3] = 1.0
     return T
 
@@ -252,7 +244,7 @@ def jacobian(q):
     s2 = math.sin(v1)
     x2_x = c1 * c2
     v2 = s1 * c2
-    J43 = c1 * s2
+    z2_x = c1 * s2
     v3 = s1 * s2
     v4 = s1 * d2
     v5 = c1 * d2
@@ -264,110 +256,96 @@ def jacobian(q):
     v7 = s2 * c3
     v8 = c1 * c3 + v2 * s3
     v9 = s2 * s3
-    v10 = v4 + J43 * d3
+    v10 = v4 + z2_x * d3
     p3_y = v3 * d3 - v5
     p3_z = d1 - c2 * d3
-    J44 = x2_x * s3 - s1 * c3
+    z3_x = x2_x * s3 - s1 * c3
     v11 = q[3] + offset4
     c4 = math.cos(v11)
     s4 = math.sin(v11)
-    x4_x = x3_x * c4 + J43 * s4
+    x4_x = x3_x * c4 + z2_x * s4
     x4_y = x3_y * c4 - v3 * s4
     x4_z = c2 * s4 - v7 * c4
-    J55 = v3 * c4 + x3_y * s4
+    z4_y = v3 * c4 + x3_y * s4
     v12 = c2 * c4 + v7 * s4
-    v13 = v10 + J44 * d4
+    v13 = v10 + z3_x * d4
     p4_y = p3_y + v8 * d4
     p4_z = p3_z + v9 * d4
-    J45 = x3_x * s4 - J43 * c4
+    z4_x = x3_x * s4 - z2_x * c4
     v14 = q[4] + offset5
     c5 = math.cos(v14)
     s5 = math.sin(v14)
-    J56 = v8 * c5 + x4_y * s5
-    J66 = v9 * c5 + x4_z * s5
-    v15 = v13 + J45 * d5
-    p5_y = p4_y - J55 * d5
+    z5_y = v8 * c5 + x4_y * s5
+    z5_z = v9 * c5 + x4_z * s5
+    v15 = v13 + z4_x * d5
+    p5_y = p4_y - z4_y * d5
     p5_z = p4_z + v12 * d5
-    J46 = x4_x * s5 - J44 * c5
+    z5_x = x4_x * s5 - z3_x * c5
     v16 = q[5] + offset6
     c6 = math.cos(v16)
     s6 = math.sin(v16)
-    J67 = v12 * c6 + (x4_z * c5 - v9 * s5) * s6
-    v17 = v15 + J46 * d6
-    p6_y = p5_y - J56 * d6
-    p6_z = p5_z - J66 * d6
-    J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6
-    J57 = (x4_y * c5 - v8 * s5) * s6 - J55 * c6
-    J21 = v17 + J47 * d7
-    J11 = p6_y - J57 * d7
-    p7_z = p6_z - J67 * d7
+    z6_z = v12 * c6 + (x4_z * c5 - v9 * s5) * s6
+    v17 = v15 + z5_x * d6
+    p6_y = p5_y - z5_y * d6
+    p6_z = p5_z - z5_z * d6
+    z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6
+    z6_y = (x4_y * c5 - v8 * s5) * s6 - z4_y * c6
+    J21 = v17 + z6_x * d7
+    p7_y = p6_y - z6_y * d7
+    p7_z = p6_z - z6_z * d7
     v18 = p7_z - d1
-    J12 = c1 * v18
-    J32 = s1 * J11 + c1 * J21
     v19 = v4 - J21
-    v20 = v5 + J11
-    J23 = c2 * v19 - J43 * v18
-    J33 = J43 * v20 + v3 * v19
+    v20 = v5 + p7_y
     v21 = v10 - J21
-    v22 = J11 - p3_y
+    v22 = p7_y - p3_y
     v23 = p7_z - p3_z
-    J14 = v9 * v22 - v8 * v23
-    J34 = J44 * v22 + v8 * v21
     v24 = v13 - J21
-    v25 = J11 - p4_y
+    v25 = p7_y - p4_y
     v26 = p7_z - p4_z
-    J15 = J55 * v26 + v12 * v25
-    J35 = J45 * v25 - J55 * v24
     v27 = v15 - J21
-    v28 = J11 - p5_y
+    v28 = p7_y - p5_y
     v29 = p7_z - p5_z
-    J16 = J56 * v29 - J66 * v28
-    J26 = J66 * v27 - J46 * v29
-    J36 = J46 * v28 - J56 * v27
     v30 = v17 - J21
-    v31 = J11 - p6_y
+    v31 = p7_y - p6_y
     v32 = p7_z - p6_z
-    J17 = J57 * v32 - J67 * v31
-    J27 = J67 * v30 - J47 * v32
-    J37 = J47 * v31 - J57 * v30
-    J[0, 0] = J11
-    J[0, 1] = J12
+    J[0, 0] = p7_y
+    J[0, 1] = c1 * v18
     J[0, 2] = -(v3 * v18 + c2 * v20)
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[0, 6] = J17
+    J[0, 3] = v9 * v22 - v8 * v23
+    J[0, 4] = z4_y * v26 + v12 * v25
+    J[0, 5] = z5_y * v29 - z5_z * v28
+    J[0, 6] = z6_y * v32 - z6_z * v31
     J[1, 0] = J21
     J[1, 1] = -(s1 * v18)
-    J[1, 2] = J23
-    J[1, 3] = -(v9 * v21 + J44 * v23)
-    J[1, 4] = -(v12 * v24 + J45 * v26)
-    J[1, 5] = J26
-    J[1, 6] = J27
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[2, 6] = J37
+    J[1, 2] = c2 * v19 - z2_x * v18
+    J[1, 3] = -(v9 * v21 + z3_x * v23)
+    J[1, 4] = -(v12 * v24 + z4_x * v26)
+    J[1, 5] = z5_z * v27 - z5_x * v29
+    J[1, 6] = z6_z * v30 - z6_x * v32
+    J[2, 1] = s1 * p7_y + c1 * J21
+    J[2, 2] = z2_x * v20 + v3 * v19
+    J[2, 3] = z3_x * v22 + v8 * v21
+    J[2, 4] = z4_x * v25 - z4_y * v24
+    J[2, 5] = z5_x * v28 - z5_y * v27
+    J[2, 6] = z6_x * v31 - z6_y * v30
     J[3, 1] = s1
-    J[3, 2] = J43
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
-    J[3, 6] = J47
+    J[3, 2] = z2_x
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
+    J[3, 6] = z6_x
     J[4, 1] = c1
     J[4, 2] = -v3
     J[4, 3] = -v8
-    J[4, 4] = J55
-    J[4, 5] = J56
-    J[4, 6] = J57
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
+    J[4, 6] = z6_y
     J[5, 0] = -1.0
     J[5, 2] = c2
     J[5, 3] = -v9
     J[5, 4] = -v12
-    J[5, 5] = J66
-    J[5, 6] = J67
+    J[5, 5] = z5_z
+    J[5, 6] = z6_z
     return J
 
 
@@ -383,7 +361,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 9bd4857c3c72ae76"
+_KEY = "kinova_gen3_7 6244fdbc8f92cd20"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2175,12 +2153,12 @@ def _beyond_limits(values):
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.8690, 0.8690, 0.8690, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.869, 0.869, 0.869, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2195,23 +2173,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(7):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 13)), np.zeros(6)
     for i in range(6):
         for j in range(7):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 7 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2223,54 +2201,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(13):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(7):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 7)), q.copy(), False
+    most = 0.0
+    for i in range(7):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(7)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(7, np.bool_), np.empty((6, 7)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(7):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(7):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(7)
     for i in range(7):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(7):
         q[i] = values[i]
     return settled
@@ -2288,8 +2277,9 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3352,71 +3353,57 @@ static const double highest[6] = { 2.76, 2.76, 2.76, 2.67, 2.67, 2.67 };
 
 void kinova_gen3_lite_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
-        v2 = q[2] + offset3;
-    const double c3 = cos(v2), s3 = sin(v2);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
-        z3_y = x2_y * s3 - y2_y * c3, v3 = q[3] + offset4;
-    const double c4 = cos(v3), s4 = sin(v3);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, v2 = q[2] + offset3;
+    const double c3 = cos(v2), s3 = sin(v2), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3,
+        z3_x = x2_x * s3 - y2_x * c3, z3_y = x2_y * s3 - y2_y * c3, v3 = q[3] + offset4;
+    const double c4 = cos(v3), s4 = sin(v3), x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4,
+        x4_z = x3_z * c4, z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4,
         v4 = q[4] + offset5;
-    const double c5 = cos(v4), s5 = sin(v4);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5, T13_ = x4_x * s5 - z3_x * c5, T23_ = x4_y * s5 - z3_y * c5,
-        T33_ = x4_z * s5 - z3_z * c5, v5 = q[5] + offset6;
+    const double c5 = cos(v4), s5 = sin(v4), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, z5_x = x4_x * s5 - z3_x * c5,
+        z5_y = x4_y * s5 - z3_y * c5, z5_z = x4_z * s5 - z3_z * c5, v5 = q[5] + offset6;
     const double c6 = cos(v5), s6 = sin(v5);
-    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
-        T31_ = x5_z * c6 + z4_z * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
-        T32_ = z4_z * c6 - x5_z * s6,
-        T14_ = x2_x * a2 + s1 * d2 - s1 * d3 + z3_x * d4 + z4_x * d5 + T13_ * d6,
-        T24_ = x2_y * a2 - c1 * d2 + c1 * d3 + z3_y * d4 + z4_y * d5 + T23_ * d6,
-        T34_ = d1 + s2 * a2 + z3_z * d4 + z4_z * d5 + T33_ * d6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 + z4_x * s6; T[1] = z4_x * c6 - x5_x * s6; T[2] = z5_x;
+    T[3] = x2_x * a2 + s1 * d2 - s1 * d3 + z3_x * d4 + z4_x * d5 + z5_x * d6;
+    T[4] = x5_y * c6 + z4_y * s6; T[5] = z4_y * c6 - x5_y * s6; T[6] = z5_y;
+    T[7] = x2_y * a2 - c1 * d2 + c1 * d3 + z3_y * d4 + z4_y * d5 + z5_y * d6;
+    T[8] = x5_z * c6 + z4_z * s6; T[9] = z4_z * c6 - x5_z * s6; T[10] = z5_z;
+    T[11] = d1 + s2 * a2 + z3_z * d4 + z4_z * d5 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void kinova_gen3_lite_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
-        p2_z = d1 + s2 * a2, p2_x = x2_x * a2 + s1 * d2, p2_y = x2_y * a2 - c1 * d2,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, p2_z = d1 + s2 * a2, p2_x = x2_x * a2 + s1 * d2, p2_y = x2_y * a2 - c1 * d2,
         v2 = q[2] + offset3;
-    const double c3 = cos(v2), s3 = sin(v2);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3, J64 = c2 * c3 + s2 * s3, p3_x = p2_x - s1 * d3,
-        p3_y = p2_y + c1 * d3, J44 = x2_x * s3 - y2_x * c3, J54 = x2_y * s3 - y2_y * c3,
-        v3 = q[3] + offset4;
-    const double c4 = cos(v3), s4 = sin(v3);
-    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, p4_x = p3_x + J44 * d4,
-        p4_y = p3_y + J54 * d4, p4_z = p2_z + J64 * d4, J55 = x3_y * s4 - c1 * c4,
-        v4 = q[4] + offset5;
-    const double c5 = cos(v4), s5 = sin(v4);
-    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5,
-        J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5, J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5,
-        J66 = x3_z * c4 * s5 - J64 * c5, J21 = p5_x + J46 * d6, p6_y = p5_y + J56 * d6,
-        p6_z = p5_z + J66 * d6, v5 = p6_z - d1, J32 = s1 * p6_y + c1 * J21, v6 = p6_z - p2_z,
-        J13 = c1 * v6, J23 = s1 * v6, v7 = J21 - p3_x, v8 = p6_y - p3_y, J14 = J54 * v6 - J64 * v8,
-        J24 = J64 * v7 - J44 * v6, J34 = J44 * v8 - J54 * v7, v9 = J21 - p4_x, v10 = p6_y - p4_y,
-        v11 = p6_z - p4_z, J15 = J55 * v11 - J65 * v10, J25 = J65 * v9 - J45 * v11,
-        J35 = J45 * v10 - J55 * v9, v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z,
-        J16 = J56 * v14 - J66 * v13, J26 = J66 * v12 - J46 * v14, J36 = J46 * v13 - J56 * v12;
-    J[0] = -p6_y; J[1] = -(c1 * v5); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -(s1 * v5); J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)); J[15] = J34;
-    J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = s1; J[20] = -s1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -c1; J[26] = c1; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c3 = cos(v2), s3 = sin(v2), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3,
+        p3_x = p2_x - s1 * d3, p3_y = p2_y + c1 * d3, z3_x = x2_x * s3 - y2_x * c3,
+        z3_y = x2_y * s3 - y2_y * c3, v3 = q[3] + offset4;
+    const double c4 = cos(v3), s4 = sin(v3), z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4,
+        p4_x = p3_x + z3_x * d4, p4_y = p3_y + z3_y * d4, p4_z = p2_z + z3_z * d4,
+        z4_y = x3_y * s4 - c1 * c4, v4 = q[4] + offset5;
+    const double c5 = cos(v4), s5 = sin(v4), p5_x = p4_x + z4_x * d5, p5_y = p4_y + z4_y * d5,
+        p5_z = p4_z + z4_z * d5, z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5,
+        z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5, z5_z = x3_z * c4 * s5 - z3_z * c5,
+        p6_x = p5_x + z5_x * d6, p6_y = p5_y + z5_y * d6, p6_z = p5_z + z5_z * d6, v5 = p6_z - d1,
+        v6 = p6_z - p2_z, v7 = p6_x - p3_x, v8 = p6_y - p3_y, v9 = p6_x - p4_x, v10 = p6_y - p4_y,
+        v11 = p6_z - p4_z, v12 = p6_x - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(c1 * v5); J[2] = c1 * v6; J[3] = z3_y * v6 - z3_z * v8;
+    J[4] = z4_y * v11 - z4_z * v10; J[5] = z5_y * v14 - z5_z * v13;
+    J[6] = p6_x; J[7] = -(s1 * v5); J[8] = s1 * v6; J[9] = z3_z * v7 - z3_x * v6;
+    J[10] = z4_z * v9 - z4_x * v11; J[11] = z5_z * v12 - z5_x * v14;
+    J[12] = 0.0; J[13] = s1 * p6_y + c1 * p6_x; J[14] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x));
+    J[15] = z3_x * v8 - z3_y * v7; J[16] = z4_x * v10 - z4_y * v9; J[17] = z5_x * v13 - z5_y * v12;
+    J[18] = 0.0; J[19] = s1; J[20] = -s1; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = -c1; J[26] = c1; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -3521,14 +3508,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 1.020, 1.020, 1.020, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 1.02, 1.02, 1.02, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3553,15 +3549,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3579,38 +3575,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3637,7 +3637,7 @@ int kinova_gen3_lite_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3289,76 +3290,65 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void kinova_jaco2_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
-        v2 = q[2] + offset3;
-    const double c3 = cos(v2), s3 = sin(v2);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3, z3_x = x2_x * s3 - y2_x * c3,
-        z3_y = x2_y * s3 - y2_y * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4,
-        y4_x = z3_x * f3 - v3 * f2, y4_y = v4 * f2 + z3_y * f3, y4_z = z3_z * f3 - v5 * f2,
-        z4_x = v3 * f3 + z3_x * f2, z4_y = z3_y * f2 - v4 * f3, z4_z = v5 * f3 + z3_z * f2,
-        v6 = q[4] + offset5;
-    const double c5 = cos(v6), s5 = sin(v6);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v7 = y4_x * c5 - x4_x * s5, v8 = y4_y * c5 - x4_y * s5,
-        v9 = y4_z * c5 - x4_z * s5, y5_x = f2 * v7 + f3 * z4_x, y5_y = f2 * v8 + f3 * z4_y,
-        y5_z = f2 * v9 + f3 * z4_z, z5_x = f2 * z4_x - f3 * v7, z5_y = f2 * z4_y - f3 * v8,
-        z5_z = f2 * z4_z - f3 * v9, v10 = q[5] + offset6;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, v2 = q[2] + offset3;
+    const double c3 = cos(v2), s3 = sin(v2), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3,
+        z3_x = x2_x * s3 - y2_x * c3, z3_y = x2_y * s3 - y2_y * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, v3 = s1 * c4 + x3_x * s4,
+        v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4, y4_x = z3_x * f3 - v3 * f2,
+        y4_y = v4 * f2 + z3_y * f3, y4_z = z3_z * f3 - v5 * f2, z4_x = v3 * f3 + z3_x * f2,
+        z4_y = z3_y * f2 - v4 * f3, z4_z = v5 * f3 + z3_z * f2, v6 = q[4] + offset5;
+    const double c5 = cos(v6), s5 = sin(v6), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v7 = y4_x * c5 - x4_x * s5,
+        v8 = y4_y * c5 - x4_y * s5, v9 = y4_z * c5 - x4_z * s5, y5_x = f2 * v7 + f3 * z4_x,
+        y5_y = f2 * v8 + f3 * z4_y, y5_z = f2 * v9 + f3 * z4_z, z5_x = f2 * z4_x - f3 * v7,
+        z5_y = f2 * z4_y - f3 * v8, z5_z = f2 * z4_z - f3 * v9, v10 = q[5] + offset6;
     const double c6 = cos(v10), s6 = sin(v10);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6,
-        T14_ = x2_x * D2 + s1 * e2 - z3_x * f1 + z4_x * d5 - z5_x * f4,
-        T24_ = x2_y * D2 - c1 * e2 - z3_y * f1 + z4_y * d5 - z5_y * f4,
-        T34_ = D1 + s2 * D2 - z3_z * f1 + z4_z * d5 - z5_z * f4, T12_ = x5_x * s6 - y5_x * c6,
-        T22_ = x5_y * s6 - y5_y * c6, T32_ = x5_z * s6 - y5_z * c6;
-    T[0] = T11_; T[1] = T12_; T[2] = -z5_x; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -z5_y; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = -z5_z; T[11] = T34_;
+    T[0] = x5_x * c6 + y5_x * s6; T[1] = x5_x * s6 - y5_x * c6; T[2] = -z5_x;
+    T[3] = x2_x * D2 + s1 * e2 - z3_x * f1 + z4_x * d5 - z5_x * f4;
+    T[4] = x5_y * c6 + y5_y * s6; T[5] = x5_y * s6 - y5_y * c6; T[6] = -z5_y;
+    T[7] = x2_y * D2 - c1 * e2 - z3_y * f1 + z4_y * d5 - z5_y * f4;
+    T[8] = x5_z * c6 + y5_z * s6; T[9] = x5_z * s6 - y5_z * c6; T[10] = -z5_z;
+    T[11] = D1 + s2 * D2 - z3_z * f1 + z4_z * d5 - z5_z * f4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void kinova_jaco2_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2, p2_x = x2_x * D2,
-        p2_y = x2_y * D2, p2_z = D1 + s2 * D2, v2 = q[2] + offset3;
-    const double c3 = cos(v2), s3 = sin(v2);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = s2 * c3 - c2 * s3, J64 = c2 * c3 + s2 * s3, p3_x = p2_x + s1 * e2,
-        p3_y = p2_y - c1 * e2, J44 = x2_x * s3 - y2_x * c3, J54 = x2_y * s3 - y2_y * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4, v5 = x3_z * s4,
-        p4_x = p3_x - J44 * g1, p4_y = p3_y - J54 * g1, p4_z = p2_z - J64 * g1,
-        J45 = v3 * g3 + J44 * g2, J55 = J54 * g2 - v4 * g3, J65 = v5 * g3 + J64 * g2,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, p2_x = x2_x * D2, p2_y = x2_y * D2, p2_z = D1 + s2 * D2,
+        v2 = q[2] + offset3;
+    const double c3 = cos(v2), s3 = sin(v2), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = s2 * c3 - c2 * s3, z3_z = c2 * c3 + s2 * s3,
+        p3_x = p2_x + s1 * e2, p3_y = p2_y - c1 * e2, z3_x = x2_x * s3 - y2_x * c3,
+        z3_y = x2_y * s3 - y2_y * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), v3 = s1 * c4 + x3_x * s4, v4 = c1 * c4 - x3_y * s4,
+        v5 = x3_z * s4, p4_x = p3_x - z3_x * g1, p4_y = p3_y - z3_y * g1, p4_z = p2_z - z3_z * g1,
+        z4_x = v3 * g3 + z3_x * g2, z4_y = z3_y * g2 - v4 * g3, z4_z = v5 * g3 + z3_z * g2,
         v6 = q[4] + offset5;
-    const double c5 = cos(v6), s5 = sin(v6);
-    const double p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p4_z + J65 * d5,
-        J46 = g2 * J45 - g3 * ((J44 * g3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5),
-        J56 = g2 * J55 - g3 * ((v4 * g2 + J54 * g3) * c5 - (x3_y * c4 + c1 * s4) * s5),
-        J66 = g2 * J65 - g3 * ((J64 * g3 - v5 * g2) * c5 - x3_z * c4 * s5), J21 = p5_x - J46 * g4,
-        p6_y = p5_y - J56 * g4, p6_z = p5_z - J66 * g4, v7 = p6_z - D1, J32 = s1 * p6_y + c1 * J21,
-        v8 = p6_z - p2_z, J13 = c1 * v8, J23 = s1 * v8, v9 = J21 - p3_x, v10 = p6_y - p3_y,
-        J14 = J54 * v8 - J64 * v10, J24 = J64 * v9 - J44 * v8, J34 = J44 * v10 - J54 * v9,
-        v11 = J21 - p4_x, v12 = p6_y - p4_y, v13 = p6_z - p4_z, J15 = J55 * v13 - J65 * v12,
-        J25 = J65 * v11 - J45 * v13, J35 = J45 * v12 - J55 * v11, v14 = J21 - p5_x,
-        v15 = p6_y - p5_y, v16 = p6_z - p5_z, J16 = J56 * v16 - J66 * v15,
-        J26 = J66 * v14 - J46 * v16, J36 = J46 * v15 - J56 * v14;
-    J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -(s1 * v7); J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)); J[15] = J34;
-    J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = s1; J[20] = -s1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -c1; J[26] = c1; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c5 = cos(v6), s5 = sin(v6), p5_x = p4_x + z4_x * d5, p5_y = p4_y + z4_y * d5,
+        p5_z = p4_z + z4_z * d5,
+        z5_x = g2 * z4_x - g3 * ((z3_x * g3 - v3 * g2) * c5 - (x3_x * c4 - s1 * s4) * s5),
+        z5_y = g2 * z4_y - g3 * ((v4 * g2 + z3_y * g3) * c5 - (x3_y * c4 + c1 * s4) * s5),
+        z5_z = g2 * z4_z - g3 * ((z3_z * g3 - v5 * g2) * c5 - x3_z * c4 * s5),
+        p6_x = p5_x - z5_x * g4, p6_y = p5_y - z5_y * g4, p6_z = p5_z - z5_z * g4, v7 = p6_z - D1,
+        v8 = p6_z - p2_z, v9 = p6_x - p3_x, v10 = p6_y - p3_y, v11 = p6_x - p4_x, v12 = p6_y - p4_y,
+        v13 = p6_z - p4_z, v14 = p6_x - p5_x, v15 = p6_y - p5_y, v16 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = c1 * v8; J[3] = z3_y * v8 - z3_z * v10;
+    J[4] = z4_y * v13 - z4_z * v12; J[5] = z5_y * v16 - z5_z * v15;
+    J[6] = p6_x; J[7] = -(s1 * v7); J[8] = s1 * v8; J[9] = z3_z * v9 - z3_x * v8;
+    J[10] = z4_z * v11 - z4_x * v13; J[11] = z5_z * v14 - z5_x * v16;
+    J[12] = 0.0; J[13] = s1 * p6_y + c1 * p6_x; J[14] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x));
+    J[15] = z3_x * v10 - z3_y * v9; J[16] = z4_x * v12 - z4_y * v11;
+    J[17] = z5_x * v15 - z5_y * v14;
+    J[18] = 0.0; J[19] = s1; J[20] = -s1; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = -c1; J[26] = c1; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

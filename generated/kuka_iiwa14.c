@@ -233,10 +233,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -263,17 +265,12 @@ static const double
     offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
-    k3 = 8.857709750566894, /* 1 / ((2 * d5 * d3)^2) [m^-4] */
+    k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     doubt_limit_squared2 = 1.705636e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 2.9091941644959998e-12, /* doubt_limit_squared2^2 [m^4] */
     m2 = 1e-06; /* doubt_limit^2 */
-static const double low1 = -2.9670597293903604, high1 = 2.9670597293903604,
-low2 = -2.0943951033931953, high2 = 2.0943951033931953, low3 = -2.9670597293903604,
-high3 = 2.9670597293903604, low4 = -2.0943951033931953, high4 = 2.0943951033931953,
-low5 = -2.9670597293903604, high5 = 2.9670597293903604, low6 = -2.0943951033931953,
-high6 = 2.0943951033931953, low7 = -3.054326191990077, high7 = 3.054326191990077;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -298,33 +295,28 @@ static const double highest[7] = {
 void kuka_iiwa14_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2, z2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
-        z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
-    const double c4 = cos(v3), s4 = sin(v3);
-    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
-        x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
-        z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5, z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
-        z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6;
-    const double c6 = cos(v4), s6 = sin(v4);
-    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
-        x6_z = x5_z * c6 + z4_z * s6, T13_ = x5_x * s6 - z4_x * c6, T23_ = x5_y * s6 - z4_y * c6,
-        T33_ = x5_z * s6 - z4_z * c6;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
+        z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3,
+        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3,
+        z3_x = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
+    const double c4 = cos(v3), s4 = sin(v3), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4,
+        z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, z5_x = x4_x * s5 - z3_x * c5,
+        z5_y = x4_y * s5 - z3_y * c5, z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6;
+    const double c6 = cos(v4), s6 = sin(v4), x6_x = x5_x * c6 + z4_x * s6,
+        x6_y = x5_y * c6 + z4_y * s6, x6_z = x5_z * c6 + z4_z * s6, z6_x = x5_x * s6 - z4_x * c6,
+        z6_y = x5_y * s6 - z4_y * c6, z6_z = x5_z * s6 - z4_z * c6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + z5_x * s7, T21_ = x6_y * c7 + z5_y * s7,
-        T31_ = x6_z * c7 + z5_z * s7, T12_ = z5_x * c7 - x6_x * s7, T22_ = z5_y * c7 - x6_y * s7,
-        T32_ = z5_z * c7 - x6_z * s7, T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7,
-        T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7, T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x6_x * c7 + z5_x * s7; T[1] = z5_x * c7 - x6_x * s7; T[2] = z6_x;
+    T[3] = z2_x * d3 + z4_x * d5 + z6_x * d7;
+    T[4] = x6_y * c7 + z5_y * s7; T[5] = z5_y * c7 - x6_y * s7; T[6] = z6_y;
+    T[7] = z2_y * d3 + z4_y * d5 + z6_y * d7;
+    T[8] = x6_z * c7 + z5_z * s7; T[9] = z5_z * c7 - x6_z * s7; T[10] = z6_z;
+    T[11] = d1 - c2 * d3 + z4_z * d5 + z6_z * d7;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -332,40 +324,34 @@ void kuka_iiwa14_fk(const double q[7], double T[16])
 void kuka_iiwa14_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
-        J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3, p3_x = J43 * d3, p3_y = J53 * d3,
-        p3_z = d1 - c2 * d3, J44 = x2_x * s3 - s1 * c3, v3 = q[3] + offset4;
-    const double c4 = cos(v3), s4 = sin(v3);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
-        x4_z = x3_z * c4 - c2 * s4, J65 = c2 * c4 + x3_z * s4, J45 = x3_x * s4 - J43 * c4,
-        J55 = x3_y * s4 - J53 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double p5_x = p3_x + J45 * d5, p5_y = p3_y + J55 * d5, p5_z = p3_z + J65 * d5,
-        J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5, J66 = x4_z * s5 - J64 * c5,
-        v4 = q[5] + offset6;
-    const double c6 = cos(v4), s6 = sin(v4);
-    const double J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6,
-        J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6, J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6,
-        J21 = p5_x + J47 * d7, p7_y = p5_y + J57 * d7, p7_z = p5_z + J67 * d7, v5 = p7_z - d1,
-        J32 = s1 * p7_y + c1 * J21, J13 = J53 * v5 + c2 * p7_y, J33 = J43 * p7_y - J53 * J21,
-        v6 = J21 - p3_x, v7 = p7_y - p3_y, v8 = p7_z - p3_z, J14 = J54 * v8 - J64 * v7,
-        J24 = J64 * v6 - J44 * v8, J34 = J44 * v7 - J54 * v6, J15 = J55 * v8 - J65 * v7,
-        J25 = J65 * v6 - J45 * v8, J35 = J45 * v7 - J55 * v6, v9 = J21 - p5_x, v10 = p7_y - p5_y,
-        v11 = p7_z - p5_z, J16 = J56 * v11 - J66 * v10, J26 = J66 * v9 - J46 * v11,
-        J36 = J46 * v10 - J56 * v9, J17 = J57 * v11 - J67 * v10, J27 = J67 * v9 - J47 * v11,
-        J37 = J47 * v10 - J57 * v9;
-    J[0] = -p7_y; J[1] = -(c1 * v5); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
-    J[7] = J21; J[8] = -(s1 * v5); J[9] = -(c2 * J21 + J43 * v5); J[10] = J24; J[11] = J25;
-    J[12] = J26; J[13] = J27;
-    J[14] = 0.0; J[15] = J32; J[16] = J33; J[17] = J34; J[18] = J35; J[19] = J36; J[20] = J37;
-    J[21] = 0.0; J[22] = s1; J[23] = J43; J[24] = J44; J[25] = J45; J[26] = J46; J[27] = J47;
-    J[28] = 0.0; J[29] = -c1; J[30] = J53; J[31] = J54; J[32] = J55; J[33] = J56; J[34] = J57;
-    J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = J64; J[39] = J65; J[40] = J66; J[41] = J67;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
+        z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3,
+        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3,
+        p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = d1 - c2 * d3, z3_x = x2_x * s3 - s1 * c3,
+        v3 = q[3] + offset4;
+    const double c4 = cos(v3), s4 = sin(v3), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4,
+        z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), p5_x = p3_x + z4_x * d5, p5_y = p3_y + z4_y * d5,
+        p5_z = p3_z + z4_z * d5, z5_x = x4_x * s5 - z3_x * c5, z5_y = x4_y * s5 - z3_y * c5,
+        z5_z = x4_z * s5 - z3_z * c5, v4 = q[5] + offset6;
+    const double c6 = cos(v4), s6 = sin(v4), z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6,
+        z6_y = (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6,
+        z6_z = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6, p7_x = p5_x + z6_x * d7,
+        p7_y = p5_y + z6_y * d7, p7_z = p5_z + z6_z * d7, v5 = p7_z - d1, v6 = p7_x - p3_x,
+        v7 = p7_y - p3_y, v8 = p7_z - p3_z, v9 = p7_x - p5_x, v10 = p7_y - p5_y, v11 = p7_z - p5_z;
+    J[0] = -p7_y; J[1] = -(c1 * v5); J[2] = z2_y * v5 + c2 * p7_y; J[3] = z3_y * v8 - z3_z * v7;
+    J[4] = z4_y * v8 - z4_z * v7; J[5] = z5_y * v11 - z5_z * v10; J[6] = z6_y * v11 - z6_z * v10;
+    J[7] = p7_x; J[8] = -(s1 * v5); J[9] = -(c2 * p7_x + z2_x * v5); J[10] = z3_z * v6 - z3_x * v8;
+    J[11] = z4_z * v6 - z4_x * v8; J[12] = z5_z * v9 - z5_x * v11; J[13] = z6_z * v9 - z6_x * v11;
+    J[14] = 0.0; J[15] = s1 * p7_y + c1 * p7_x; J[16] = z2_x * p7_y - z2_y * p7_x;
+    J[17] = z3_x * v7 - z3_y * v6; J[18] = z4_x * v7 - z4_y * v6; J[19] = z5_x * v10 - z5_y * v9;
+    J[20] = z6_x * v10 - z6_y * v9;
+    J[21] = 0.0; J[22] = s1; J[23] = z2_x; J[24] = z3_x; J[25] = z4_x; J[26] = z5_x; J[27] = z6_x;
+    J[28] = 0.0; J[29] = -c1; J[30] = z2_y; J[31] = z3_y; J[32] = z4_y; J[33] = z5_y; J[34] = z6_y;
+    J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = z3_z; J[39] = z4_z; J[40] = z5_z; J[41] = z6_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -1041,14 +1027,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[7], const double q[7], double half[7])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 7; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1073,15 +1068,15 @@ static double off_pose(const double T[16], const double x[7], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[7], const double J[42], double e[6], double x[7])
+    double share, const int held[7], const double J[42], double e[6], double x[7])
 {
     double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
-            A[i][j] = pace[j] * weights[i] * J[7 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[7 * i + j];
         A[i][7 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1099,63 +1094,70 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[7])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[7])
 {
-    double x[7], J[42], pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[7], half[7], J[42], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 7; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    double x[7], least = HUGE_VAL;
+    double x[7], half[7], J[42], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 7; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
     x[2] = free_joints[0];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
+        return;
+    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == KUKA_IIWA14_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 7; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != KUKA_IIWA14_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -1194,7 +1196,7 @@ APART int ik_carefully(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

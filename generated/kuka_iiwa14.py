@@ -113,7 +113,7 @@ offset4 = 3.141592653589793  # offset of joint 4 [rad]
 offset6 = 3.141592653589793  # offset of joint 6 [rad]
 k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
-k3 = 8.857709750566894  # 1 / ((2 * d5 * d3)^2) [m^-4]
+k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 whole_turn = 6.283185307179586  # 2 pi [rad]
@@ -260,32 +260,23 @@ def fk(q):
     x6_x = x5_x * c6 + z4_x * s6
     x6_y = x5_y * c6 + z4_y * s6
     x6_z = x5_z * c6 + z4_z * s6
-    T13_ = x5_x * s6 - z4_x * c6
-    T23_ = x5_y * s6 - z4_y * c6
-    T33_ = x5_z * s6 - z4_z * c6
+    z6_x = x5_x * s6 - z4_x * c6
+    z6_y = x5_y * s6 - z4_y * c6
+    z6_z = x5_z * s6 - z4_z * c6
     c7 = math.cos(q[6])
     s7 = math.sin(q[6])
-    T11_ = x6_x * c7 + z5_x * s7
-    T21_ = x6_y * c7 + z5_y * s7
-    T31_ = x6_z * c7 + z5_z * s7
-    T12_ = z5_x * c7 - x6_x * s7
-    T22_ = z5_y * c7 - x6_y * s7
-    T32_ = z5_z * c7 - x6_z * s7
-    T14_ = z2_x * d3 + z4_x * d5 + T13_ * d7
-    T24_ = z2_y * d3 + z4_y * d5 + T23_ * d7
-    T34_ = d1 - c2 * d3 + z4_z * d5 + T33_ * d7
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x6_x * c7 + z5_x * s7
+    T[0, 1] = z5_x * c7 - x6_x * s7
+    T[0, 2] = z6_x
+    T[0, 3] = z2_x * d3 + z4_x * d5 + z6_x * d7
+    T[1, 0] = x6_y * c7 + z5_y * s7
+    T[1, 1] = z5_y * c7 - x6_y * s7
+    T[1, 2] = z6_y
+    T[1, 3] = z2_y * d3 + z4_y * d5 + z6_y * d7
+    T[2, 0] = x6_z * c7 + z5_z * s7
+    T[2, 1] = z5_z * c7 - x6_z * s7
+    T[2, 2] = z6_z
+    T[2, 3] = d1 - c2 * d3 + z4_z * d5 + z6_z * d7
     T[3, 3] = 1.0
     return T
 
@@ -304,105 +295,90 @@ def jacobian(q):
     s2 = math.sin(v2)
     x2_x = c1 * c2
     x2_y = s1 * c2
-    J43 = c1 * s2
-    J53 = s1 * s2
+    z2_x = c1 * s2
+    z2_y = s1 * s2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + s1 * s3
     x3_y = x2_y * c3 - c1 * s3
     x3_z = s2 * c3
-    J54 = c1 * c3 + x2_y * s3
-    J64 = s2 * s3
-    p3_x = J43 * d3
-    p3_y = J53 * d3
+    z3_y = c1 * c3 + x2_y * s3
+    z3_z = s2 * s3
+    p3_x = z2_x * d3
+    p3_y = z2_y * d3
     p3_z = d1 - c2 * d3
-    J44 = x2_x * s3 - s1 * c3
+    z3_x = x2_x * s3 - s1 * c3
     v3 = q[3] + offset4
     c4 = math.cos(v3)
     s4 = math.sin(v3)
-    x4_x = x3_x * c4 + J43 * s4
-    x4_y = x3_y * c4 + J53 * s4
+    x4_x = x3_x * c4 + z2_x * s4
+    x4_y = x3_y * c4 + z2_y * s4
     x4_z = x3_z * c4 - c2 * s4
-    J65 = c2 * c4 + x3_z * s4
-    J45 = x3_x * s4 - J43 * c4
-    J55 = x3_y * s4 - J53 * c4
+    z4_z = c2 * c4 + x3_z * s4
+    z4_x = x3_x * s4 - z2_x * c4
+    z4_y = x3_y * s4 - z2_y * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    p5_x = p3_x + J45 * d5
-    p5_y = p3_y + J55 * d5
-    p5_z = p3_z + J65 * d5
-    J46 = x4_x * s5 - J44 * c5
-    J56 = x4_y * s5 - J54 * c5
-    J66 = x4_z * s5 - J64 * c5
+    p5_x = p3_x + z4_x * d5
+    p5_y = p3_y + z4_y * d5
+    p5_z = p3_z + z4_z * d5
+    z5_x = x4_x * s5 - z3_x * c5
+    z5_y = x4_y * s5 - z3_y * c5
+    z5_z = x4_z * s5 - z3_z * c5
     v4 = q[5] + offset6
     c6 = math.cos(v4)
     s6 = math.sin(v4)
-    J47 = (x4_x * c5 + J44 * s5) * s6 - J45 * c6
-    J57 = (x4_y * c5 + J54 * s5) * s6 - J55 * c6
-    J67 = (x4_z * c5 + J64 * s5) * s6 - J65 * c6
-    J21 = p5_x + J47 * d7
-    p7_y = p5_y + J57 * d7
-    p7_z = p5_z + J67 * d7
+    z6_x = (x4_x * c5 + z3_x * s5) * s6 - z4_x * c6
+    z6_y = (x4_y * c5 + z3_y * s5) * s6 - z4_y * c6
+    z6_z = (x4_z * c5 + z3_z * s5) * s6 - z4_z * c6
+    p7_x = p5_x + z6_x * d7
+    p7_y = p5_y + z6_y * d7
+    p7_z = p5_z + z6_z * d7
     v5 = p7_z - d1
-    J32 = s1 * p7_y + c1 * J21
-    J13 = J53 * v5 + c2 * p7_y
-    J33 = J43 * p7_y - J53 * J21
-    v6 = J21 - p3_x
+    v6 = p7_x - p3_x
     v7 = p7_y - p3_y
     v8 = p7_z - p3_z
-    J14 = J54 * v8 - J64 * v7
-    J24 = J64 * v6 - J44 * v8
-    J34 = J44 * v7 - J54 * v6
-    J15 = J55 * v8 - J65 * v7
-    J25 = J65 * v6 - J45 * v8
-    J35 = J45 * v7 - J55 * v6
-    v9 = J21 - p5_x
+    v9 = p7_x - p5_x
     v10 = p7_y - p5_y
     v11 = p7_z - p5_z
-    J16 = J56 * v11 - J66 * v10
-    J26 = J66 * v9 - J46 * v11
-    J36 = J46 * v10 - J56 * v9
-    J17 = J57 * v11 - J67 * v10
-    J27 = J67 * v9 - J47 * v11
-    J37 = J47 * v10 - J57 * v9
     J[0, 0] = -p7_y
     J[0, 1] = -(c1 * v5)
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[0, 6] = J17
-    J[1, 0] = J21
+    J[0, 2] = z2_y * v5 + c2 * p7_y
+    J[0, 3] = z3_y * v8 - z3_z * v7
+    J[0, 4] = z4_y * v8 - z4_z * v7
+    J[0, 5] = z5_y * v11 - z5_z * v10
+    J[0, 6] = z6_y * v11 - z6_z * v10
+    J[1, 0] = p7_x
     J[1, 1] = -(s1 * v5)
-    J[1, 2] = -(c2 * J21 + J43 * v5)
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[1, 6] = J27
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[2, 6] = J37
+    J[1, 2] = -(c2 * p7_x + z2_x * v5)
+    J[1, 3] = z3_z * v6 - z3_x * v8
+    J[1, 4] = z4_z * v6 - z4_x * v8
+    J[1, 5] = z5_z * v9 - z5_x * v11
+    J[1, 6] = z6_z * v9 - z6_x * v11
+    J[2, 1] = s1 * p7_y + c1 * p7_x
+    J[2, 2] = z2_x * p7_y - z2_y * p7_x
+    J[2, 3] = z3_x * v7 - z3_y * v6
+    J[2, 4] = z4_x * v7 - z4_y * v6
+    J[2, 5] = z5_x * v10 - z5_y * v9
+    J[2, 6] = z6_x * v10 - z6_y * v9
     J[3, 1] = s1
-    J[3, 2] = J43
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
-    J[3, 6] = J47
+    J[3, 2] = z2_x
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
+    J[3, 6] = z6_x
     J[4, 1] = -c1
-    J[4, 2] = J53
-    J[4, 3] = J54
-    J[4, 4] = J55
-    J[4, 5] = J56
-    J[4, 6] = J57
+    J[4, 2] = z2_y
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
+    J[4, 6] = z6_y
     J[5, 0] = 1.0
     J[5, 2] = -c2
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
-    J[5, 6] = J67
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
+    J[5, 6] = z6_z
     return J
 
 
@@ -418,7 +394,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 2ddaa3969bc04fe8"
+_KEY = "kuka_iiwa14 d8509ea9f4c4a47d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -887,8 +863,8 @@ _MISS_WEIGHT = np.array([0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -903,23 +879,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(7):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 13)), np.zeros(6)
     for i in range(6):
         for j in range(7):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 7 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -931,54 +907,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(13):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(7):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 7)), q.copy(), False
+    most = 0.0
+    for i in range(7):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(7)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(7, np.bool_), np.empty((6, 7)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(7):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(7):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(7)
     for i in range(7):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(7):
         q[i] = values[i]
     return settled
@@ -988,24 +975,26 @@ def _settle(pose, enough, q):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(7), 0, math.inf
+    x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
+    A = np.empty((6, 7))
     for i in range(7):
         x[i] = seed[i] - _overshoot(i, seed[i])
     x[2] = q_free[0]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
+        return
+    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(7):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(7):
         q[place, i] = x[i]
@@ -1025,8 +1014,9 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

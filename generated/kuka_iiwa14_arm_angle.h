@@ -55,9 +55,9 @@ double kuka_iiwa14_arm_angle_arm_angle(const double q[7]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE, where the
- * seed is
- * asked for also if that is not finite. */
+ * Returns how many rows are OK or FREE_JOINT, or -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE, also for a
+ * seed that is
+ * not finite where it may count. */
 int kuka_iiwa14_arm_angle_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8]);

@@ -109,7 +109,7 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 3.75  # 2 * d4 * a2 [m^2]
 k2 = 0.135  # 2 * a3 * a2 [m^2]
 k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
-k4 = 0.07101907039587806  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+k4 = 0.07101907039587806  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 1.7698848999999998e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 whole_turn = 6.283185307179586  # 2 pi [rad]
@@ -239,29 +239,21 @@ def fk(q):
     x5_z = y3_z * s5 - v7 * c5
     v8 = v5 * c5 + x4_x * s5
     v9 = v6 * c5 + x4_y * s5
-    T33_ = y3_z * c5 + v7 * s5
+    y5_z = y3_z * c5 + v7 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y4_x * s6
-    T21_ = x5_y * c6 - z5_y * s6
-    T31_ = x5_z * c6 + y4_z * s6
-    T12_ = y4_x * c6 - x5_x * s6
-    T32_ = y4_z * c6 - x5_z * s6
-    T14_ = c1 * a1 + x2_x * a2 - x3_x * a3 - v5 * d4 - v8 * d7
-    T24_ = s1 * a1 + x2_y * a2 - x3_y * a3 - v6 * d4 - v9 * d7
-    T34_ = d1 - s2 * a2 + v4 * a3 + y3_z * d4 + T33_ * d7
-    T[0, 0] = T11_
-    T[0, 1] = T12_
+    T[0, 0] = x5_x * c6 + y4_x * s6
+    T[0, 1] = y4_x * c6 - x5_x * s6
     T[0, 2] = -v8
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 3] = c1 * a1 + x2_x * a2 - x3_x * a3 - v5 * d4 - v8 * d7
+    T[1, 0] = x5_y * c6 - z5_y * s6
     T[1, 1] = -(z5_y * c6 + x5_y * s6)
     T[1, 2] = -v9
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[1, 3] = s1 * a1 + x2_y * a2 - x3_y * a3 - v6 * d4 - v9 * d7
+    T[2, 0] = x5_z * c6 + y4_z * s6
+    T[2, 1] = y4_z * c6 - x5_z * s6
+    T[2, 2] = y5_z
+    T[2, 3] = d1 - s2 * a2 + v4 * a3 + y3_z * d4 + y5_z * d7
     T[3, 3] = 1.0
     return T
 
@@ -293,69 +285,59 @@ def jacobian(q):
     v4 = s2 * c3 + c2 * s3
     v5 = v2 * c3 + x2_x * s3
     v6 = v3 * c3 + x2_y * s3
-    J64 = s2 * s3 - c2 * c3
+    y3_z = s2 * s3 - c2 * c3
     p4_x = p3_x - x3_x * a3 - v5 * d4
     p4_y = p3_y - x3_y * a3 - v6 * d4
-    p4_z = p3_z + v4 * a3 + J64 * d4
+    p4_z = p3_z + v4 * a3 + y3_z * d4
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J55 = c1 * c4 + x3_y * s4
+    z5_y = c1 * c4 + x3_y * s4
     y4_z = v4 * s4
-    J45 = x3_x * s4 - s1 * c4
+    z5_x = x3_x * s4 - s1 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     v7 = v5 * c5 + (x3_x * c4 + s1 * s4) * s5
     v8 = v6 * c5 + (x3_y * c4 - c1 * s4) * s5
-    J66 = J64 * c5 + v4 * c4 * s5
+    y5_z = y3_z * c5 + v4 * c4 * s5
     J21 = p4_x - v7 * d7
     v9 = p4_y - v8 * d7
-    v10 = p4_z + J66 * d7
+    v10 = p4_z + y5_z * d7
     v11 = v10 - d1
-    J12 = c1 * v11
-    J22 = s1 * v11
     v12 = v10 - p3_z
-    J13 = c1 * v12
-    J23 = s1 * v12
     v13 = J21 - p4_x
     v14 = v9 - p4_y
     v15 = v10 - p4_z
-    J24 = J64 * v13 + v5 * v15
-    J34 = v6 * v13 - v5 * v14
-    J15 = J55 * v15 + y4_z * v14
-    J35 = J45 * v14 - J55 * v13
-    J26 = J66 * v13 + v7 * v15
-    J36 = v8 * v13 - v7 * v14
     J[0, 0] = -v9
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = -(v6 * v15 + J64 * v14)
-    J[0, 4] = J15
-    J[0, 5] = -(v8 * v15 + J66 * v14)
+    J[0, 1] = c1 * v11
+    J[0, 2] = c1 * v12
+    J[0, 3] = -(v6 * v15 + y3_z * v14)
+    J[0, 4] = z5_y * v15 + y4_z * v14
+    J[0, 5] = -(v8 * v15 + y5_z * v14)
     J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = -(y4_z * v13 + J45 * v15)
-    J[1, 5] = J26
+    J[1, 1] = s1 * v11
+    J[1, 2] = s1 * v12
+    J[1, 3] = y3_z * v13 + v5 * v15
+    J[1, 4] = -(y4_z * v13 + z5_x * v15)
+    J[1, 5] = y5_z * v13 + v7 * v15
     J[2, 1] = -(s1 * (v9 - p2_y) + c1 * (J21 - p2_x))
     J[2, 2] = -(s1 * (v9 - p3_y) + c1 * (J21 - p3_x))
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
+    J[2, 3] = v6 * v13 - v5 * v14
+    J[2, 4] = z5_x * v14 - z5_y * v13
+    J[2, 5] = v8 * v13 - v7 * v14
     J[3, 1] = -s1
     J[3, 2] = -s1
     J[3, 3] = -v5
-    J[3, 4] = J45
+    J[3, 4] = z5_x
     J[3, 5] = -v7
     J[4, 1] = c1
     J[4, 2] = c1
     J[4, 3] = -v6
-    J[4, 4] = J55
+    J[4, 4] = z5_y
     J[4, 5] = -v8
     J[5, 0] = 1.0
-    J[5, 3] = J64
+    J[5, 3] = y3_z
     J[5, 4] = -y4_z
-    J[5, 5] = J66
+    J[5, 5] = y5_z
     return J
 
 
@@ -371,7 +353,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 6b849d2b1c8e362e"
+_KEY = "kuka_kr210 cb23707d6236507b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -609,8 +591,8 @@ _MISS_WEIGHT = np.array([0.2377, 0.2377, 0.2377, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -625,23 +607,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -653,49 +635,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -705,23 +697,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

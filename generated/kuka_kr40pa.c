@@ -221,10 +221,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -512,7 +514,7 @@ static const double
     doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
     doubtful_slack1 = 0.022, /* a row may miss the pose by this before it is tightened [m] */
     k1 = 1.2800000000000002, /* 2 * a3 * a2 [m^2] */
-    k2 = 0.7812499999999999, /* 1 / (2 * a3 * a2) [m^-2] */
+    k2 = 0.7812499999999999, /* 1 / k1 [m^-2] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 4.8399999999999986e-06,
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
@@ -540,45 +542,41 @@ static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 void kuka_kr40pa_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, v3 = s2 * c3 + c2 * s3,
-        v4 = v1 * c3 + x2_x * s3, v5 = v2 * c3 + x2_y * s3, y3_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - v4 * s4, T21_ = x3_y * c4 - v5 * s4, T31_ = y3_z * s4 - v3 * c4,
-        T13_ = v4 * c4 + x3_x * s4, T23_ = v5 * c4 + x3_y * s4,
-        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T11_ * a4,
-        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T21_ * a4,
-        T34_ = d1 - s2 * a2 - v3 * a3 + T31_ * a4;
-    T[0] = T11_; T[1] = -s1; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = c1; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = 0.0; T[10] = -(y3_z * c4 + v3 * s4); T[11] = T34_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, v3 = s2 * c3 + c2 * s3, v4 = v1 * c3 + x2_x * s3,
+        v5 = v2 * c3 + x2_y * s3, y3_z = s2 * s3 - c2 * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - v4 * s4,
+        x4_y = x3_y * c4 - v5 * s4, x4_z = y3_z * s4 - v3 * c4;
+    T[0] = x4_x; T[1] = -s1; T[2] = v4 * c4 + x3_x * s4;
+    T[3] = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4;
+    T[4] = x4_y; T[5] = c1; T[6] = v5 * c4 + x3_y * s4;
+    T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4;
+    T[8] = x4_z; T[9] = 0.0; T[10] = -(y3_z * c4 + v3 * s4);
+    T[11] = d1 - s2 * a2 - v3 * a3 + x4_z * a4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void kuka_kr40pa_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2,
-        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, v3 = s2 * c3 + c2 * s3,
-        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z - v3 * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J21 = p3_x + (x3_x * c4 - (v1 * c3 + x2_x * s3) * s4) * a4,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, v3 = s2 * c3 + c2 * s3, p3_x = p2_x + x3_x * a3,
+        p3_y = p2_y + x3_y * a3, p3_z = p2_z - v3 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]),
+        p4_x = p3_x + (x3_x * c4 - (v1 * c3 + x2_x * s3) * s4) * a4,
         p4_y = p3_y + (x3_y * c4 - (v2 * c3 + x2_y * s3) * s4) * a4,
-        p4_z = p3_z + ((s2 * s3 - c2 * c3) * s4 - v3 * c4) * a4, v4 = p4_z - d1, J12 = c1 * v4,
-        J22 = s1 * v4, v5 = p4_z - p2_z, J13 = c1 * v5, J23 = s1 * v5, v6 = p4_z - p3_z,
-        J14 = c1 * v6, J24 = s1 * v6;
-    J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
-    J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
-    J[8] = 0.0; J[9] = -(s1 * (p4_y - p1_y) + c1 * (J21 - p1_x));
-    J[10] = -(s1 * (p4_y - p2_y) + c1 * (J21 - p2_x));
-    J[11] = -(s1 * (p4_y - p3_y) + c1 * (J21 - p3_x));
+        p4_z = p3_z + ((s2 * s3 - c2 * c3) * s4 - v3 * c4) * a4, v4 = p4_z - d1, v5 = p4_z - p2_z,
+        v6 = p4_z - p3_z;
+    J[0] = -p4_y; J[1] = c1 * v4; J[2] = c1 * v5; J[3] = c1 * v6;
+    J[4] = p4_x; J[5] = s1 * v4; J[6] = s1 * v5; J[7] = s1 * v6;
+    J[8] = 0.0; J[9] = -(s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x));
+    J[10] = -(s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x));
+    J[11] = -(s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x));
     J[12] = 0.0; J[13] = -s1; J[14] = -s1; J[15] = -s1;
     J[16] = 0.0; J[17] = c1; J[18] = c1; J[19] = c1;
     J[20] = 1.0; J[21] = 0.0; J[22] = 0.0; J[23] = 0.0;
@@ -869,8 +867,8 @@ static void solve(
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
-        const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
-        const double v9 = a3 * c23 + (v4 + a2 * c2);
+        const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
+            v9 = a3 * c23 + (v4 + a2 * c2);
         if (!(fabs(T34 + (a3 * s23 + (a2 * s2 + v10))) <= doubtful_slack1 && fabs(T14 - c1 * v9) <=
             doubtful_slack1 && fabs(T24 - s1 * v9) <= doubtful_slack1))
             continue; /* the arm can't take this pose */
@@ -1129,14 +1127,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[4], const double q[4], double half[4])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1161,15 +1168,15 @@ static double off_pose(const double T[16], const double x[4], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[4], const double J[24], double e[6], double x[4])
+    double share, const int held[4], const double J[24], double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
-            A[i][j] = pace[j] * weights[i] * J[4 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[4 * i + j];
         A[i][4 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1187,56 +1194,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[4])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[4])
 {
-    double x[4], J[24], pace[4] = { 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[4], half[4], J[24], last = HUGE_VAL;
+    int settled = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 4; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
-    double x[4], least = HUGE_VAL;
+    double x[4], half[4], J[24], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 4; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == KUKA_KR40PA_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 4; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != KUKA_KR40PA_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -99,7 +99,7 @@ free_limit_squared2 = 4.839999999999999e-24  # square of a length that fixes no 
 doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.022  # a row may miss the pose by this before it is tightened [m]
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
-k2 = 0.7812499999999999  # 1 / (2 * a3 * a2) [m^-2]
+k2 = 0.7812499999999999  # 1 / k1 [m^-2]
 doubt_limit_squared2 = 4.8399999999999986e-06  # square of a length that fixes no angle [m^2]
 whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
@@ -212,25 +212,20 @@ def fk(q):
     y3_z = s2 * s3 - c2 * c3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    T11_ = x3_x * c4 - v4 * s4
-    T21_ = x3_y * c4 - v5 * s4
-    T31_ = y3_z * s4 - v3 * c4
-    T13_ = v4 * c4 + x3_x * s4
-    T23_ = v5 * c4 + x3_y * s4
-    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T11_ * a4
-    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T21_ * a4
-    T34_ = d1 - s2 * a2 - v3 * a3 + T31_ * a4
-    T[0, 0] = T11_
+    x4_x = x3_x * c4 - v4 * s4
+    x4_y = x3_y * c4 - v5 * s4
+    x4_z = y3_z * s4 - v3 * c4
+    T[0, 0] = x4_x
     T[0, 1] = -s1
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 2] = v4 * c4 + x3_x * s4
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4
+    T[1, 0] = x4_y
     T[1, 1] = c1
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 2] = v5 * c4 + x3_y * s4
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4
+    T[2, 0] = x4_z
     T[2, 2] = -(y3_z * c4 + v3 * s4)
-    T[2, 3] = T34_
+    T[2, 3] = d1 - s2 * a2 - v3 * a3 + x4_z * a4
     T[3, 3] = 1.0
     return T
 
@@ -264,29 +259,23 @@ def jacobian(q):
     p3_z = p2_z - v3 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J21 = p3_x + (x3_x * c4 - (v1 * c3 + x2_x * s3) * s4) * a4
+    p4_x = p3_x + (x3_x * c4 - (v1 * c3 + x2_x * s3) * s4) * a4
     p4_y = p3_y + (x3_y * c4 - (v2 * c3 + x2_y * s3) * s4) * a4
     p4_z = p3_z + ((s2 * s3 - c2 * c3) * s4 - v3 * c4) * a4
     v4 = p4_z - d1
-    J12 = c1 * v4
-    J22 = s1 * v4
     v5 = p4_z - p2_z
-    J13 = c1 * v5
-    J23 = s1 * v5
     v6 = p4_z - p3_z
-    J14 = c1 * v6
-    J24 = s1 * v6
     J[0, 0] = -p4_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[2, 1] = -(s1 * (p4_y - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = -(s1 * (p4_y - p2_y) + c1 * (J21 - p2_x))
-    J[2, 3] = -(s1 * (p4_y - p3_y) + c1 * (J21 - p3_x))
+    J[0, 1] = c1 * v4
+    J[0, 2] = c1 * v5
+    J[0, 3] = c1 * v6
+    J[1, 0] = p4_x
+    J[1, 1] = s1 * v4
+    J[1, 2] = s1 * v5
+    J[1, 3] = s1 * v6
+    J[2, 1] = -(s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x))
+    J[2, 2] = -(s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x))
+    J[2, 3] = -(s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x))
     J[3, 1] = -s1
     J[3, 2] = -s1
     J[3, 3] = -s1
@@ -313,7 +302,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr40pa 6d95f9de58cbc30e"
+_KEY = "kuka_kr40pa ec1cde72d21e6f92"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -391,32 +380,27 @@ def _missed_by(pose, q):
     y3_z = s2 * s3 - c2 * c3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    T11_ = x3_x * c4 - v4 * s4
-    T21_ = x3_y * c4 - v5 * s4
-    T31_ = y3_z * s4 - v3 * c4
-    T13_ = v4 * c4 + x3_x * s4
-    T23_ = v5 * c4 + x3_y * s4
-    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T11_ * a4
-    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T21_ * a4
-    T34_ = d1 - s2 * a2 - v3 * a3 + T31_ * a4
+    x4_x = x3_x * c4 - v4 * s4
+    x4_y = x3_y * c4 - v5 * s4
+    x4_z = y3_z * s4 - v3 * c4
     miss = 0.0
-    off = T11_ - pose[0]
+    off = x4_x - pose[0]
     miss += (1.0 * off) ** 2
-    off = T13_ - pose[2]
+    off = v4 * c4 + x3_x * s4 - pose[2]
     miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
+    off = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 - pose[3]
     miss += (0.4545454545454546 * off) ** 2
-    off = T21_ - pose[4]
+    off = x4_y - pose[4]
     miss += (1.0 * off) ** 2
-    off = T23_ - pose[6]
+    off = v5 * c4 + x3_y * s4 - pose[6]
     miss += (1.0 * off) ** 2
-    off = T24_ - pose[7]
+    off = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 - pose[7]
     miss += (0.4545454545454546 * off) ** 2
-    off = T31_ - pose[8]
+    off = x4_z - pose[8]
     miss += (1.0 * off) ** 2
     off = -(y3_z * c4 + v3 * s4) - pose[10]
     miss += (1.0 * off) ** 2
-    off = T34_ - pose[11]
+    off = d1 - s2 * a2 - v3 * a3 + x4_z * a4 - pose[11]
     miss += (0.4545454545454546 * off) ** 2
     return math.sqrt(miss)
 
@@ -1107,8 +1091,8 @@ _MISS_WEIGHT = np.array([0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -1123,23 +1107,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(4):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 10)), np.zeros(6)
     for i in range(6):
         for j in range(4):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 4 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -1151,49 +1135,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(10):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(4):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 4)), q.copy(), False
+    most = 0.0
+    for i in range(4):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(4)
+    held, A, x, settled = np.zeros(4, np.bool_), np.empty((6, 4)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(4):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(4)
     for i in range(4):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(4):
         q[i] = values[i]
     return settled
@@ -1203,23 +1197,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(4), 0, math.inf
+    x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
+    A = np.empty((6, 4))
     for i in range(4):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(4):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(4):
         q[place, i] = x[i]

@@ -233,10 +233,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -264,7 +266,7 @@ static const double
     k1 = 0.3822, /* 2 * d4 * a2 [m^2] */
     k2 = 0.022750000000000003, /* 2 * a3 * a2 [m^2] */
     k3 = 0.38405, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 6.821542862115762, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    k4 = 6.821542862115762, /* 1 / (k1^2 + k2^2) [m^-4] */
     doubt_limit_squared2 = 2.002225e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
@@ -293,64 +295,58 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void kuka_kr6_r900_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2, v3 = s1 * s2, v4 = q[2] + offset3;
-    const double c3 = cos(v4), s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, v5 = s2 * c3 + c2 * s3,
-        v6 = v2 * c3 + x2_x * s3, v7 = v3 * c3 + x2_y * s3, z3_z = s2 * s3 - c2 * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s1 * s4, x4_y = x3_y * c4 - c1 * s4, v8 = v5 * c4,
-        z4_y = c1 * c4 + x3_y * s4, v9 = v5 * s4, z4_x = x3_x * s4 - s1 * c4, v10 = q[4] + offset5;
-    const double c5 = cos(v10), s5 = sin(v10);
-    const double x5_x = x4_x * c5 - v6 * s5, x5_y = x4_y * c5 - v7 * s5, x5_z = z3_z * s5 - v8 * c5,
-        T13_ = v6 * c5 + x4_x * s5, T23_ = v7 * c5 + x4_y * s5, v11 = z3_z * c5 + v8 * s5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
+        v3 = s1 * s2, v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4), x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3,
+        v5 = s2 * c3 + c2 * s3, v6 = v2 * c3 + x2_x * s3, v7 = v3 * c3 + x2_y * s3,
+        z3_z = s2 * s3 - c2 * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + s1 * s4,
+        x4_y = x3_y * c4 - c1 * s4, v8 = v5 * c4, z4_y = c1 * c4 + x3_y * s4, v9 = v5 * s4,
+        z4_x = x3_x * s4 - s1 * c4, v10 = q[4] + offset5;
+    const double c5 = cos(v10), s5 = sin(v10), x5_x = x4_x * c5 - v6 * s5,
+        x5_y = x4_y * c5 - v7 * s5, x5_z = z3_z * s5 - v8 * c5, z5_x = v6 * c5 + x4_x * s5,
+        z5_y = v7 * c5 + x4_y * s5, v11 = z3_z * c5 + v8 * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
-        T31_ = x5_z * c6 - v9 * s6, T12_ = z4_x * c6 - x5_x * s6, T22_ = z4_y * c6 - x5_y * s6,
-        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + T13_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + T23_ * d6,
-        T34_ = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = -(v9 * c6 + x5_z * s6); T[10] = -v11; T[11] = T34_;
+    T[0] = x5_x * c6 + z4_x * s6; T[1] = z4_x * c6 - x5_x * s6; T[2] = z5_x;
+    T[3] = c1 * a1 + x2_x * a2 + x3_x * a3 - v6 * d4 + z5_x * d6;
+    T[4] = x5_y * c6 + z4_y * s6; T[5] = z4_y * c6 - x5_y * s6; T[6] = z5_y;
+    T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 - v7 * d4 + z5_y * d6;
+    T[8] = x5_z * c6 - v9 * s6; T[9] = -(v9 * c6 + x5_z * s6); T[10] = -v11;
+    T[11] = d1 - s2 * a2 - v5 * a3 + z3_z * d4 - v11 * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void kuka_kr6_r900_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2, v3 = s1 * s2,
-        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2, v4 = q[2] + offset3;
-    const double c3 = cos(v4), s3 = sin(v4);
-    const double x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3, v5 = s2 * c3 + c2 * s3,
-        v6 = v2 * c3 + x2_x * s3, v7 = v3 * c3 + x2_y * s3, J64 = s2 * s3 - c2 * c3,
-        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z - v5 * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J55 = c1 * c4 + x3_y * s4, v8 = v5 * s4, p4_x = p3_x - v6 * d4,
-        p4_y = p3_y - v7 * d4, p4_z = p3_z + J64 * d4, J45 = x3_x * s4 - s1 * c4,
-        v9 = q[4] + offset5;
-    const double c5 = cos(v9), s5 = sin(v9);
-    const double J46 = v6 * c5 + (x3_x * c4 + s1 * s4) * s5,
-        J56 = v7 * c5 + (x3_y * c4 - c1 * s4) * s5, v10 = J64 * c5 + v5 * c4 * s5,
-        J21 = p4_x + J46 * d6, p6_y = p4_y + J56 * d6, p6_z = p4_z - v10 * d6, v11 = p6_z - d1,
-        J12 = c1 * v11, J22 = s1 * v11, v12 = p6_z - p2_z, J13 = c1 * v12, J23 = s1 * v12,
-        v13 = J21 - p3_x, v14 = p6_y - p3_y, v15 = p6_z - p3_z, J24 = J64 * v13 + v6 * v15,
-        J34 = v7 * v13 - v6 * v14, v16 = J21 - p4_x, v17 = p6_y - p4_y, v18 = p6_z - p4_z,
-        J15 = J55 * v18 + v8 * v17, J35 = J45 * v17 - J55 * v16, J16 = J56 * v18 + v10 * v17,
-        J36 = J46 * v17 - J56 * v16;
-    J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = -(v7 * v15 + J64 * v14); J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = -(v8 * v16 + J45 * v18);
-    J[11] = -(v10 * v16 + J46 * v18);
-    J[12] = 0.0; J[13] = -(s1 * (p6_y - p1_y) + c1 * (J21 - p1_x));
-    J[14] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)); J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = -s1; J[20] = -s1; J[21] = -v6; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = c1; J[26] = c1; J[27] = -v7; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = -v8; J[35] = -v10;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
+        v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, v2 = c1 * s2,
+        v3 = s1 * s2, p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2,
+        v4 = q[2] + offset3;
+    const double c3 = cos(v4), s3 = sin(v4), x3_x = x2_x * c3 - v2 * s3, x3_y = x2_y * c3 - v3 * s3,
+        v5 = s2 * c3 + c2 * s3, v6 = v2 * c3 + x2_x * s3, v7 = v3 * c3 + x2_y * s3,
+        z3_z = s2 * s3 - c2 * c3, p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3,
+        p3_z = p2_z - v5 * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), z4_y = c1 * c4 + x3_y * s4, v8 = v5 * s4,
+        p4_x = p3_x - v6 * d4, p4_y = p3_y - v7 * d4, p4_z = p3_z + z3_z * d4,
+        z4_x = x3_x * s4 - s1 * c4, v9 = q[4] + offset5;
+    const double c5 = cos(v9), s5 = sin(v9), z5_x = v6 * c5 + (x3_x * c4 + s1 * s4) * s5,
+        z5_y = v7 * c5 + (x3_y * c4 - c1 * s4) * s5, v10 = z3_z * c5 + v5 * c4 * s5,
+        p6_x = p4_x + z5_x * d6, p6_y = p4_y + z5_y * d6, p6_z = p4_z - v10 * d6, v11 = p6_z - d1,
+        v12 = p6_z - p2_z, v13 = p6_x - p3_x, v14 = p6_y - p3_y, v15 = p6_z - p3_z,
+        v16 = p6_x - p4_x, v17 = p6_y - p4_y, v18 = p6_z - p4_z;
+    J[0] = -p6_y; J[1] = c1 * v11; J[2] = c1 * v12; J[3] = -(v7 * v15 + z3_z * v14);
+    J[4] = z4_y * v18 + v8 * v17; J[5] = z5_y * v18 + v10 * v17;
+    J[6] = p6_x; J[7] = s1 * v11; J[8] = s1 * v12; J[9] = z3_z * v13 + v6 * v15;
+    J[10] = -(v8 * v16 + z4_x * v18); J[11] = -(v10 * v16 + z5_x * v18);
+    J[12] = 0.0; J[13] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x));
+    J[14] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)); J[15] = v7 * v13 - v6 * v14;
+    J[16] = z4_x * v17 - z4_y * v16; J[17] = z5_x * v17 - z5_y * v16;
+    J[18] = 0.0; J[19] = -s1; J[20] = -s1; J[21] = -v6; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = c1; J[26] = c1; J[27] = -v7; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = z3_z; J[34] = -v8; J[35] = -v10;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -752,14 +748,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7067, 0.7067, 0.7067, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -784,15 +789,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -810,56 +815,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == KUKA_KR6_R900_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != KUKA_KR6_R900_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

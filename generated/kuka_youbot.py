@@ -228,30 +228,23 @@ def fk(q):
     x4_x = x3_x * c4 - v4 * s4
     x4_y = x3_y * c4 - v5 * s4
     x4_z = x3_z * c4 + y3_z * s4
-    T13_ = v4 * c4 + x3_x * s4
-    T23_ = v5 * c4 + x3_y * s4
-    T33_ = x3_z * s4 - y3_z * c4
+    z4_x = v4 * c4 + x3_x * s4
+    z4_y = v5 * c4 + x3_y * s4
+    z4_z = x3_z * s4 - y3_z * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 + s1 * s5
-    T21_ = x4_y * c5 - c1 * s5
-    T31_ = x4_z * c5
-    T12_ = s1 * c5 - x4_x * s5
-    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5
-    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5
-    T34_ = d1 + s2 * a2 + x3_z * a3 + T33_ * d5
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 0] = x4_x * c5 + s1 * s5
+    T[0, 1] = s1 * c5 - x4_x * s5
+    T[0, 2] = z4_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + z4_x * d5
+    T[1, 0] = x4_y * c5 - c1 * s5
     T[1, 1] = -(c1 * c5 + x4_y * s5)
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 2] = z4_y
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + z4_y * d5
+    T[2, 0] = x4_z * c5
     T[2, 1] = -(x4_z * s5)
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[2, 2] = z4_z
+    T[2, 3] = d1 + s2 * a2 + x3_z * a3 + z4_z * d5
     T[3, 3] = 1.0
     return T
 
@@ -287,47 +280,41 @@ def jacobian(q):
     v4 = q[3] + offset4
     c4 = math.cos(v4)
     s4 = math.sin(v4)
-    J45 = (v2 * c3 + x2_x * s3) * c4 + x3_x * s4
-    J55 = (v3 * c3 + x2_y * s3) * c4 + x3_y * s4
-    J65 = x3_z * s4 - (c2 * c3 - s2 * s3) * c4
-    J21 = p3_x + J45 * d5
-    p5_y = p3_y + J55 * d5
-    p5_z = p3_z + J65 * d5
+    z4_x = (v2 * c3 + x2_x * s3) * c4 + x3_x * s4
+    z4_y = (v3 * c3 + x2_y * s3) * c4 + x3_y * s4
+    z4_z = x3_z * s4 - (c2 * c3 - s2 * s3) * c4
+    p5_x = p3_x + z4_x * d5
+    p5_y = p3_y + z4_y * d5
+    p5_z = p3_z + z4_z * d5
     v5 = p5_z - d1
-    J32 = s1 * (p5_y - p1_y) + c1 * (J21 - p1_x)
     v6 = p5_z - p2_z
-    J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x)
-    v7 = J21 - p3_x
+    v7 = p5_x - p3_x
     v8 = p5_y - p3_y
     v9 = p5_z - p3_z
-    J34 = s1 * v8 + c1 * v7
-    J15 = J55 * v9 - J65 * v8
-    J25 = J65 * v7 - J45 * v9
-    J35 = J45 * v8 - J55 * v7
     J[0, 0] = -p5_y
     J[0, 1] = -(c1 * v5)
     J[0, 2] = -(c1 * v6)
     J[0, 3] = -(c1 * v9)
-    J[0, 4] = J15
-    J[1, 0] = J21
+    J[0, 4] = z4_y * v9 - z4_z * v8
+    J[1, 0] = p5_x
     J[1, 1] = -(s1 * v5)
     J[1, 2] = -(s1 * v6)
     J[1, 3] = -(s1 * v9)
-    J[1, 4] = J25
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
+    J[1, 4] = z4_z * v7 - z4_x * v9
+    J[2, 1] = s1 * (p5_y - p1_y) + c1 * (p5_x - p1_x)
+    J[2, 2] = s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)
+    J[2, 3] = s1 * v8 + c1 * v7
+    J[2, 4] = z4_x * v8 - z4_y * v7
     J[3, 1] = s1
     J[3, 2] = s1
     J[3, 3] = s1
-    J[3, 4] = J45
+    J[3, 4] = z4_x
     J[4, 1] = -c1
     J[4, 2] = -c1
     J[4, 3] = -c1
-    J[4, 4] = J55
+    J[4, 4] = z4_y
     J[5, 0] = 1.0
-    J[5, 4] = J65
+    J[5, 4] = z4_z
     return J
 
 
@@ -347,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 00422e12fb8b2b2a"
+_KEY = "kuka_youbot 7b3c027ff5b6f582"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -768,8 +755,8 @@ _MISS_WEIGHT = np.array([1.455, 1.455, 1.455, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -784,23 +771,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(5):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -812,49 +799,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(5):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -864,23 +861,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(5), 0, math.inf
+    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
+    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(4 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(5):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]

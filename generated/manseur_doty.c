@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3278,72 +3279,61 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void manseur_doty_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2, y2_z = c2 * ca2,
-        y2_x = s1 * sa2 - v1 * ca2, v3 = v2 * ca2 + c1 * sa2, v4 = c2 * sa2,
-        z2_x = v1 * sa2 + s1 * ca2, z2_y = v2 * sa2 - c1 * ca2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 - v3 * s3,
-        x3_z = s2 * c3 + y2_z * s3, z3_y = v3 * c3 + x2_y * s3, z3_x = x2_x * s3 - y2_x * c3,
-        z3_z = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
-        x4_z = x3_z * c4 - v4 * s4, v5 = z2_x * c4 - x3_x * s4, v6 = z2_y * c4 - x3_y * s4,
-        v7 = v4 * c4 + x3_z * s4, T14_ = c1 * a1 + x2_x * a2 + z2_x * d3 + x4_x * a4,
-        T24_ = s1 * a1 + x2_y * a2 + z2_y * d3 + x4_y * a4, T34_ = s2 * a2 - v4 * d3 + x4_z * a4,
-        y4_x = ca2 * v5 + sa2 * z3_x, y4_y = ca2 * v6 + sa2 * z3_y, y4_z = sa2 * z3_z - ca2 * v7,
-        z4_x = ca2 * z3_x - sa2 * v5, z4_y = ca2 * z3_y - sa2 * v6, z4_z = sa2 * v7 + ca2 * z3_z;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, z5_x = x4_x * s5 - y4_x * c5, z5_y = x4_y * s5 - y4_y * c5,
-        z5_z = x4_z * s5 - y4_z * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
-        T31_ = x5_z * c6 + z4_z * s6, v8 = z4_x * c6 - x5_x * s6, v9 = z4_y * c6 - x5_y * s6,
-        v10 = z4_z * c6 - x5_z * s6, T12_ = ca2 * v8 + sa2 * z5_x, T22_ = ca2 * v9 + sa2 * z5_y,
-        T32_ = ca2 * v10 + sa2 * z5_z, T13_ = ca2 * z5_x - sa2 * v8, T23_ = ca2 * z5_y - sa2 * v9,
-        T33_ = ca2 * z5_z - sa2 * v10;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, y2_z = c2 * ca2, y2_x = s1 * sa2 - v1 * ca2, v3 = v2 * ca2 + c1 * sa2,
+        v4 = c2 * sa2, z2_x = v1 * sa2 + s1 * ca2, z2_y = v2 * sa2 - c1 * ca2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + y2_z * s3, z3_y = v3 * c3 + x2_y * s3,
+        z3_x = x2_x * s3 - y2_x * c3, z3_z = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - v4 * s4, v5 = z2_x * c4 - x3_x * s4,
+        v6 = z2_y * c4 - x3_y * s4, v7 = v4 * c4 + x3_z * s4, y4_x = ca2 * v5 + sa2 * z3_x,
+        y4_y = ca2 * v6 + sa2 * z3_y, y4_z = sa2 * z3_z - ca2 * v7, z4_x = ca2 * z3_x - sa2 * v5,
+        z4_y = ca2 * z3_y - sa2 * v6, z4_z = sa2 * v7 + ca2 * z3_z;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, z5_x = x4_x * s5 - y4_x * c5,
+        z5_y = x4_y * s5 - y4_y * c5, z5_z = x4_z * s5 - y4_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), v8 = z4_x * c6 - x5_x * s6,
+        v9 = z4_y * c6 - x5_y * s6, v10 = z4_z * c6 - x5_z * s6;
+    T[0] = x5_x * c6 + z4_x * s6; T[1] = ca2 * v8 + sa2 * z5_x; T[2] = ca2 * z5_x - sa2 * v8;
+    T[3] = c1 * a1 + x2_x * a2 + z2_x * d3 + x4_x * a4;
+    T[4] = x5_y * c6 + z4_y * s6; T[5] = ca2 * v9 + sa2 * z5_y; T[6] = ca2 * z5_y - sa2 * v9;
+    T[7] = s1 * a1 + x2_y * a2 + z2_y * d3 + x4_y * a4;
+    T[8] = x5_z * c6 + z4_z * s6; T[9] = ca2 * v10 + sa2 * z5_z; T[10] = ca2 * z5_z - sa2 * v10;
+    T[11] = s2 * a2 - v4 * d3 + x4_z * a4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void manseur_doty_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2,
-        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = s2 * a2, y2_z = c2 * ca2,
-        y2_x = s1 * sa2 - v1 * ca2, v3 = v2 * ca2 + c1 * sa2, v4 = c2 * sa2,
-        J43 = v1 * sa2 + s1 * ca2, J53 = v2 * sa2 - c1 * ca2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 - v3 * s3,
-        x3_z = s2 * c3 + y2_z * s3, J54 = v3 * c3 + x2_y * s3, p3_x = p2_x + J43 * d3,
-        p3_y = p2_y + J53 * d3, p3_z = p2_z - v4 * d3, J44 = x2_x * s3 - y2_x * c3,
-        J64 = s2 * s3 - y2_z * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
-        x4_z = x3_z * c4 - v4 * s4, v5 = J43 * c4 - x3_x * s4, v6 = J53 * c4 - x3_y * s4,
-        v7 = v4 * c4 + x3_z * s4, J21 = p3_x + x4_x * a4, p4_y = p3_y + x4_y * a4,
-        p4_z = p3_z + x4_z * a4, J45 = ca2 * J44 - sa2 * v5, J55 = ca2 * J54 - sa2 * v6,
-        J65 = sa2 * v7 + ca2 * J64;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = x4_x * s5 - (ca2 * v5 + sa2 * J44) * c5,
-        J56 = x4_y * s5 - (ca2 * v6 + sa2 * J54) * c5,
-        J66 = x4_z * s5 - (sa2 * J64 - ca2 * v7) * c5, J32 = s1 * (p4_y - p1_y) + c1 * (J21 - p1_x),
-        v8 = J21 - p2_x, v9 = p4_y - p2_y, v10 = p4_z - p2_z, J13 = J53 * v10 + v4 * v9,
-        J33 = J43 * v9 - J53 * v8, v11 = J21 - p3_x, v12 = p4_y - p3_y, v13 = p4_z - p3_z,
-        J14 = J54 * v13 - J64 * v12, J24 = J64 * v11 - J44 * v13, J34 = J44 * v12 - J54 * v11;
-    J[0] = -p4_y; J[1] = -(c1 * p4_z); J[2] = J13; J[3] = J14; J[4] = 0.0; J[5] = 0.0;
-    J[6] = J21; J[7] = -(s1 * p4_z); J[8] = -(v4 * v8 + J43 * v10); J[9] = J24; J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = 0.0; J[17] = 0.0;
-    J[18] = 0.0; J[19] = s1; J[20] = J43; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -c1; J[26] = J53; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = -v4; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = s2 * a2,
+        y2_z = c2 * ca2, y2_x = s1 * sa2 - v1 * ca2, v3 = v2 * ca2 + c1 * sa2, v4 = c2 * sa2,
+        z2_x = v1 * sa2 + s1 * ca2, z2_y = v2 * sa2 - c1 * ca2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 - v3 * s3, x3_z = s2 * c3 + y2_z * s3, z3_y = v3 * c3 + x2_y * s3,
+        p3_x = p2_x + z2_x * d3, p3_y = p2_y + z2_y * d3, p3_z = p2_z - v4 * d3,
+        z3_x = x2_x * s3 - y2_x * c3, z3_z = s2 * s3 - y2_z * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - v4 * s4, v5 = z2_x * c4 - x3_x * s4,
+        v6 = z2_y * c4 - x3_y * s4, v7 = v4 * c4 + x3_z * s4, p4_x = p3_x + x4_x * a4,
+        p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), v8 = p4_x - p2_x, v9 = p4_y - p2_y,
+        v10 = p4_z - p2_z, v11 = p4_x - p3_x, v12 = p4_y - p3_y, v13 = p4_z - p3_z;
+    J[0] = -p4_y; J[1] = -(c1 * p4_z); J[2] = z2_y * v10 + v4 * v9; J[3] = z3_y * v13 - z3_z * v12;
+    J[4] = 0.0; J[5] = 0.0;
+    J[6] = p4_x; J[7] = -(s1 * p4_z); J[8] = -(v4 * v8 + z2_x * v10);
+    J[9] = z3_z * v11 - z3_x * v13; J[10] = 0.0; J[11] = 0.0;
+    J[12] = 0.0; J[13] = s1 * (p4_y - p1_y) + c1 * (p4_x - p1_x); J[14] = z2_x * v9 - z2_y * v8;
+    J[15] = z3_x * v12 - z3_y * v11; J[16] = 0.0; J[17] = 0.0;
+    J[18] = 0.0; J[19] = s1; J[20] = z2_x; J[21] = z3_x; J[22] = ca2 * z3_x - sa2 * v5;
+    J[23] = x4_x * s5 - (ca2 * v5 + sa2 * z3_x) * c5;
+    J[24] = 0.0; J[25] = -c1; J[26] = z2_y; J[27] = z3_y; J[28] = ca2 * z3_y - sa2 * v6;
+    J[29] = x4_y * s5 - (ca2 * v6 + sa2 * z3_y) * c5;
+    J[30] = 1.0; J[31] = 0.0; J[32] = -v4; J[33] = z3_z; J[34] = sa2 * v7 + ca2 * z3_z;
+    J[35] = x4_z * s5 - (sa2 * z3_z - ca2 * v7) * c5;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

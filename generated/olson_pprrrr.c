@@ -233,10 +233,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -286,18 +288,17 @@ static const double fan_step[6] = {
 void olson_pprrrr_fk(const double q[6], double T[16])
 {
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = s3 * c4, v1 = c3 * c4, v2 = s3 * s4, y4_y = c3 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v2 * s5, x5_y = y4_y * s5 - v1 * c5, x5_z = s4 * c5 + c4 * s5,
-        T13_ = v2 * c5 + x4_x * s5, y5_y = y4_y * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5,
-        T14_ = q[1] + x4_x * a4 + T13_ * d6, T24_ = q[0] - v1 * a4 - y5_y * d6,
-        T34_ = d3 + s4 * a4 - y5_z * d6;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = s3 * c4, v1 = c3 * c4, v2 = s3 * s4,
+        y4_y = c3 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - v2 * s5,
+        x5_y = y4_y * s5 - v1 * c5, x5_z = s4 * c5 + c4 * s5, z6_x = v2 * c5 + x4_x * s5,
+        y5_y = y4_y * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - c3 * s6, T21_ = x5_y * c6 - s3 * s6, T31_ = x5_z * c6;
-    T[0] = T11_; T[1] = -(c3 * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(s3 * c6 + x5_y * s6); T[6] = -y5_y; T[7] = T24_;
-    T[8] = T31_; T[9] = -(x5_z * s6); T[10] = -y5_z; T[11] = T34_;
+    T[0] = x5_x * c6 - c3 * s6; T[1] = -(c3 * c6 + x5_x * s6); T[2] = z6_x;
+    T[3] = q[1] + x4_x * a4 + z6_x * d6;
+    T[4] = x5_y * c6 - s3 * s6; T[5] = -(s3 * c6 + x5_y * s6); T[6] = -y5_y;
+    T[7] = q[0] - v1 * a4 - y5_y * d6;
+    T[8] = x5_z * c6; T[9] = -(x5_z * s6); T[10] = -y5_z; T[11] = d3 + s4 * a4 - y5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -305,19 +306,17 @@ void olson_pprrrr_fk(const double q[6], double T[16])
 void olson_pprrrr_jacobian(const double q[6], double J[36])
 {
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = s3 * c4, v1 = c3 * c4, p5_x = q[1] + x4_x * a4, p5_y = q[0] - v1 * a4,
-        p5_z = d3 + s4 * a4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = s3 * s4 * c5 + x4_x * s5, y5_y = c3 * s4 * c5 + v1 * s5,
-        y5_z = c4 * c5 - s4 * s5, p6_x = p5_x + J46 * d6, p6_y = p5_y - y5_y * d6,
-        p6_z = p5_z - y5_z * d6, J23 = p6_x - q[1], v2 = p6_y - q[0], v3 = p6_z - d3, J24 = c3 * v3,
-        J34 = s3 * J23 - c3 * v2, v4 = p6_z - p5_z, J25 = c3 * v4,
-        J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y);
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = s3 * c4, v1 = c3 * c4,
+        p5_x = q[1] + x4_x * a4, p5_y = q[0] - v1 * a4, p5_z = d3 + s4 * a4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), z6_x = s3 * s4 * c5 + x4_x * s5,
+        y5_y = c3 * s4 * c5 + v1 * s5, y5_z = c4 * c5 - s4 * s5, p6_x = p5_x + z6_x * d6,
+        p6_y = p5_y - y5_y * d6, p6_z = p5_z - y5_z * d6, J23 = p6_x - q[1], v2 = p6_y - q[0],
+        v3 = p6_z - d3, v4 = p6_z - p5_z;
     J[0] = 0.0; J[1] = 1.0; J[2] = -v2; J[3] = -(s3 * v3); J[4] = -(s3 * v4); J[5] = 0.0;
-    J[6] = 1.0; J[7] = 0.0; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = 0.0;
-    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = J34; J[16] = J35; J[17] = 0.0;
-    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = -c3; J[22] = -c3; J[23] = J46;
+    J[6] = 1.0; J[7] = 0.0; J[8] = J23; J[9] = c3 * v3; J[10] = c3 * v4; J[11] = 0.0;
+    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = s3 * J23 - c3 * v2;
+    J[16] = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y); J[17] = 0.0;
+    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = -c3; J[22] = -c3; J[23] = z6_x;
     J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = -s3; J[28] = -s3; J[29] = -y5_y;
     J[30] = 0.0; J[31] = 0.0; J[32] = 1.0; J[33] = 0.0; J[34] = 0.0; J[35] = -y5_z;
 }
@@ -778,16 +777,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.14285714285714285;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.14285714285714285));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 7.0, 7.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -812,15 +818,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -838,56 +844,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 7.000, 7.000, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[4][6],
     unsigned char status[4])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = status[row] == OLSON_PPRRRR_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != OLSON_PPRRRR_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

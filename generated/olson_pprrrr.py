@@ -207,29 +207,23 @@ def fk(q):
     x5_x = x4_x * c5 - v2 * s5
     x5_y = y4_y * s5 - v1 * c5
     x5_z = s4 * c5 + c4 * s5
-    T13_ = v2 * c5 + x4_x * s5
+    z6_x = v2 * c5 + x4_x * s5
     y5_y = y4_y * c5 + v1 * s5
     y5_z = c4 * c5 - s4 * s5
-    T14_ = q[1] + x4_x * a4 + T13_ * d6
-    T24_ = q[0] - v1 * a4 - y5_y * d6
-    T34_ = d3 + s4 * a4 - y5_z * d6
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 - c3 * s6
-    T21_ = x5_y * c6 - s3 * s6
-    T31_ = x5_z * c6
-    T[0, 0] = T11_
+    T[0, 0] = x5_x * c6 - c3 * s6
     T[0, 1] = -(c3 * c6 + x5_x * s6)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 2] = z6_x
+    T[0, 3] = q[1] + x4_x * a4 + z6_x * d6
+    T[1, 0] = x5_y * c6 - s3 * s6
     T[1, 1] = -(s3 * c6 + x5_y * s6)
     T[1, 2] = -y5_y
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 3] = q[0] - v1 * a4 - y5_y * d6
+    T[2, 0] = x5_z * c6
     T[2, 1] = -(x5_z * s6)
     T[2, 2] = -y5_z
-    T[2, 3] = T34_
+    T[2, 3] = d3 + s4 * a4 - y5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -251,33 +245,29 @@ def jacobian(q):
     p5_z = d3 + s4 * a4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = s3 * s4 * c5 + x4_x * s5
+    z6_x = s3 * s4 * c5 + x4_x * s5
     y5_y = c3 * s4 * c5 + v1 * s5
     y5_z = c4 * c5 - s4 * s5
-    p6_x = p5_x + J46 * d6
+    p6_x = p5_x + z6_x * d6
     p6_y = p5_y - y5_y * d6
     p6_z = p5_z - y5_z * d6
     J23 = p6_x - q[1]
     v2 = p6_y - q[0]
     v3 = p6_z - d3
-    J24 = c3 * v3
-    J34 = s3 * J23 - c3 * v2
     v4 = p6_z - p5_z
-    J25 = c3 * v4
-    J35 = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y)
     J[0, 1] = 1.0
     J[0, 2] = -v2
     J[0, 3] = -(s3 * v3)
     J[0, 4] = -(s3 * v4)
     J[1, 0] = 1.0
     J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[2, 3] = J34
-    J[2, 4] = J35
+    J[1, 3] = c3 * v3
+    J[1, 4] = c3 * v4
+    J[2, 3] = s3 * J23 - c3 * v2
+    J[2, 4] = s3 * (p6_x - p5_x) - c3 * (p6_y - p5_y)
     J[3, 3] = -c3
     J[3, 4] = -c3
-    J[3, 5] = J46
+    J[3, 5] = z6_x
     J[4, 3] = -s3
     J[4, 4] = -s3
     J[4, 5] = -y5_y
@@ -302,7 +292,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr fc1525e2f0b4070d"
+_KEY = "olson_pprrrr 8d8a29ee16fddf99"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -693,14 +683,14 @@ def _choose(pose, seed, q, status):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([7.000, 7.000, 1.0, 1.0, 1.0, 1.0])
+_PACE = np.array([7.0, 7.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.1429, 0.1429, 0.1429, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -715,23 +705,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -743,51 +733,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.1429
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.1429))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -797,23 +796,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(4 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

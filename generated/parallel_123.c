@@ -450,7 +450,7 @@ static const double
     k12 = 0.2, /* 2 * a4 [m] */
     k13 = 0.0492403876506104, /* a6 * sa5 [m] */
     k14 = 0.16736481776669304, /* d5 + d6 * ca5 [m] */
-    k15 = 0.567364817766693, /* d4 * 2 + (d5 + d6 * ca5) [m] */
+    k15 = 0.567364817766693, /* d4 * 2 + k14 [m] */
     k16 = 0.1525, /* a1^2 + a2^2 [m^2] */
     k17 = 6.666666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
     k18 = 0.55, /* d4 * 2 + d5 [m] */
@@ -475,72 +475,62 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void parallel_123_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4, x4_y = x3_y * c4, v1 = x3_x * s4, v2 = x3_y * s4, y4_z = c4 * f2,
-        y4_x = x3_y * f3 - v1 * f2, y4_y = -x3_x * f3 - v2 * f2, v3 = c4 * f3,
-        z4_x = v1 * f3 + x3_y * f2, z4_y = v2 * f3 + -x3_x * f2;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5,
-        v6 = y4_z * c5 - s4 * s5, y5_x = v4 * ca5 + z4_x * sa5, y5_y = v5 * ca5 + z4_y * sa5,
-        y5_z = v6 * ca5 - v3 * sa5, T13_ = z4_x * ca5 - v4 * sa5, T23_ = z4_y * ca5 - v5 * sa5,
-        v7 = v6 * sa5 + v3 * ca5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
-        T32_ = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 +
-            T11_ * a6 + T13_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 +
-            T21_ * a6 + T23_ * d6, T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = -v7; T[11] = T34_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - x2_y * s3,
+        x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4, x4_y = x3_y * c4, v1 = x3_x * s4,
+        v2 = x3_y * s4, y4_z = c4 * f2, y4_x = x3_y * f3 - v1 * f2, y4_y = -x3_x * f3 - v2 * f2,
+        v3 = c4 * f3, z4_x = v1 * f3 + x3_y * f2, z4_y = v2 * f3 + -x3_x * f2;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5,
+        v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5, y5_x = v4 * ca5 + z4_x * sa5,
+        y5_y = v5 * ca5 + z4_y * sa5, y5_z = v6 * ca5 - v3 * sa5, z5_x = z4_x * ca5 - v4 * sa5,
+        z5_y = z4_y * ca5 - v5 * sa5, v7 = v6 * sa5 + v3 * ca5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + y5_x * s6,
+        x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 + y5_z * s6;
+    T[0] = x6_x; T[1] = y5_x * c6 - x5_x * s6; T[2] = z5_x;
+    T[3] = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + x6_x *
+        a6 + z5_x * d6;
+    T[4] = x6_y; T[5] = y5_y * c6 - x5_y * s6; T[6] = z5_y;
+    T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + x6_y *
+        a6 + z5_y * d6;
+    T[8] = x6_z; T[9] = y5_z * c6 - x5_z * s6; T[10] = -v7;
+    T[11] = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + x6_z * a6 - v7 * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void parallel_123_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + x2_x * a2,
-        p2_y = p1_y + x2_y * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3, J44 = x2_y * c3 + x2_x * s3, p3_x = p2_x + x3_x * a3,
-        p3_y = p2_y + J44 * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4, x4_y = J44 * c4, v1 = x3_x * s4, v2 = J44 * s4,
-        p4_z = g1 + s4 * a4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 + -x3_x * d4, y4_z = c4 * g2, y4_x = J44 * g3 - v1 * g2,
-        y4_y = -x3_x * g3 - v2 * g2, v3 = c4 * g3, J45 = v1 * g3 + J44 * g2,
-        J55 = v2 * g3 + -x3_x * g2;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5, v5 = y4_y * c5 - x4_y * s5,
-        v6 = y4_z * c5 - s4 * s5, p5_x = p4_x + x5_x * a5 + J45 * d5,
-        p5_y = p4_y + x5_y * a5 + J55 * d5, p5_z = p4_z + x5_z * a5 - v3 * d5,
-        J46 = J45 * ca5 - v4 * sa5, J56 = J55 * ca5 - v5 * sa5, v7 = v6 * sa5 + v3 * ca5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6,
-        p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6, J22 = J21 - p1_x,
-        J12 = p1_y - p6_y, J23 = J21 - p2_x, J13 = p2_y - p6_y, v8 = p6_z - g1, J14 = -x3_x * v8,
-        J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x), v9 = J21 - p4_x, v10 = p6_y - p4_y,
-        v11 = p6_z - p4_z, J15 = J55 * v11 + v3 * v10, J35 = J45 * v10 - J55 * v9, v12 = J21 - p5_x,
-        v13 = p6_y - p5_y, v14 = p6_z - p5_z, J16 = J56 * v14 + v7 * v13,
-        J36 = J46 * v13 - J56 * v12;
-    J[0] = -p6_y; J[1] = J12; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = -(J44 * v8); J[10] = -(v3 * v9 + J45 * v11);
-    J[11] = -(v7 * v12 + J46 * v14);
-    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = -x3_x; J[28] = J55; J[29] = J56;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
+        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - x2_y * s3,
+        x3_y = x2_y * c3 + x2_x * s3, p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4, x4_y = x3_y * c4, v1 = x3_x * s4,
+        v2 = x3_y * s4, p4_z = g1 + s4 * a4, p4_x = p3_x + x4_x * a4 + x3_y * d4,
+        p4_y = p3_y + x4_y * a4 + -x3_x * d4, y4_z = c4 * g2, y4_x = x3_y * g3 - v1 * g2,
+        y4_y = -x3_x * g3 - v2 * g2, v3 = c4 * g3, z4_x = v1 * g3 + x3_y * g2,
+        z4_y = v2 * g3 + -x3_x * g2;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = s4 * c5 + y4_z * s5, v4 = y4_x * c5 - x4_x * s5,
+        v5 = y4_y * c5 - x4_y * s5, v6 = y4_z * c5 - s4 * s5, p5_x = p4_x + x5_x * a5 + z4_x * d5,
+        p5_y = p4_y + x5_y * a5 + z4_y * d5, p5_z = p4_z + x5_z * a5 - v3 * d5,
+        z5_x = z4_x * ca5 - v4 * sa5, z5_y = z4_y * ca5 - v5 * sa5, v7 = v6 * sa5 + v3 * ca5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]),
+        p6_x = p5_x + (x5_x * c6 + (v4 * ca5 + z4_x * sa5) * s6) * a6 + z5_x * d6,
+        p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + z4_y * sa5) * s6) * a6 + z5_y * d6,
+        p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6, v8 = p6_z - g1,
+        v9 = p6_x - p4_x, v10 = p6_y - p4_y, v11 = p6_z - p4_z, v12 = p6_x - p5_x,
+        v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = p1_y - p6_y; J[2] = p2_y - p6_y; J[3] = -x3_x * v8;
+    J[4] = z4_y * v11 + v3 * v10; J[5] = z5_y * v14 + v7 * v13;
+    J[6] = p6_x; J[7] = p6_x - p1_x; J[8] = p6_x - p2_x; J[9] = -(x3_y * v8);
+    J[10] = -(v3 * v9 + z4_x * v11); J[11] = -(v7 * v12 + z5_x * v14);
+    J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = x3_y * (p6_y - p3_y) - -x3_x * (p6_x - p3_x);
+    J[16] = z4_x * v10 - z4_y * v9; J[17] = z5_x * v13 - z5_y * v12;
+    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = x3_y; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = -x3_x; J[28] = z4_y; J[29] = z5_y;
     J[30] = 1.0; J[31] = 1.0; J[32] = 1.0; J[33] = 0.0; J[34] = -v3; J[35] = -v7;
 }
 
@@ -675,8 +665,8 @@ static void solve(
         const double theta123 = atan2(s123, c123);
 
         /* theta5 */
-        const double s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9;
-        const double v44 = sa5 * (k1 * (s123 * v43 - c123 * v42 - ca5)) * k9;
+        const double s5 = k8 * (c123 * (c4 * T13) + s123 * (c4 * T23) + T33 * s4) * k9,
+            v44 = sa5 * (k1 * (s123 * v43 - c123 * v42 - ca5)) * k9;
         const double q5 = atan2(s5, -v44);
 
         /* theta2 */
@@ -1109,14 +1099,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1141,15 +1140,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1167,56 +1166,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == PARALLEL_123_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != PARALLEL_123_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -134,7 +134,7 @@ k11 = 0.0984807753012208  # d6 * sa5 [m]
 k12 = 0.2  # 2 * a4 [m]
 k13 = 0.0492403876506104  # a6 * sa5 [m]
 k14 = 0.16736481776669304  # d5 + d6 * ca5 [m]
-k15 = 0.567364817766693  # d4 * 2 + (d5 + d6 * ca5) [m]
+k15 = 0.567364817766693  # d4 * 2 + k14 [m]
 k16 = 0.1525  # a1^2 + a2^2 [m^2]
 k17 = 6.666666666666667  # 1 / (2 * a2 * a1) [m^-2]
 k18 = 0.55  # d4 * 2 + d5 [m]
@@ -372,38 +372,26 @@ def fk(q):
     y5_x = v4 * ca5 + z4_x * sa5
     y5_y = v5 * ca5 + z4_y * sa5
     y5_z = v6 * ca5 - v3 * sa5
-    T13_ = z4_x * ca5 - v4 * sa5
-    T23_ = z4_y * ca5 - v5 * sa5
+    z5_x = z4_x * ca5 - v4 * sa5
+    z5_y = z4_y * ca5 - v5 * sa5
     v7 = v6 * sa5 + v3 * ca5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + T11_ * a6
-        + T13_ * d6
-    )
-    T24_ = (
-        s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + T21_ * a6
-        + T23_ * d6
-    )
-    T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
+    x6_x = x5_x * c6 + y5_x * s6
+    x6_y = x5_y * c6 + y5_y * s6
+    x6_z = x5_z * c6 + y5_z * s6
+    T[0, 0] = x6_x
+    T[0, 1] = y5_x * c6 - x5_x * s6
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + x6_x * a6 + z5_x * d6
+    T[1, 0] = x6_y
+    T[1, 1] = y5_y * c6 - x5_y * s6
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + x6_y * a6 + z5_y * d6
+    T[2, 0] = x6_z
+    T[2, 1] = y5_z * c6 - x5_z * s6
     T[2, 2] = -v7
-    T[2, 3] = T34_
+    T[2, 3] = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + x6_z * a6 - v7 * d6
     T[3, 3] = 1.0
     return T
 
@@ -427,24 +415,24 @@ def jacobian(q):
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 - x2_y * s3
-    J44 = x2_y * c3 + x2_x * s3
+    x3_y = x2_y * c3 + x2_x * s3
     p3_x = p2_x + x3_x * a3
-    p3_y = p2_y + J44 * a3
+    p3_y = p2_y + x3_y * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = x3_x * c4
-    x4_y = J44 * c4
+    x4_y = x3_y * c4
     v1 = x3_x * s4
-    v2 = J44 * s4
+    v2 = x3_y * s4
     p4_z = g1 + s4 * a4
-    p4_x = p3_x + x4_x * a4 + J44 * d4
+    p4_x = p3_x + x4_x * a4 + x3_y * d4
     p4_y = p3_y + x4_y * a4 + -x3_x * d4
     y4_z = c4 * g2
-    y4_x = J44 * g3 - v1 * g2
+    y4_x = x3_y * g3 - v1 * g2
     y4_y = -x3_x * g3 - v2 * g2
     v3 = c4 * g3
-    J45 = v1 * g3 + J44 * g2
-    J55 = v2 * g3 + -x3_x * g2
+    z4_x = v1 * g3 + x3_y * g2
+    z4_y = v2 * g3 + -x3_x * g2
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
     x5_x = x4_x * c5 + y4_x * s5
@@ -453,55 +441,45 @@ def jacobian(q):
     v4 = y4_x * c5 - x4_x * s5
     v5 = y4_y * c5 - x4_y * s5
     v6 = y4_z * c5 - s4 * s5
-    p5_x = p4_x + x5_x * a5 + J45 * d5
-    p5_y = p4_y + x5_y * a5 + J55 * d5
+    p5_x = p4_x + x5_x * a5 + z4_x * d5
+    p5_y = p4_y + x5_y * a5 + z4_y * d5
     p5_z = p4_z + x5_z * a5 - v3 * d5
-    J46 = J45 * ca5 - v4 * sa5
-    J56 = J55 * ca5 - v5 * sa5
+    z5_x = z4_x * ca5 - v4 * sa5
+    z5_y = z4_y * ca5 - v5 * sa5
     v7 = v6 * sa5 + v3 * ca5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    J21 = p5_x + (x5_x * c6 + (v4 * ca5 + J45 * sa5) * s6) * a6 + J46 * d6
-    p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + J55 * sa5) * s6) * a6 + J56 * d6
+    p6_x = p5_x + (x5_x * c6 + (v4 * ca5 + z4_x * sa5) * s6) * a6 + z5_x * d6
+    p6_y = p5_y + (x5_y * c6 + (v5 * ca5 + z4_y * sa5) * s6) * a6 + z5_y * d6
     p6_z = p5_z + (x5_z * c6 + (v6 * ca5 - v3 * sa5) * s6) * a6 - v7 * d6
-    J22 = J21 - p1_x
-    J12 = p1_y - p6_y
-    J23 = J21 - p2_x
-    J13 = p2_y - p6_y
     v8 = p6_z - g1
-    J14 = -x3_x * v8
-    J34 = J44 * (p6_y - p3_y) - -x3_x * (J21 - p3_x)
-    v9 = J21 - p4_x
+    v9 = p6_x - p4_x
     v10 = p6_y - p4_y
     v11 = p6_z - p4_z
-    J15 = J55 * v11 + v3 * v10
-    J35 = J45 * v10 - J55 * v9
-    v12 = J21 - p5_x
+    v12 = p6_x - p5_x
     v13 = p6_y - p5_y
     v14 = p6_z - p5_z
-    J16 = J56 * v14 + v7 * v13
-    J36 = J46 * v13 - J56 * v12
     J[0, 0] = -p6_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = -(J44 * v8)
-    J[1, 4] = -(v3 * v9 + J45 * v11)
-    J[1, 5] = -(v7 * v12 + J46 * v14)
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[0, 1] = p1_y - p6_y
+    J[0, 2] = p2_y - p6_y
+    J[0, 3] = -x3_x * v8
+    J[0, 4] = z4_y * v11 + v3 * v10
+    J[0, 5] = z5_y * v14 + v7 * v13
+    J[1, 0] = p6_x
+    J[1, 1] = p6_x - p1_x
+    J[1, 2] = p6_x - p2_x
+    J[1, 3] = -(x3_y * v8)
+    J[1, 4] = -(v3 * v9 + z4_x * v11)
+    J[1, 5] = -(v7 * v12 + z5_x * v14)
+    J[2, 3] = x3_y * (p6_y - p3_y) - -x3_x * (p6_x - p3_x)
+    J[2, 4] = z4_x * v10 - z4_y * v9
+    J[2, 5] = z5_x * v13 - z5_y * v12
+    J[3, 3] = x3_y
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 3] = -x3_x
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 1] = 1.0
     J[5, 2] = 1.0
@@ -529,7 +507,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "parallel_123 a924840f4e71d5de"
+_KEY = "parallel_123 f21a9732d7fd1263"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -622,44 +600,38 @@ def _missed_by(pose, q):
     y5_x = v4 * ca5 + z4_x * sa5
     y5_y = v5 * ca5 + z4_y * sa5
     y5_z = v6 * ca5 - v3 * sa5
-    T13_ = z4_x * ca5 - v4 * sa5
-    T23_ = z4_y * ca5 - v5 * sa5
+    z5_x = z4_x * ca5 - v4 * sa5
+    z5_y = z4_y * ca5 - v5 * sa5
     v7 = v6 * sa5 + v3 * ca5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = (
-        c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + T11_ * a6
-        + T13_ * d6
-    )
-    T24_ = (
-        s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + T21_ * a6
-        + T23_ * d6
-    )
-    T34_ = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + T31_ * a6 - v7 * d6
+    x6_x = x5_x * c6 + y5_x * s6
+    x6_y = x5_y * c6 + y5_y * s6
+    x6_z = x5_z * c6 + y5_z * s6
     miss = 0.0
-    off = T11_ - pose[0]
+    off = x6_x - pose[0]
     miss += (1.0 * off) ** 2
-    off = T13_ - pose[2]
+    off = z5_x - pose[2]
     miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
+    off = (
+        c1 * a1 + x2_x * a2 + x3_x * a3 + x4_x * a4 + x3_y * d4 + x5_x * a5 + z4_x * d5 + x6_x * a6
+        + z5_x * d6 - pose[3]
+    )
     miss += (0.625 * off) ** 2
-    off = T21_ - pose[4]
+    off = x6_y - pose[4]
     miss += (1.0 * off) ** 2
-    off = T23_ - pose[6]
+    off = z5_y - pose[6]
     miss += (1.0 * off) ** 2
-    off = T24_ - pose[7]
+    off = (
+        s1 * a1 + x2_y * a2 + x3_y * a3 + x4_y * a4 + -x3_x * d4 + x5_y * a5 + z4_y * d5 + x6_y * a6
+        + z5_y * d6 - pose[7]
+    )
     miss += (0.625 * off) ** 2
-    off = T31_ - pose[8]
+    off = x6_z - pose[8]
     miss += (1.0 * off) ** 2
     off = -v7 - pose[10]
     miss += (1.0 * off) ** 2
-    off = T34_ - pose[11]
+    off = f1 + s4 * a4 + x5_z * a5 - v3 * d5 + x6_z * a6 - v7 * d6 - pose[11]
     miss += (0.625 * off) ** 2
     return math.sqrt(miss)
 
@@ -1559,12 +1531,12 @@ def _seek(pose, seed, begun, q, status):
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.625, 0.625, 0.625, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -1579,23 +1551,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -1607,49 +1579,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -1659,23 +1641,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

@@ -220,10 +220,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -512,7 +514,7 @@ static const double
     /* a row may miss the pose by this before it is tightened [mm] */
     doubtful_slack1 = 3.5500000000000003,
     k1 = 22050.0, /* 2 * a3 * a2 [mm^2] */
-    k2 = 4.5351473922902495e-05, /* 1 / (2 * a3 * a2) [mm^-2] */
+    k2 = 4.5351473922902495e-05, /* 1 / k1 [mm^-2] */
     doubt_limit_squared2 = 0.126025, /* square of a length that fixes no angle [mm^2] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
@@ -538,45 +540,41 @@ static const double highest[4] = { INFINITY, INFINITY, INFINITY, INFINITY };
 
 void phantomx_fk(const double q[4], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * s3 - s2 * c3, y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3,
-        y3_z = c2 * c3 + s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, T34_ = d1 + s2 * a2 - x3_z * a3 - x4_z * a4,
-        T11_ = x3_x * s4 - y3_x * c4, T21_ = x3_y * s4 - y3_y * c4, T31_ = x3_z * s4 - y3_z * c4;
-    T[0] = T11_; T[1] = s1; T[2] = -x4_x; T[3] = -(x2_x * a2 + x3_x * a3 + x4_x * a4);
-    T[4] = T21_; T[5] = -c1; T[6] = -x4_y; T[7] = -(x2_y * a2 + x3_y * a3 + x4_y * a4);
-    T[8] = T31_; T[9] = 0.0; T[10] = -x4_z; T[11] = T34_;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * s3 - s2 * c3, y3_x = y2_x * c3 - x2_x * s3,
+        y3_y = y2_y * c3 - x2_y * s3, y3_z = c2 * c3 + s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4;
+    T[0] = x3_x * s4 - y3_x * c4; T[1] = s1; T[2] = -x4_x;
+    T[3] = -(x2_x * a2 + x3_x * a3 + x4_x * a4);
+    T[4] = x3_y * s4 - y3_y * c4; T[5] = -c1; T[6] = -x4_y;
+    T[7] = -(x2_y * a2 + x3_y * a3 + x4_y * a4);
+    T[8] = x3_z * s4 - y3_z * c4; T[9] = 0.0; T[10] = -x4_z;
+    T[11] = d1 + s2 * a2 - x3_z * a3 - x4_z * a4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void phantomx_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2, v2 = x2_x * a2,
-        v3 = x2_y * a2, p2_z = d1 + s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * s3 - s2 * c3, v4 = v2 + x3_x * a3, v5 = v3 + x3_y * a3, p3_z = p2_z - x3_z * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double v6 = v4 + (x3_x * c4 + (y2_x * c3 - x2_x * s3) * s4) * a4,
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, v2 = x2_x * a2, v3 = x2_y * a2, p2_z = d1 + s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * s3 - s2 * c3, v4 = v2 + x3_x * a3,
+        v5 = v3 + x3_y * a3, p3_z = p2_z - x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]),
+        v6 = v4 + (x3_x * c4 + (y2_x * c3 - x2_x * s3) * s4) * a4,
         J11 = v5 + (x3_y * c4 + (y2_y * c3 - x2_y * s3) * s4) * a4,
-        p4_z = p3_z - (x3_z * c4 + (c2 * c3 + s2 * s3) * s4) * a4, v7 = p4_z - d1, J12 = c1 * v7,
-        J22 = s1 * v7, J32 = s1 * J11 + c1 * v6, v8 = p4_z - p2_z,
-        J33 = s1 * (v3 - J11) + c1 * (v2 - v6), v9 = p4_z - p3_z,
-        J34 = s1 * (v5 - J11) + c1 * (v4 - v6);
-    J[0] = J11; J[1] = J12; J[2] = -(c1 * v8); J[3] = -(c1 * v9);
-    J[4] = -v6; J[5] = J22; J[6] = -(s1 * v8); J[7] = -(s1 * v9);
-    J[8] = 0.0; J[9] = J32; J[10] = J33; J[11] = J34;
+        p4_z = p3_z - (x3_z * c4 + (c2 * c3 + s2 * s3) * s4) * a4, v7 = p4_z - d1, v8 = p4_z - p2_z,
+        v9 = p4_z - p3_z;
+    J[0] = J11; J[1] = c1 * v7; J[2] = -(c1 * v8); J[3] = -(c1 * v9);
+    J[4] = -v6; J[5] = s1 * v7; J[6] = -(s1 * v8); J[7] = -(s1 * v9);
+    J[8] = 0.0; J[9] = s1 * J11 + c1 * v6; J[10] = s1 * (v3 - J11) + c1 * (v2 - v6);
+    J[11] = s1 * (v5 - J11) + c1 * (v4 - v6);
     J[12] = 0.0; J[13] = -s1; J[14] = s1; J[15] = s1;
     J[16] = 0.0; J[17] = c1; J[18] = -c1; J[19] = -c1;
     J[20] = 1.0; J[21] = 0.0; J[22] = 0.0; J[23] = 0.0;
@@ -1129,14 +1127,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[4], const double q[4], double half[4])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.002817, 0.002817, 0.002817, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1161,15 +1168,15 @@ static double off_pose(const double T[16], const double x[4], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[4], const double J[24], double e[6], double x[4])
+    double share, const int held[4], const double J[24], double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
-            A[i][j] = pace[j] * weights[i] * J[4 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[4 * i + j];
         A[i][4 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1187,56 +1194,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[4])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[4])
 {
-    double x[4], J[24], pace[4] = { 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[4], half[4], J[24], last = HUGE_VAL;
+    int settled = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 4; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
-    double x[4], least = HUGE_VAL;
+    double x[4], half[4], J[24], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 4; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == PHANTOMX_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 4; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != PHANTOMX_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -195,10 +195,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -209,18 +211,16 @@ static const double
     k1 = 3.3333333333333335, /* 1 / a [m^-1] */
     k2 = 1.6666666666666667, /* 1 / 2 * 1 / a [m^-1] */
     k3 = 2.8867513459481287, /* sqrt3 * 1 / 2 * 1 / a [m^-1] */
-    k4 = 11.11111111111111, /* (1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2 [m^-2] */
-    /* 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * reach_slack [m^-2] */
-    k5 = 2.2222222222222224e-12,
-    /* 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * merge_slack [m^-2] */
-    k6 = 2.2222222222222222e-13,
-    k7 = 0.09, /* 1 / ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) [m^2] */
+    k4 = 11.11111111111111, /* k2^2 + k3^2 [m^-2] */
+    k5 = 2.2222222222222224e-12, /* 2 * k4 * reach_slack [m^-2] */
+    k6 = 2.2222222222222222e-13, /* 2 * k4 * merge_slack [m^-2] */
+    k7 = 0.09, /* 1 / k4 [m^2] */
     f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    f3 = 0.9999999999999999, /* (1 / 2)^2 + (1 / 2 * sqrt3)^2 */
+    f3 = 0.9999999999999999, /* f1^2 + f2^2 */
     g1 = 0.5, /* 1 / 2 */
     g2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
-    g3 = 0.9999999999999999; /* (1 / 2)^2 + (1 / 2 * sqrt3)^2 */
+    g3 = 0.9999999999999999; /* f1^2 + f2^2 */
 /* coefficients */
 static const double m1 = 0.15, m2 = 0.25980762113533157;
 
@@ -241,11 +241,9 @@ static const double weight[2] = { 11.11111111111111, 1.0 };
 
 void planar_pr_fk(const double q[2], double T[16])
 {
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double T11_ = f3 * c2, T21_ = f3 * s2, T14_ = f2 * q[0] + T11_ * a,
-        T24_ = f1 * q[0] + T21_ * a;
-    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
-    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = f3 * c2, x2_y = f3 * s2;
+    T[0] = x2_x; T[1] = -x2_y; T[2] = 0.0; T[3] = f2 * q[0] + x2_x * a;
+    T[4] = x2_y; T[5] = x2_x; T[6] = 0.0; T[7] = f1 * q[0] + x2_y * a;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
@@ -255,9 +253,8 @@ void planar_pr_jacobian(const double q[2], double J[12])
 {
     const double p1_x = g2 * q[0], p1_y = g1 * q[0];
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double J22 = p1_x + g3 * c2 * a - p1_x, J12 = p1_y - (p1_y + g3 * s2 * a);
-    J[0] = g2; J[1] = J12;
-    J[2] = g1; J[3] = J22;
+    J[0] = g2; J[1] = p1_y - (p1_y + g3 * s2 * a);
+    J[2] = g1; J[3] = p1_x + g3 * c2 * a - p1_x;
     J[4] = 0.0; J[5] = 0.0;
     J[6] = 0.0; J[7] = 0.0;
     J[8] = 0.0; J[9] = 0.0;
@@ -410,16 +407,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[2], const double q[2], double half[2])
 {
-    if (!revolute[joint])
-        return fabs(off) * 3.3333333333333335;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 2; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 3.3333333333333335));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 3.333, 3.333, 0.0, 0.0, 0.0, 0.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[2] = { 0.3, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -438,15 +442,15 @@ static double off_pose(const double T[16], const double x[2], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[2], const double J[12], double e[6], double x[2])
+    double share, const int held[2], const double J[12], double e[6], double x[2])
 {
     double A[6][8] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 2; j++)
-            A[i][j] = pace[j] * weights[i] * J[2 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[2 * i + j];
         A[i][2 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -464,56 +468,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[2])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[2])
 {
-    double x[2], J[12], pace[2] = { 0.3000, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[2], half[2], J[12], last = HUGE_VAL;
+    int settled = 0, held[2] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 2; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[2], double q[2][2],
     unsigned char status[2])
 {
-    double x[2], least = HUGE_VAL;
+    double x[2], half[2], J[12], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 2; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == PLANAR_PR_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 2; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != PLANAR_PR_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

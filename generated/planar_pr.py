@@ -84,18 +84,16 @@ a = 0.3  # x of the home pose [m]
 k1 = 3.3333333333333335  # 1 / a [m^-1]
 k2 = 1.6666666666666667  # 1 / 2 * 1 / a [m^-1]
 k3 = 2.8867513459481287  # sqrt3 * 1 / 2 * 1 / a [m^-1]
-k4 = 11.11111111111111  # (1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2 [m^-2]
-# 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * reach_slack [m^-2]
-k5 = 2.2222222222222224e-12
-# 2 * ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) * merge_slack [m^-2]
-k6 = 2.2222222222222222e-13
-k7 = 0.09  # 1 / ((1 / 2 * 1 / a)^2 + (sqrt3 * 1 / 2 * 1 / a)^2) [m^2]
+k4 = 11.11111111111111  # k2^2 + k3^2 [m^-2]
+k5 = 2.2222222222222224e-12  # 2 * k4 * reach_slack [m^-2]
+k6 = 2.2222222222222222e-13  # 2 * k4 * merge_slack [m^-2]
+k7 = 0.09  # 1 / k4 [m^2]
 f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
-f3 = 0.9999999999999999  # (1 / 2)^2 + (1 / 2 * sqrt3)^2
+f3 = 0.9999999999999999  # f1^2 + f2^2
 g1 = 0.5  # 1 / 2
 g2 = 0.8660254037844386  # 1 / 2 * sqrt3
-g3 = 0.9999999999999999  # (1 / 2)^2 + (1 / 2 * sqrt3)^2
+g3 = 0.9999999999999999  # f1^2 + f2^2
 m1 = 0.15  # a coefficient of s2
 m2 = 0.25980762113533157  # a coefficient of c2
 
@@ -181,16 +179,14 @@ def fk(q):
     T = np.zeros((4, 4))
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    T11_ = f3 * c2
-    T21_ = f3 * s2
-    T14_ = f2 * q[0] + T11_ * a
-    T24_ = f1 * q[0] + T21_ * a
-    T[0, 0] = T11_
-    T[0, 1] = -T21_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T11_
-    T[1, 3] = T24_
+    x2_x = f3 * c2
+    x2_y = f3 * s2
+    T[0, 0] = x2_x
+    T[0, 1] = -x2_y
+    T[0, 3] = f2 * q[0] + x2_x * a
+    T[1, 0] = x2_y
+    T[1, 1] = x2_x
+    T[1, 3] = f1 * q[0] + x2_y * a
     T[2, 2] = 1.0
     T[3, 3] = 1.0
     return T
@@ -206,12 +202,10 @@ def jacobian(q):
     p1_y = g1 * q[0]
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    J22 = p1_x + g3 * c2 * a - p1_x
-    J12 = p1_y - (p1_y + g3 * s2 * a)
     J[0, 0] = g2
-    J[0, 1] = J12
+    J[0, 1] = p1_y - (p1_y + g3 * s2 * a)
     J[1, 0] = g1
-    J[1, 1] = J22
+    J[1, 1] = p1_x + g3 * c2 * a - p1_x
     J[5, 1] = 1.0
     return J
 
@@ -228,7 +222,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 2dfa064b6785006b"
+_KEY = "planar_pr 284c68baa7d8074e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -346,14 +340,14 @@ def _turned(joint, given, towards):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([0.3000, 1.0])
+_PACE = np.array([0.3, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([3.333, 3.333, 0.0, 0.0, 0.0, 0.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -362,23 +356,23 @@ def _miss(T, q, pace, A):
     e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
     for j in range(2):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 8)), np.zeros(6)
     for i in range(6):
         for j in range(2):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 2 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -390,51 +384,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(8):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(2):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 3.333
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 2)), q.copy(), False
+    most = 0.0
+    for i in range(2):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 3.333))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(2)
+    held, A, x, settled = np.zeros(2, np.bool_), np.empty((6, 2)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(2):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(2)
     for i in range(2):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(2):
         q[i] = values[i]
     return settled
@@ -444,23 +447,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(2), 0, math.inf
+    x, half, place, least = np.empty(2), np.empty(2), 0, math.inf
+    A = np.empty((6, 2))
     for i in range(2):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(2):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(2):
         q[place, i] = x[i]

@@ -201,10 +201,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -216,7 +218,6 @@ static const double
     half_turn = 3.141592653589793, /* pi [rad] */
     whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit1^2 [m^2] */
-static const double low2 = -1e-09, high2 = 1.000000001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -239,8 +240,7 @@ void planar_rp_fk(const double q[2], double T[16])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1);
-    const double T14_ = s1 * q[1];
-    T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = T14_;
+    T[0] = c1; T[1] = 0.0; T[2] = s1; T[3] = s1 * q[1];
     T[4] = s1; T[5] = 0.0; T[6] = -c1; T[7] = -(c1 * q[1]);
     T[8] = 0.0; T[9] = 1.0; T[10] = 0.0; T[11] = 0.0;
     T[12] = T[13] = T[14] = 0.0;
@@ -251,9 +251,8 @@ void planar_rp_jacobian(const double q[2], double J[12])
 {
     const double v1 = q[0] + offset1;
     const double c1 = cos(v1), s1 = sin(v1);
-    const double J21 = s1 * q[1], J11 = c1 * q[1];
-    J[0] = J11; J[1] = s1;
-    J[2] = J21; J[3] = -c1;
+    J[0] = c1 * q[1]; J[1] = s1;
+    J[2] = s1 * q[1]; J[3] = -c1;
     J[4] = 0.0; J[5] = 0.0;
     J[6] = 0.0; J[7] = 0.0;
     J[8] = 0.0; J[9] = 0.0;
@@ -546,16 +545,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[2], const double q[2], double half[2])
 {
-    if (!revolute[joint])
-        return fabs(off) * 1.0;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 2; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.0));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 1.000, 1.000, 0.0, 0.0, 0.0, 0.0 };
+static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[2] = { 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -574,15 +580,15 @@ static double off_pose(const double T[16], const double x[2], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[2], const double J[12], double e[6], double x[2])
+    double share, const int held[2], const double J[12], double e[6], double x[2])
 {
     double A[6][8] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 2; j++)
-            A[i][j] = pace[j] * weights[i] * J[2 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[2 * i + j];
         A[i][2 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -600,62 +606,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[2])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[2])
 {
-    double x[2], J[12], pace[2] = { 1.0, 1.000 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[2], half[2], J[12], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[2] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 2; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[2], double q[2][2],
     unsigned char status[2])
 {
-    double x[2], least = HUGE_VAL;
+    double x[2], half[2], J[12], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 2; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
+        return;
+    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == PLANAR_RP_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 2; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != PLANAR_RP_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -690,7 +703,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2],
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -49,8 +49,8 @@ void planar_rr_jacobian(const double q[2], double J[12]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -PLANAR_RR_INVALID_POSE, where the seed is
- * asked for also if that is not finite. */
+ * Returns how many rows are OK or FREE_JOINT, or -PLANAR_RR_INVALID_POSE, also for a seed that is
+ * not finite where it may count. */
 int planar_rr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2]);
 
 /* The solution nearest to q_seed, angles moved by whole turns inside their limits.

@@ -159,6 +159,7 @@ static double pulled(
     const double high[4])
 {
     double least = HUGE_VAL, pull = 0.5, best[4], step[4];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -269,16 +270,13 @@ static const double highest[4] = {
 void planar_rrrr_fk(const double q[4], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double T11_ = x3_x * c4 - x3_y * s4, T21_ = x3_y * c4 + x3_x * s4,
-        T14_ = c1 * a + a * x2_x + a * x3_x + a * T11_,
-        T24_ = s1 * a + a * x2_y + a * x3_y + a * T21_;
-    T[0] = T11_; T[1] = -T21_; T[2] = 0.0; T[3] = T14_;
-    T[4] = T21_; T[5] = T11_; T[6] = 0.0; T[7] = T24_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - x2_y * s3,
+        x3_y = x2_y * c3 + x2_x * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - x3_y * s4,
+        x4_y = x3_y * c4 + x3_x * s4;
+    T[0] = x4_x; T[1] = -x4_y; T[2] = 0.0; T[3] = c1 * a + a * x2_x + a * x3_x + a * x4_x;
+    T[4] = x4_y; T[5] = x4_x; T[6] = 0.0; T[7] = s1 * a + a * x2_y + a * x3_y + a * x4_y;
     T[8] = 0.0; T[9] = 0.0; T[10] = 1.0; T[11] = 0.0;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
@@ -286,20 +284,15 @@ void planar_rrrr_fk(const double q[4], double T[16])
 
 void planar_rrrr_jacobian(const double q[4], double J[24])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a, p1_y = s1 * a;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + a * x2_x,
-        p2_y = p1_y + a * x2_y;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - x2_y * s3, x3_y = x2_y * c3 + x2_x * s3, p3_x = p2_x + a * x3_x,
-        p3_y = p2_y + a * x3_y;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J21 = p3_x + a * (x3_x * c4 - x3_y * s4),
-        p4_y = p3_y + a * (x3_y * c4 + x3_x * s4), J22 = J21 - p1_x, J12 = p1_y - p4_y,
-        J23 = J21 - p2_x, J13 = p2_y - p4_y, J24 = J21 - p3_x, J14 = p3_y - p4_y;
-    J[0] = -p4_y; J[1] = J12; J[2] = J13; J[3] = J14;
-    J[4] = J21; J[5] = J22; J[6] = J23; J[7] = J24;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a, p1_y = s1 * a;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
+        p2_x = p1_x + a * x2_x, p2_y = p1_y + a * x2_y;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - x2_y * s3,
+        x3_y = x2_y * c3 + x2_x * s3, p3_x = p2_x + a * x3_x, p3_y = p2_y + a * x3_y;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), p4_x = p3_x + a * (x3_x * c4 - x3_y * s4),
+        p4_y = p3_y + a * (x3_y * c4 + x3_x * s4);
+    J[0] = -p4_y; J[1] = p1_y - p4_y; J[2] = p2_y - p4_y; J[3] = p3_y - p4_y;
+    J[4] = p4_x; J[5] = p4_x - p1_x; J[6] = p4_x - p2_x; J[7] = p4_x - p3_x;
     J[8] = 0.0; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = 0.0; J[14] = 0.0; J[15] = 0.0;
     J[16] = 0.0; J[17] = 0.0; J[18] = 0.0; J[19] = 0.0;
@@ -380,14 +373,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[4], const double q[4], double half[4])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 4; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 1.000, 1.000, 0.0, 0.0, 0.0, 0.0 };
+static const double weights[6] = { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -406,15 +408,15 @@ static double off_pose(const double T[16], const double x[4], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[4], const double J[24], double e[6], double x[4])
+    double share, const int held[4], const double J[24], double e[6], double x[4])
 {
     double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
-            A[i][j] = pace[j] * weights[i] * J[4 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[4 * i + j];
         A[i][4 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -432,38 +434,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[4])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[4])
 {
-    double x[4], J[24], pace[4] = { 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[4], half[4], J[24], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 4; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -490,7 +496,7 @@ int planar_rrrr_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

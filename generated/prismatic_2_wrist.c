@@ -228,10 +228,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -258,9 +260,9 @@ static const double
     k1 = 0.4138869064318786, /* d1 * cat2 + (a1 * sat2 + d3) [m] */
     k2 = 0.08542781224187632, /* d4 * sat2 [m] */
     k3 = 0.0158935464636049, /* a3 * sat2 [m] */
-    k4 = 0.007550515923624042, /* (d4 * sat2)^2 + (a3 * sat2)^2 [m^2] */
+    k4 = 0.007550515923624042, /* k2^2 + k3^2 [m^2] */
     k5 = 0.36820625816486496, /* d1 + (cat2 * d3 - a2 * sat2) [m] */
-    k6 = 132.4412808495909, /* 1 / ((d4 * sat2)^2 + (a3 * sat2)^2) [m^-2] */
+    k6 = 132.4412808495909, /* 1 / k4 [m^-2] */
     f1 = 0.2701996003807408, /* d1 - sat2 * a2 [m] */
     f2 = 0.09800665778412417, /* d3 * cat2 [m] */
     g1 = 0.2701996003807408, /* d1 - sat2 * a2 [m] */
@@ -293,61 +295,55 @@ static const double weight[6] = { 1.0, 0.6503642039542143, 1.0, 1.0, 1.0, 1.0 };
 
 void prismatic_2_wrist_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double x2_x = c1 * cat2, x2_y = s1 * cat2, z2_x = c1 * sat2, z2_y = s1 * sat2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = sat2 * c3,
-        v2 = s1 * c3 + x2_x * s3, z3_y = c1 * c3 - x2_y * s3, z3_z = sat2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - z2_x * s4, x4_y = x3_y * c4 - z2_y * s4,
-        v3 = v1 * c4 + cat2 * s4, z4_x = z2_x * c4 + x3_x * s4, z4_y = z2_y * c4 + x3_y * s4,
-        y5_z = v1 * s4 - cat2 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v2 * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = z3_z * s5 - v3 * c5, v4 = v2 * c5 + x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
-        T33_ = z3_z * c5 + v3 * s5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), x2_x = c1 * cat2, x2_y = s1 * cat2,
+        z2_x = c1 * sat2, z2_y = s1 * sat2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
+        x3_y = x2_y * c3 + c1 * s3, v1 = sat2 * c3, v2 = s1 * c3 + x2_x * s3,
+        z3_y = c1 * c3 - x2_y * s3, z3_z = sat2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - z2_x * s4,
+        x4_y = x3_y * c4 - z2_y * s4, v3 = v1 * c4 + cat2 * s4, z4_x = z2_x * c4 + x3_x * s4,
+        z4_y = z2_y * c4 + x3_y * s4, y5_z = v1 * s4 - cat2 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - v2 * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = z3_z * s5 - v3 * c5, v4 = v2 * c5 + x4_x * s5,
+        z5_y = z3_y * c5 - x4_y * s5, z5_z = z3_z * c5 + v3 * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 - z4_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, T32_ = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6,
-        T24_ = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + T23_ * d6,
-        T34_ = f1 - v1 * a3 + f2 + z3_z * d4 + T33_ * d6;
-    T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -v4; T[3] = T14_;
-    T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 - z4_x * s6; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -v4;
+    T[3] = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6;
+    T[4] = x5_y * c6 - z4_y * s6; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = z5_y;
+    T[7] = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + z5_y * d6;
+    T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = z5_z;
+    T[11] = f1 - v1 * a3 + f2 + z3_z * d4 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void prismatic_2_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double x2_x = c1 * cat2, x2_y = s1 * cat2, J43 = c1 * sat2, J53 = s1 * sat2,
-        p2_x = c1 * a1 - s1 * q[1] + x2_x * a2, p2_y = s1 * a1 + c1 * q[1] + x2_y * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - s1 * s3, x3_y = x2_y * c3 + c1 * s3, v1 = sat2 * c3,
-        v2 = s1 * c3 + x2_x * s3, J54 = c1 * c3 - x2_y * s3, J64 = sat2 * s3,
-        p3_x = p2_x + x3_x * a3 + J43 * d3, p3_y = p2_y + x3_y * a3 + J53 * d3,
-        p3_z = g1 - v1 * a3 + g2;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = J43 * c4 + x3_x * s4, J55 = J53 * c4 + x3_y * s4, p4_x = p3_x - v2 * d4,
-        p4_y = p3_y + J54 * d4, p4_z = p3_z + J64 * d4, J65 = cat2 * c4 - v1 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double v3 = v2 * c5 + (x3_x * c4 - J43 * s4) * s5,
-        J56 = J54 * c5 - (x3_y * c4 - J53 * s4) * s5, J66 = J64 * c5 + (v1 * c4 + cat2 * s4) * s5,
-        J21 = p4_x - v3 * d6, p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6, v4 = J21 - p2_x,
-        v5 = p6_y - p2_y, v6 = p6_z - g1, J13 = J53 * v6 - cat2 * v5, J23 = cat2 * v4 - J43 * v6,
-        J33 = J43 * v5 - J53 * v4, v7 = J21 - p3_x, v8 = p6_y - p3_y, v9 = p6_z - p3_z,
-        J14 = J54 * v9 - J64 * v8, J24 = J64 * v7 + v2 * v9, v10 = J21 - p4_x, v11 = p6_y - p4_y,
-        v12 = p6_z - p4_z, J15 = J55 * v12 - J65 * v11, J25 = J65 * v10 - J45 * v12,
-        J35 = J45 * v11 - J55 * v10, J16 = J56 * v12 - J66 * v11, J26 = J66 * v10 + v3 * v12;
-    J[0] = -p6_y; J[1] = -s1; J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = c1; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = 0.0; J[14] = J33; J[15] = -(v2 * v8 + J54 * v7); J[16] = J35;
-    J[17] = -(v3 * v11 + J56 * v10);
-    J[18] = 0.0; J[19] = 0.0; J[20] = J43; J[21] = -v2; J[22] = J45; J[23] = -v3;
-    J[24] = 0.0; J[25] = 0.0; J[26] = J53; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = cat2; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), x2_x = c1 * cat2, x2_y = s1 * cat2,
+        z2_x = c1 * sat2, z2_y = s1 * sat2, p2_x = c1 * a1 - s1 * q[1] + x2_x * a2,
+        p2_y = s1 * a1 + c1 * q[1] + x2_y * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - s1 * s3,
+        x3_y = x2_y * c3 + c1 * s3, v1 = sat2 * c3, v2 = s1 * c3 + x2_x * s3,
+        z3_y = c1 * c3 - x2_y * s3, z3_z = sat2 * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,
+        p3_y = p2_y + x3_y * a3 + z2_y * d3, p3_z = g1 - v1 * a3 + g2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), z4_x = z2_x * c4 + x3_x * s4,
+        z4_y = z2_y * c4 + x3_y * s4, p4_x = p3_x - v2 * d4, p4_y = p3_y + z3_y * d4,
+        p4_z = p3_z + z3_z * d4, z4_z = cat2 * c4 - v1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), v3 = v2 * c5 + (x3_x * c4 - z2_x * s4) * s5,
+        z5_y = z3_y * c5 - (x3_y * c4 - z2_y * s4) * s5,
+        z5_z = z3_z * c5 + (v1 * c4 + cat2 * s4) * s5, p6_x = p4_x - v3 * d6,
+        p6_y = p4_y + z5_y * d6, p6_z = p4_z + z5_z * d6, v4 = p6_x - p2_x, v5 = p6_y - p2_y,
+        v6 = p6_z - g1, v7 = p6_x - p3_x, v8 = p6_y - p3_y, v9 = p6_z - p3_z, v10 = p6_x - p4_x,
+        v11 = p6_y - p4_y, v12 = p6_z - p4_z;
+    J[0] = -p6_y; J[1] = -s1; J[2] = z2_y * v6 - cat2 * v5; J[3] = z3_y * v9 - z3_z * v8;
+    J[4] = z4_y * v12 - z4_z * v11; J[5] = z5_y * v12 - z5_z * v11;
+    J[6] = p6_x; J[7] = c1; J[8] = cat2 * v4 - z2_x * v6; J[9] = z3_z * v7 + v2 * v9;
+    J[10] = z4_z * v10 - z4_x * v12; J[11] = z5_z * v10 + v3 * v12;
+    J[12] = 0.0; J[13] = 0.0; J[14] = z2_x * v5 - z2_y * v4; J[15] = -(v2 * v8 + z3_y * v7);
+    J[16] = z4_x * v11 - z4_y * v10; J[17] = -(v3 * v11 + z5_y * v10);
+    J[18] = 0.0; J[19] = 0.0; J[20] = z2_x; J[21] = -v2; J[22] = z4_x; J[23] = -v3;
+    J[24] = 0.0; J[25] = 0.0; J[26] = z2_y; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = cat2; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -749,16 +745,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.8064516129032259;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.8064516129032259));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.24, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -783,15 +786,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -809,56 +812,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.240, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == PRISMATIC_2_WRIST_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != PRISMATIC_2_WRIST_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -112,9 +112,9 @@ free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.4138869064318786  # d1 * cat2 + (a1 * sat2 + d3) [m]
 k2 = 0.08542781224187632  # d4 * sat2 [m]
 k3 = 0.0158935464636049  # a3 * sat2 [m]
-k4 = 0.007550515923624042  # (d4 * sat2)^2 + (a3 * sat2)^2 [m^2]
+k4 = 0.007550515923624042  # k2^2 + k3^2 [m^2]
 k5 = 0.36820625816486496  # d1 + (cat2 * d3 - a2 * sat2) [m]
-k6 = 132.4412808495909  # 1 / ((d4 * sat2)^2 + (a3 * sat2)^2) [m^-2]
+k6 = 132.4412808495909  # 1 / k4 [m^-2]
 f1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
 f2 = 0.09800665778412417  # d3 * cat2 [m]
 g1 = 0.2701996003807408  # d1 - sat2 * a2 [m]
@@ -235,29 +235,22 @@ def fk(q):
     x5_y = x4_y * c5 + z3_y * s5
     x5_z = z3_z * s5 - v3 * c5
     v4 = v2 * c5 + x4_x * s5
-    T23_ = z3_y * c5 - x4_y * s5
-    T33_ = z3_z * c5 + v3 * s5
+    z5_y = z3_y * c5 - x4_y * s5
+    z5_z = z3_z * c5 + v3 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 - z4_x * s6
-    T21_ = x5_y * c6 - z4_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6
-    T24_ = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + T23_ * d6
-    T34_ = f1 - v1 * a3 + f2 + z3_z * d4 + T33_ * d6
-    T[0, 0] = T11_
+    T[0, 0] = x5_x * c6 - z4_x * s6
     T[0, 1] = -(z4_x * c6 + x5_x * s6)
     T[0, 2] = -v4
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 3] = c1 * a1 - s1 * q[1] + x2_x * a2 + x3_x * a3 + z2_x * d3 - v2 * d4 - v4 * d6
+    T[1, 0] = x5_y * c6 - z4_y * s6
     T[1, 1] = -(z4_y * c6 + x5_y * s6)
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + c1 * q[1] + x2_y * a2 + x3_y * a3 + z2_y * d3 + z3_y * d4 + z5_y * d6
+    T[2, 0] = x5_z * c6 + y5_z * s6
+    T[2, 1] = y5_z * c6 - x5_z * s6
+    T[2, 2] = z5_z
+    T[2, 3] = f1 - v1 * a3 + f2 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -272,8 +265,8 @@ def jacobian(q):
     s1 = math.sin(q[0])
     x2_x = c1 * cat2
     x2_y = s1 * cat2
-    J43 = c1 * sat2
-    J53 = s1 * sat2
+    z2_x = c1 * sat2
+    z2_y = s1 * sat2
     p2_x = c1 * a1 - s1 * q[1] + x2_x * a2
     p2_y = s1 * a1 + c1 * q[1] + x2_y * a2
     c3 = math.cos(q[2])
@@ -282,75 +275,65 @@ def jacobian(q):
     x3_y = x2_y * c3 + c1 * s3
     v1 = sat2 * c3
     v2 = s1 * c3 + x2_x * s3
-    J54 = c1 * c3 - x2_y * s3
-    J64 = sat2 * s3
-    p3_x = p2_x + x3_x * a3 + J43 * d3
-    p3_y = p2_y + x3_y * a3 + J53 * d3
+    z3_y = c1 * c3 - x2_y * s3
+    z3_z = sat2 * s3
+    p3_x = p2_x + x3_x * a3 + z2_x * d3
+    p3_y = p2_y + x3_y * a3 + z2_y * d3
     p3_z = g1 - v1 * a3 + g2
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = J43 * c4 + x3_x * s4
-    J55 = J53 * c4 + x3_y * s4
+    z4_x = z2_x * c4 + x3_x * s4
+    z4_y = z2_y * c4 + x3_y * s4
     p4_x = p3_x - v2 * d4
-    p4_y = p3_y + J54 * d4
-    p4_z = p3_z + J64 * d4
-    J65 = cat2 * c4 - v1 * s4
+    p4_y = p3_y + z3_y * d4
+    p4_z = p3_z + z3_z * d4
+    z4_z = cat2 * c4 - v1 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    v3 = v2 * c5 + (x3_x * c4 - J43 * s4) * s5
-    J56 = J54 * c5 - (x3_y * c4 - J53 * s4) * s5
-    J66 = J64 * c5 + (v1 * c4 + cat2 * s4) * s5
-    J21 = p4_x - v3 * d6
-    p6_y = p4_y + J56 * d6
-    p6_z = p4_z + J66 * d6
-    v4 = J21 - p2_x
+    v3 = v2 * c5 + (x3_x * c4 - z2_x * s4) * s5
+    z5_y = z3_y * c5 - (x3_y * c4 - z2_y * s4) * s5
+    z5_z = z3_z * c5 + (v1 * c4 + cat2 * s4) * s5
+    p6_x = p4_x - v3 * d6
+    p6_y = p4_y + z5_y * d6
+    p6_z = p4_z + z5_z * d6
+    v4 = p6_x - p2_x
     v5 = p6_y - p2_y
     v6 = p6_z - g1
-    J13 = J53 * v6 - cat2 * v5
-    J23 = cat2 * v4 - J43 * v6
-    J33 = J43 * v5 - J53 * v4
-    v7 = J21 - p3_x
+    v7 = p6_x - p3_x
     v8 = p6_y - p3_y
     v9 = p6_z - p3_z
-    J14 = J54 * v9 - J64 * v8
-    J24 = J64 * v7 + v2 * v9
-    v10 = J21 - p4_x
+    v10 = p6_x - p4_x
     v11 = p6_y - p4_y
     v12 = p6_z - p4_z
-    J15 = J55 * v12 - J65 * v11
-    J25 = J65 * v10 - J45 * v12
-    J35 = J45 * v11 - J55 * v10
-    J16 = J56 * v12 - J66 * v11
-    J26 = J66 * v10 + v3 * v12
     J[0, 0] = -p6_y
     J[0, 1] = -s1
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
+    J[0, 2] = z2_y * v6 - cat2 * v5
+    J[0, 3] = z3_y * v9 - z3_z * v8
+    J[0, 4] = z4_y * v12 - z4_z * v11
+    J[0, 5] = z5_y * v12 - z5_z * v11
+    J[1, 0] = p6_x
     J[1, 1] = c1
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[2, 2] = J33
-    J[2, 3] = -(v2 * v8 + J54 * v7)
-    J[2, 4] = J35
-    J[2, 5] = -(v3 * v11 + J56 * v10)
-    J[3, 2] = J43
+    J[1, 2] = cat2 * v4 - z2_x * v6
+    J[1, 3] = z3_z * v7 + v2 * v9
+    J[1, 4] = z4_z * v10 - z4_x * v12
+    J[1, 5] = z5_z * v10 + v3 * v12
+    J[2, 2] = z2_x * v5 - z2_y * v4
+    J[2, 3] = -(v2 * v8 + z3_y * v7)
+    J[2, 4] = z4_x * v11 - z4_y * v10
+    J[2, 5] = -(v3 * v11 + z5_y * v10)
+    J[3, 2] = z2_x
     J[3, 3] = -v2
-    J[3, 4] = J45
+    J[3, 4] = z4_x
     J[3, 5] = -v3
-    J[4, 2] = J53
-    J[4, 3] = J54
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 2] = z2_y
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 2] = cat2
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -366,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "prismatic_2_wrist 8e7b85bc5dd0f647"
+_KEY = "prismatic_2_wrist 8b3af56d7acc7b4a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -628,14 +611,14 @@ def _turned(joint, given, towards):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.240, 1.0, 1.0, 1.0, 1.0])
+_PACE = np.array([1.0, 1.24, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.8065, 0.8065, 0.8065, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -650,23 +633,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -678,51 +661,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.8065
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.8065))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -732,23 +724,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

@@ -226,10 +226,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -252,7 +254,7 @@ static const double
     k3 = 3.041963650001027e-14, /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
     k4 = 3.041963650000102e-15, /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
     k5 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
-    k6 = 2.681666262986505, /* 1 / (2 * D4 * L2) [m^-2] */
+    k6 = 2.681666262986505, /* 1 / k5 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
     g1 = 0.8636, /* L2 + D4 [m] */
     doubt_limit_squared2 = 1.0274863225e-06, /* square of a length that fixes no angle [m^2] */
@@ -281,26 +283,24 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void puma_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = s1 * s2, v1 = c1 * s2, y2_x = s1 * c2, v2 = c1 * c2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, v3 = v1 * c3 + v2 * s3, x3_z = c2 * c3 - s2 * s3,
-        v4 = s2 * c3 + c2 * s3, v5 = x2_x * s3 - y2_x * c3, v6 = v2 * c3 - v1 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = c1 * c4 + v5 * s4, x4_y = s1 * c4 + v6 * s4, x4_z = v4 * s4, y4_z = v4 * c4,
-        v7 = c1 * s4 - v5 * c4, v8 = s1 * s4 - v6 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double T13_ = x3_x * c5 + v7 * s5, T23_ = v8 * s5 - v3 * c5, T33_ = x3_z * c5 - y4_z * s5,
-        y5_y = v8 * c5 + v3 * s5, v9 = y4_z * c5 + x3_z * s5, v10 = x3_x * s5 - v7 * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x4_x * c6 + v10 * s6, T21_ = x4_y * c6 - y5_y * s6,
-        T31_ = x4_z * c6 + v9 * s6, T12_ = v10 * c6 - x4_x * s6, T32_ = v9 * c6 - x4_z * s6,
-        T14_ = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * T11_ - T13_ * f1,
-        T24_ = s1 * D3 - v1 * L2 - v3 * D4 - D3 * T21_ - T23_ * f1,
-        T34_ = c2 * L2 + x3_z * D4 - D3 * T31_ - T33_ * f1;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(y5_y * c6 + x4_y * s6); T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = s1 * s2, v1 = c1 * s2, y2_x = s1 * c2,
+        v2 = c1 * c2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        v3 = v1 * c3 + v2 * s3, x3_z = c2 * c3 - s2 * s3, v4 = s2 * c3 + c2 * s3,
+        v5 = x2_x * s3 - y2_x * c3, v6 = v2 * c3 - v1 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = c1 * c4 + v5 * s4, x4_y = s1 * c4 + v6 * s4,
+        x4_z = v4 * s4, y4_z = v4 * c4, v7 = c1 * s4 - v5 * c4, v8 = s1 * s4 - v6 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x3_x * c5 + v7 * s5,
+        x5_y = v8 * s5 - v3 * c5, x5_z = x3_z * c5 - y4_z * s5, y5_y = v8 * c5 + v3 * s5,
+        v9 = y4_z * c5 + x3_z * s5, v10 = x3_x * s5 - v7 * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x4_x * c6 + v10 * s6,
+        x6_y = x4_y * c6 - y5_y * s6, x6_z = x4_z * c6 + v9 * s6;
+    T[0] = x6_x; T[1] = v10 * c6 - x4_x * s6; T[2] = x5_x;
+    T[3] = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * x6_x - x5_x * f1;
+    T[4] = x6_y; T[5] = -(y5_y * c6 + x4_y * s6); T[6] = x5_y;
+    T[7] = s1 * D3 - v1 * L2 - v3 * D4 - D3 * x6_y - x5_y * f1;
+    T[8] = x6_z; T[9] = v9 * c6 - x4_z * s6; T[10] = x5_z;
+    T[11] = c2 * L2 + x3_z * D4 - D3 * x6_z - x5_z * f1;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -308,35 +308,31 @@ void puma_fk(const double q[6], double T[16])
 void puma_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = s1 * s2, v1 = c1 * s2, y2_x = s1 * c2, v2 = c1 * c2, p3_x = x2_x * L2,
-        v3 = v1 * L2, p3_z = c2 * L2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J44 = x2_x * c3 + y2_x * s3, v4 = v1 * c3 + v2 * s3, J64 = c2 * c3 - s2 * s3,
-        v5 = s2 * c3 + c2 * s3, p4_x = p3_x + c1 * D3, p4_y = s1 * D3 - v3,
-        v6 = x2_x * s3 - y2_x * c3, v7 = v2 * c3 - v1 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = c1 * c4 + v6 * s4, J55 = s1 * c4 + v7 * s4, J65 = v5 * s4, y4_z = v5 * c4,
-        p5_x = p4_x + J44 * D4, p5_y = p4_y - v4 * D4, p5_z = p3_z + J64 * D4,
-        v8 = c1 * s4 - v6 * c4, v9 = s1 * s4 - v7 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = J44 * c5 + v8 * s5, J56 = v9 * s5 - v4 * c5, J66 = J64 * c5 - y4_z * s5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J21 = p5_x - D3 * (J45 * c6 + (J44 * s5 - v8 * c5) * s6) - J46 * g1,
-        v10 = p5_y - D3 * (J55 * c6 - (v9 * c5 + v4 * s5) * s6) - J56 * g1,
-        v11 = p5_z - D3 * (J65 * c6 + (y4_z * c5 + J64 * s5) * s6) - J66 * g1, J12 = s1 * v11,
-        J32 = c1 * v10 - s1 * J21, v12 = v11 - p3_z, J13 = s1 * v12,
-        J33 = c1 * (v3 + v10) - s1 * (J21 - p3_x), v13 = J21 - p4_x, v14 = v10 - p4_y,
-        J24 = J64 * v13 - J44 * v12, J34 = J44 * v14 + v4 * v13, v15 = J21 - p5_x, v16 = v10 - p5_y,
-        v17 = v11 - p5_z, J15 = J55 * v17 - J65 * v16, J25 = J65 * v15 - J45 * v17,
-        J35 = J45 * v16 - J55 * v15, J16 = J56 * v17 - J66 * v16, J26 = J66 * v15 - J46 * v17,
-        J36 = J46 * v16 - J56 * v15;
-    J[0] = -v10; J[1] = J12; J[2] = J13; J[3] = -(v4 * v12 + J64 * v14); J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -(c1 * v11); J[8] = -(c1 * v12); J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = c1; J[20] = c1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = s1; J[26] = s1; J[27] = -v4; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = s1 * s2, v1 = c1 * s2, y2_x = s1 * c2,
+        v2 = c1 * c2, p3_x = x2_x * L2, v3 = v1 * L2, p3_z = c2 * L2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        v4 = v1 * c3 + v2 * s3, x3_z = c2 * c3 - s2 * s3, v5 = s2 * c3 + c2 * s3,
+        p4_x = p3_x + c1 * D3, p4_y = s1 * D3 - v3, v6 = x2_x * s3 - y2_x * c3,
+        v7 = v2 * c3 - v1 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = c1 * c4 + v6 * s4, x4_y = s1 * c4 + v7 * s4,
+        x4_z = v5 * s4, y4_z = v5 * c4, p5_x = p4_x + x3_x * D4, p5_y = p4_y - v4 * D4,
+        p5_z = p3_z + x3_z * D4, v8 = c1 * s4 - v6 * c4, v9 = s1 * s4 - v7 * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x3_x * c5 + v8 * s5,
+        x5_y = v9 * s5 - v4 * c5, x5_z = x3_z * c5 - y4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]),
+        J21 = p5_x - D3 * (x4_x * c6 + (x3_x * s5 - v8 * c5) * s6) - x5_x * g1,
+        v10 = p5_y - D3 * (x4_y * c6 - (v9 * c5 + v4 * s5) * s6) - x5_y * g1,
+        v11 = p5_z - D3 * (x4_z * c6 + (y4_z * c5 + x3_z * s5) * s6) - x5_z * g1, v12 = v11 - p3_z,
+        v13 = J21 - p4_x, v14 = v10 - p4_y, v15 = J21 - p5_x, v16 = v10 - p5_y, v17 = v11 - p5_z;
+    J[0] = -v10; J[1] = s1 * v11; J[2] = s1 * v12; J[3] = -(v4 * v12 + x3_z * v14);
+    J[4] = x4_y * v17 - x4_z * v16; J[5] = x5_y * v17 - x5_z * v16;
+    J[6] = J21; J[7] = -(c1 * v11); J[8] = -(c1 * v12); J[9] = x3_z * v13 - x3_x * v12;
+    J[10] = x4_z * v15 - x4_x * v17; J[11] = x5_z * v15 - x5_x * v17;
+    J[12] = 0.0; J[13] = c1 * v10 - s1 * J21; J[14] = c1 * (v3 + v10) - s1 * (J21 - p3_x);
+    J[15] = x3_x * v14 + v4 * v13; J[16] = x4_x * v16 - x4_y * v15; J[17] = x5_x * v16 - x5_y * v15;
+    J[18] = 0.0; J[19] = c1; J[20] = c1; J[21] = x3_x; J[22] = x4_x; J[23] = x5_x;
+    J[24] = 0.0; J[25] = s1; J[26] = s1; J[27] = -v4; J[28] = x4_y; J[29] = x5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = x3_z; J[34] = x4_z; J[35] = x5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -711,14 +707,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.9865, 0.9865, 0.9865, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -743,15 +748,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -769,56 +774,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == PUMA_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != PUMA_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -106,7 +106,7 @@ k2 = 0.022515002499999996  # D3^2 [m^2]
 k3 = 3.041963650001027e-14  # reach_slack1 * (2 * D3 + reach_slack1) [m^2]
 k4 = 3.041963650000102e-15  # merge_slack1 * (2 * D3 + merge_slack1) [m^2]
 k5 = 0.37290248000000004  # 2 * D4 * L2 [m^2]
-k6 = 2.681666262986505  # 1 / (2 * D4 * L2) [m^-2]
+k6 = 2.681666262986505  # 1 / k5 [m^-2]
 f1 = 0.8636  # L2 + D4 [m]
 g1 = 0.8636  # L2 + D4 [m]
 doubt_limit_squared2 = 1.0274863225e-06  # square of a length that fixes no angle [m^2]
@@ -222,34 +222,29 @@ def fk(q):
     v8 = s1 * s4 - v6 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T13_ = x3_x * c5 + v7 * s5
-    T23_ = v8 * s5 - v3 * c5
-    T33_ = x3_z * c5 - y4_z * s5
+    x5_x = x3_x * c5 + v7 * s5
+    x5_y = v8 * s5 - v3 * c5
+    x5_z = x3_z * c5 - y4_z * s5
     y5_y = v8 * c5 + v3 * s5
     v9 = y4_z * c5 + x3_z * s5
     v10 = x3_x * s5 - v7 * c5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x4_x * c6 + v10 * s6
-    T21_ = x4_y * c6 - y5_y * s6
-    T31_ = x4_z * c6 + v9 * s6
-    T12_ = v10 * c6 - x4_x * s6
-    T32_ = v9 * c6 - x4_z * s6
-    T14_ = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * T11_ - T13_ * f1
-    T24_ = s1 * D3 - v1 * L2 - v3 * D4 - D3 * T21_ - T23_ * f1
-    T34_ = c2 * L2 + x3_z * D4 - D3 * T31_ - T33_ * f1
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    x6_x = x4_x * c6 + v10 * s6
+    x6_y = x4_y * c6 - y5_y * s6
+    x6_z = x4_z * c6 + v9 * s6
+    T[0, 0] = x6_x
+    T[0, 1] = v10 * c6 - x4_x * s6
+    T[0, 2] = x5_x
+    T[0, 3] = x2_x * L2 + c1 * D3 + x3_x * D4 - D3 * x6_x - x5_x * f1
+    T[1, 0] = x6_y
     T[1, 1] = -(y5_y * c6 + x4_y * s6)
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[1, 2] = x5_y
+    T[1, 3] = s1 * D3 - v1 * L2 - v3 * D4 - D3 * x6_y - x5_y * f1
+    T[2, 0] = x6_z
+    T[2, 1] = v9 * c6 - x4_z * s6
+    T[2, 2] = x5_z
+    T[2, 3] = c2 * L2 + x3_z * D4 - D3 * x6_z - x5_z * f1
     T[3, 3] = 1.0
     return T
 
@@ -273,9 +268,9 @@ def jacobian(q):
     p3_z = c2 * L2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J44 = x2_x * c3 + y2_x * s3
+    x3_x = x2_x * c3 + y2_x * s3
     v4 = v1 * c3 + v2 * s3
-    J64 = c2 * c3 - s2 * s3
+    x3_z = c2 * c3 - s2 * s3
     v5 = s2 * c3 + c2 * s3
     p4_x = p3_x + c1 * D3
     p4_y = s1 * D3 - v3
@@ -283,74 +278,62 @@ def jacobian(q):
     v7 = v2 * c3 - v1 * s3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = c1 * c4 + v6 * s4
-    J55 = s1 * c4 + v7 * s4
-    J65 = v5 * s4
+    x4_x = c1 * c4 + v6 * s4
+    x4_y = s1 * c4 + v7 * s4
+    x4_z = v5 * s4
     y4_z = v5 * c4
-    p5_x = p4_x + J44 * D4
+    p5_x = p4_x + x3_x * D4
     p5_y = p4_y - v4 * D4
-    p5_z = p3_z + J64 * D4
+    p5_z = p3_z + x3_z * D4
     v8 = c1 * s4 - v6 * c4
     v9 = s1 * s4 - v7 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = J44 * c5 + v8 * s5
-    J56 = v9 * s5 - v4 * c5
-    J66 = J64 * c5 - y4_z * s5
+    x5_x = x3_x * c5 + v8 * s5
+    x5_y = v9 * s5 - v4 * c5
+    x5_z = x3_z * c5 - y4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    J21 = p5_x - D3 * (J45 * c6 + (J44 * s5 - v8 * c5) * s6) - J46 * g1
-    v10 = p5_y - D3 * (J55 * c6 - (v9 * c5 + v4 * s5) * s6) - J56 * g1
-    v11 = p5_z - D3 * (J65 * c6 + (y4_z * c5 + J64 * s5) * s6) - J66 * g1
-    J12 = s1 * v11
-    J32 = c1 * v10 - s1 * J21
+    J21 = p5_x - D3 * (x4_x * c6 + (x3_x * s5 - v8 * c5) * s6) - x5_x * g1
+    v10 = p5_y - D3 * (x4_y * c6 - (v9 * c5 + v4 * s5) * s6) - x5_y * g1
+    v11 = p5_z - D3 * (x4_z * c6 + (y4_z * c5 + x3_z * s5) * s6) - x5_z * g1
     v12 = v11 - p3_z
-    J13 = s1 * v12
-    J33 = c1 * (v3 + v10) - s1 * (J21 - p3_x)
     v13 = J21 - p4_x
     v14 = v10 - p4_y
-    J24 = J64 * v13 - J44 * v12
-    J34 = J44 * v14 + v4 * v13
     v15 = J21 - p5_x
     v16 = v10 - p5_y
     v17 = v11 - p5_z
-    J15 = J55 * v17 - J65 * v16
-    J25 = J65 * v15 - J45 * v17
-    J35 = J45 * v16 - J55 * v15
-    J16 = J56 * v17 - J66 * v16
-    J26 = J66 * v15 - J46 * v17
-    J36 = J46 * v16 - J56 * v15
     J[0, 0] = -v10
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = -(v4 * v12 + J64 * v14)
-    J[0, 4] = J15
-    J[0, 5] = J16
+    J[0, 1] = s1 * v11
+    J[0, 2] = s1 * v12
+    J[0, 3] = -(v4 * v12 + x3_z * v14)
+    J[0, 4] = x4_y * v17 - x4_z * v16
+    J[0, 5] = x5_y * v17 - x5_z * v16
     J[1, 0] = J21
     J[1, 1] = -(c1 * v11)
     J[1, 2] = -(c1 * v12)
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
+    J[1, 3] = x3_z * v13 - x3_x * v12
+    J[1, 4] = x4_z * v15 - x4_x * v17
+    J[1, 5] = x5_z * v15 - x5_x * v17
+    J[2, 1] = c1 * v10 - s1 * J21
+    J[2, 2] = c1 * (v3 + v10) - s1 * (J21 - p3_x)
+    J[2, 3] = x3_x * v14 + v4 * v13
+    J[2, 4] = x4_x * v16 - x4_y * v15
+    J[2, 5] = x5_x * v16 - x5_y * v15
     J[3, 1] = c1
     J[3, 2] = c1
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[3, 3] = x3_x
+    J[3, 4] = x4_x
+    J[3, 5] = x5_x
     J[4, 1] = s1
     J[4, 2] = s1
     J[4, 3] = -v4
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 4] = x4_y
+    J[4, 5] = x5_y
     J[5, 0] = 1.0
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 3] = x3_z
+    J[5, 4] = x4_z
+    J[5, 5] = x5_z
     return J
 
 
@@ -366,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma e59fe39acec51a4b"
+_KEY = "puma 7e85affe2695b48a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -608,8 +591,8 @@ _MISS_WEIGHT = np.array([0.9865, 0.9865, 0.9865, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -624,23 +607,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -652,49 +635,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -704,23 +697,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

@@ -235,6 +235,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3374,48 +3375,40 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void puma560_calibrated_fk(const double q[6], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v3 = c1 * sa1,
-        v4 = q[1] + offset2;
-    const double c2 = cos(v4), s2 = sin(v4);
-    const double x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
+    const double c1 = cos(v1), s1 = sin(v1), v2 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v3 = c1 * sa1, v4 = q[1] + offset2;
+    const double c2 = cos(v4), s2 = sin(v4), x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2,
+        x2_z = sa1 * s2, v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
         y2_x = z1_x * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2, y2_z = v7 * ca2 + f2,
         z2_x = v5 * sa2 + z1_x * ca2, v8 = v6 * sa2 + v3 * ca2, z2_z = f3 - v7 * sa2,
         v9 = q[2] + offset3;
-    const double c3 = cos(v9), s3 = sin(v9);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v10 = y2_x * c3 - x2_x * s3, v11 = y2_y * c3 - x2_y * s3,
-        v12 = y2_z * c3 - x2_z * s3, y3_x = v10 * ca3 - z2_x * sa3, y3_y = v11 * ca3 + v8 * sa3,
-        y3_z = v12 * ca3 - z2_z * sa3, z3_x = v10 * sa3 + z2_x * ca3, z3_y = v11 * sa3 - v8 * ca3,
-        z3_z = v12 * sa3 + z2_z * ca3, v13 = q[3] + offset4;
-    const double c4 = cos(v13), s4 = sin(v13);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v14 = y3_x * c4 - x3_x * s4, v15 = y3_y * c4 - x3_y * s4,
-        v16 = y3_z * c4 - x3_z * s4, y4_x = v14 * ca4 + z3_x * sa4, y4_y = v15 * ca4 + z3_y * sa4,
-        y4_z = v16 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v14 * sa4, z4_y = z3_y * ca4 - v15 * sa4,
-        z4_z = z3_z * ca4 - v16 * sa4, v17 = q[4] + offset5;
-    const double c5 = cos(v17), s5 = sin(v17);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v18 = y4_x * c5 - x4_x * s5, v19 = y4_y * c5 - x4_y * s5,
-        v20 = y4_z * c5 - x4_z * s5, y5_x = v18 * ca5 - z4_x * sa5, y5_y = v19 * ca5 - z4_y * sa5,
-        y5_z = v20 * ca5 - z4_z * sa5, z5_x = v18 * sa5 + z4_x * ca5, z5_y = v19 * sa5 + z4_y * ca5,
-        z5_z = v20 * sa5 + z4_z * ca5, v21 = q[5] + offset6;
-    const double c6 = cos(v21), s6 = sin(v21);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, v22 = y5_x * c6 - x5_x * s6, v23 = y5_y * c6 - x5_y * s6,
-        v24 = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 +
-            x5_x * a5 + z4_x * d5 + T11_ * a6 + z5_x * d6,
-        T24_ = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 - v8 * d3 + x4_y * a4 + z3_y * d4 + x5_y *
-            a5 + z4_y * d5 + T21_ * a6 + z5_y * d6,
-        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 +
-            z4_z * d5 + T31_ * a6 + z5_z * d6, T12_ = v22 * ca6 - z5_x * sa6,
-        T22_ = v23 * ca6 - z5_y * sa6, T32_ = v24 * ca6 - z5_z * sa6, T13_ = v22 * sa6 + z5_x * ca6,
-        T23_ = v23 * sa6 + z5_y * ca6, T33_ = v24 * sa6 + z5_z * ca6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c3 = cos(v9), s3 = sin(v9), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v10 = y2_x * c3 - x2_x * s3,
+        v11 = y2_y * c3 - x2_y * s3, v12 = y2_z * c3 - x2_z * s3, y3_x = v10 * ca3 - z2_x * sa3,
+        y3_y = v11 * ca3 + v8 * sa3, y3_z = v12 * ca3 - z2_z * sa3, z3_x = v10 * sa3 + z2_x * ca3,
+        z3_y = v11 * sa3 - v8 * ca3, z3_z = v12 * sa3 + z2_z * ca3, v13 = q[3] + offset4;
+    const double c4 = cos(v13), s4 = sin(v13), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v14 = y3_x * c4 - x3_x * s4,
+        v15 = y3_y * c4 - x3_y * s4, v16 = y3_z * c4 - x3_z * s4, y4_x = v14 * ca4 + z3_x * sa4,
+        y4_y = v15 * ca4 + z3_y * sa4, y4_z = v16 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v14 * sa4,
+        z4_y = z3_y * ca4 - v15 * sa4, z4_z = z3_z * ca4 - v16 * sa4, v17 = q[4] + offset5;
+    const double c5 = cos(v17), s5 = sin(v17), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v18 = y4_x * c5 - x4_x * s5,
+        v19 = y4_y * c5 - x4_y * s5, v20 = y4_z * c5 - x4_z * s5, y5_x = v18 * ca5 - z4_x * sa5,
+        y5_y = v19 * ca5 - z4_y * sa5, y5_z = v20 * ca5 - z4_z * sa5, z5_x = v18 * sa5 + z4_x * ca5,
+        z5_y = v19 * sa5 + z4_y * ca5, z5_z = v20 * sa5 + z4_z * ca5, v21 = q[5] + offset6;
+    const double c6 = cos(v21), s6 = sin(v21), x6_x = x5_x * c6 + y5_x * s6,
+        x6_y = x5_y * c6 + y5_y * s6, x6_z = x5_z * c6 + y5_z * s6, v22 = y5_x * c6 - x5_x * s6,
+        v23 = y5_y * c6 - x5_y * s6, v24 = y5_z * c6 - x5_z * s6;
+    T[0] = x6_x; T[1] = v22 * ca6 - z5_x * sa6; T[2] = v22 * sa6 + z5_x * ca6;
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + x4_x * a4 + z3_x * d4 + x5_x *
+        a5 + z4_x * d5 + x6_x * a6 + z5_x * d6;
+    T[4] = x6_y; T[5] = v23 * ca6 - z5_y * sa6; T[6] = v23 * sa6 + z5_y * ca6;
+    T[7] = s1 * a1 + x2_y * a2 - v3 * d2 + x3_y * a3 - v8 * d3 + x4_y * a4 + z3_y * d4 + x5_y * a5 +
+        z4_y * d5 + x6_y * a6 + z5_y * d6;
+    T[8] = x6_z; T[9] = v24 * ca6 - z5_z * sa6; T[10] = v24 * sa6 + z5_z * ca6;
+    T[11] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + x4_z * a4 + z3_z * d4 + x5_z * a5 + z4_z *
+        d5 + x6_z * a6 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -3423,58 +3416,53 @@ void puma560_calibrated_fk(const double q[6], double T[16])
 void puma560_calibrated_jacobian(const double q[6], double J[36])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v2 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
-        v3 = c1 * sa1, v4 = q[1] + offset2;
-    const double c2 = cos(v4), s2 = sin(v4);
-    const double x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
-        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v3 * d2,
-        p2_z = d1 + x2_z * a2 + g1, y2_x = J42 * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2,
-        y2_z = v7 * ca2 + g2, J43 = v5 * sa2 + J42 * ca2, v8 = v6 * sa2 + v3 * ca2,
-        J63 = g3 - v7 * sa2, v9 = q[2] + offset3;
-    const double c3 = cos(v9), s3 = sin(v9);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v10 = y2_x * c3 - x2_x * s3, v11 = y2_y * c3 - x2_y * s3,
-        v12 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + J43 * d3,
-        p3_y = p2_y + x3_y * a3 - v8 * d3, p3_z = p2_z + x3_z * a3 + J63 * d3,
-        y3_x = v10 * ca3 - J43 * sa3, y3_y = v11 * ca3 + v8 * sa3, y3_z = v12 * ca3 - J63 * sa3,
-        J44 = v10 * sa3 + J43 * ca3, J54 = v11 * sa3 - v8 * ca3, J64 = v12 * sa3 + J63 * ca3,
-        v13 = q[3] + offset4;
-    const double c4 = cos(v13), s4 = sin(v13);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, v14 = y3_x * c4 - x3_x * s4, v15 = y3_y * c4 - x3_y * s4,
-        v16 = y3_z * c4 - x3_z * s4, p4_x = p3_x + x4_x * a4 + J44 * d4,
-        p4_y = p3_y + x4_y * a4 + J54 * d4, p4_z = p3_z + x4_z * a4 + J64 * d4,
-        y4_x = v14 * ca4 + J44 * sa4, y4_y = v15 * ca4 + J54 * sa4, y4_z = v16 * ca4 + J64 * sa4,
-        J45 = J44 * ca4 - v14 * sa4, J55 = J54 * ca4 - v15 * sa4, J65 = J64 * ca4 - v16 * sa4,
-        v17 = q[4] + offset5;
-    const double c5 = cos(v17), s5 = sin(v17);
-    const double x5_x = x4_x * c5 + y4_x * s5, x5_y = x4_y * c5 + y4_y * s5,
-        x5_z = x4_z * c5 + y4_z * s5, v18 = y4_x * c5 - x4_x * s5, v19 = y4_y * c5 - x4_y * s5,
-        v20 = y4_z * c5 - x4_z * s5, p5_x = p4_x + x5_x * a5 + J45 * d5,
-        p5_y = p4_y + x5_y * a5 + J55 * d5, p5_z = p4_z + x5_z * a5 + J65 * d5,
-        J46 = v18 * sa5 + J45 * ca5, J56 = v19 * sa5 + J55 * ca5, J66 = v20 * sa5 + J65 * ca5,
-        v21 = q[5] + offset6;
-    const double c6 = cos(v21), s6 = sin(v21);
-    const double J21 = p5_x + (x5_x * c6 + (v18 * ca5 - J45 * sa5) * s6) * a6 + J46 * d6,
-        p6_y = p5_y + (x5_y * c6 + (v19 * ca5 - J55 * sa5) * s6) * a6 + J56 * d6,
-        p6_z = p5_z + (x5_z * c6 + (v20 * ca5 - J65 * sa5) * s6) * a6 + J66 * d6, v22 = J21 - p1_x,
-        v23 = p6_y - p1_y, v24 = p6_z - d1, J22 = ca1 * v22 - J42 * v24, J32 = J42 * v23 + v3 * v22,
-        v25 = J21 - p2_x, v26 = p6_y - p2_y, v27 = p6_z - p2_z, J23 = J63 * v25 - J43 * v27,
-        J33 = J43 * v26 + v8 * v25, v28 = J21 - p3_x, v29 = p6_y - p3_y, v30 = p6_z - p3_z,
-        J14 = J54 * v30 - J64 * v29, J24 = J64 * v28 - J44 * v30, J34 = J44 * v29 - J54 * v28,
-        v31 = J21 - p4_x, v32 = p6_y - p4_y, v33 = p6_z - p4_z, J15 = J55 * v33 - J65 * v32,
-        J25 = J65 * v31 - J45 * v33, J35 = J45 * v32 - J55 * v31, v34 = J21 - p5_x,
-        v35 = p6_y - p5_y, v36 = p6_z - p5_z, J16 = J56 * v36 - J66 * v35,
-        J26 = J66 * v34 - J46 * v36, J36 = J46 * v35 - J56 * v34;
-    J[0] = -p6_y; J[1] = -(v3 * v24 + ca1 * v23); J[2] = -(v8 * v27 + J63 * v26); J[3] = J14;
-    J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = J42; J[20] = J43; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -v3; J[26] = -v8; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = ca1; J[32] = J63; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(v1), s1 = sin(v1), p1_x = c1 * a1, p1_y = s1 * a1, v2 = s1 * ca1,
+        y1_y = c1 * ca1, z1_x = s1 * sa1, v3 = c1 * sa1, v4 = q[1] + offset2;
+    const double c2 = cos(v4), s2 = sin(v4), x2_x = c1 * c2 - v2 * s2, x2_y = s1 * c2 + y1_y * s2,
+        x2_z = sa1 * s2, v5 = v2 * c2 + c1 * s2, v6 = y1_y * c2 - s1 * s2, v7 = sa1 * c2,
+        p2_x = p1_x + x2_x * a2 + z1_x * d2, p2_y = p1_y + x2_y * a2 - v3 * d2,
+        p2_z = d1 + x2_z * a2 + g1, y2_x = z1_x * sa2 - v5 * ca2, y2_y = v6 * ca2 - v3 * sa2,
+        y2_z = v7 * ca2 + g2, z2_x = v5 * sa2 + z1_x * ca2, v8 = v6 * sa2 + v3 * ca2,
+        z2_z = g3 - v7 * sa2, v9 = q[2] + offset3;
+    const double c3 = cos(v9), s3 = sin(v9), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v10 = y2_x * c3 - x2_x * s3,
+        v11 = y2_y * c3 - x2_y * s3, v12 = y2_z * c3 - x2_z * s3,
+        p3_x = p2_x + x3_x * a3 + z2_x * d3, p3_y = p2_y + x3_y * a3 - v8 * d3,
+        p3_z = p2_z + x3_z * a3 + z2_z * d3, y3_x = v10 * ca3 - z2_x * sa3,
+        y3_y = v11 * ca3 + v8 * sa3, y3_z = v12 * ca3 - z2_z * sa3, z3_x = v10 * sa3 + z2_x * ca3,
+        z3_y = v11 * sa3 - v8 * ca3, z3_z = v12 * sa3 + z2_z * ca3, v13 = q[3] + offset4;
+    const double c4 = cos(v13), s4 = sin(v13), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, v14 = y3_x * c4 - x3_x * s4,
+        v15 = y3_y * c4 - x3_y * s4, v16 = y3_z * c4 - x3_z * s4,
+        p4_x = p3_x + x4_x * a4 + z3_x * d4, p4_y = p3_y + x4_y * a4 + z3_y * d4,
+        p4_z = p3_z + x4_z * a4 + z3_z * d4, y4_x = v14 * ca4 + z3_x * sa4,
+        y4_y = v15 * ca4 + z3_y * sa4, y4_z = v16 * ca4 + z3_z * sa4, z4_x = z3_x * ca4 - v14 * sa4,
+        z4_y = z3_y * ca4 - v15 * sa4, z4_z = z3_z * ca4 - v16 * sa4, v17 = q[4] + offset5;
+    const double c5 = cos(v17), s5 = sin(v17), x5_x = x4_x * c5 + y4_x * s5,
+        x5_y = x4_y * c5 + y4_y * s5, x5_z = x4_z * c5 + y4_z * s5, v18 = y4_x * c5 - x4_x * s5,
+        v19 = y4_y * c5 - x4_y * s5, v20 = y4_z * c5 - x4_z * s5,
+        p5_x = p4_x + x5_x * a5 + z4_x * d5, p5_y = p4_y + x5_y * a5 + z4_y * d5,
+        p5_z = p4_z + x5_z * a5 + z4_z * d5, z5_x = v18 * sa5 + z4_x * ca5,
+        z5_y = v19 * sa5 + z4_y * ca5, z5_z = v20 * sa5 + z4_z * ca5, v21 = q[5] + offset6;
+    const double c6 = cos(v21), s6 = sin(v21),
+        p6_x = p5_x + (x5_x * c6 + (v18 * ca5 - z4_x * sa5) * s6) * a6 + z5_x * d6,
+        p6_y = p5_y + (x5_y * c6 + (v19 * ca5 - z4_y * sa5) * s6) * a6 + z5_y * d6,
+        p6_z = p5_z + (x5_z * c6 + (v20 * ca5 - z4_z * sa5) * s6) * a6 + z5_z * d6,
+        v22 = p6_x - p1_x, v23 = p6_y - p1_y, v24 = p6_z - d1, v25 = p6_x - p2_x, v26 = p6_y - p2_y,
+        v27 = p6_z - p2_z, v28 = p6_x - p3_x, v29 = p6_y - p3_y, v30 = p6_z - p3_z,
+        v31 = p6_x - p4_x, v32 = p6_y - p4_y, v33 = p6_z - p4_z, v34 = p6_x - p5_x,
+        v35 = p6_y - p5_y, v36 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(v3 * v24 + ca1 * v23); J[2] = -(v8 * v27 + z2_z * v26);
+    J[3] = z3_y * v30 - z3_z * v29; J[4] = z4_y * v33 - z4_z * v32; J[5] = z5_y * v36 - z5_z * v35;
+    J[6] = p6_x; J[7] = ca1 * v22 - z1_x * v24; J[8] = z2_z * v25 - z2_x * v27;
+    J[9] = z3_z * v28 - z3_x * v30; J[10] = z4_z * v31 - z4_x * v33;
+    J[11] = z5_z * v34 - z5_x * v36;
+    J[12] = 0.0; J[13] = z1_x * v23 + v3 * v22; J[14] = z2_x * v26 + v8 * v25;
+    J[15] = z3_x * v29 - z3_y * v28; J[16] = z4_x * v32 - z4_y * v31;
+    J[17] = z5_x * v35 - z5_y * v34;
+    J[18] = 0.0; J[19] = z1_x; J[20] = z2_x; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = -v3; J[26] = -v8; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = ca1; J[32] = z2_z; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

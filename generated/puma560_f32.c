@@ -103,7 +103,9 @@ HELPER wide irregularity_wide(const wide T[16])
     return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 2e-06f)
+#define high(joint) (highest[joint - 1] + 2e-06f)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -129,7 +131,7 @@ static const float
     k4 = 0.37290248f, /* 2 * d4 * a2 [m^2] */
     k5 = 0.01753108f, /* 2 * a3 * a2 [m^2] */
     k6 = 0.37331456f, /* d4 * a2 + (a3^2 + d4 * a2) [m^2] */
-    k7 = 7.175475f, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    k7 = 7.175475f, /* 1 / (k4^2 + k5^2) [m^-4] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.9096855e-06f,
     turn1 = 1.5238184f, /* a constant angle [rad] */
@@ -139,10 +141,6 @@ static const float
 /* coefficients */
 static const float m1 = 0.12579383f, m2 = 0.9988974f, m3 = 2.6757524f,
 m4 = 0.046960667f, m5 = 1.1579435f, m6 = 0.00047717695f;
-static const float low1 = -2.7925289f, high1 = 2.7925289f, low2 =
-    -1.9198642f,
-high2 = 1.9198642f, low3 = -2.3561964f, high3 = 2.3561964f,
-low5 = -1.7453313f, high5 = 1.7453313f;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -167,26 +165,23 @@ static const float highest[6] = {
 void puma560_f32_fk(const float q[6], float T[16])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
-    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
-    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        z4_x = s1 * c4 + x3_x * s4, y5_y = c1 * c4 - x3_y * s4, z4_z = x3_z * s4,
-        T14_ = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4,
-        T24_ = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4,
-        T34_ = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
-    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
-    const float x5_x = x4_x * c5 - v3 * s5, x5_y = x4_y * c5 - v4 * s5,
-        x5_z = x4_z * c5 + z3_z * s5, T33_ = z3_z * c5 - x4_z * s5;
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, z4_x = s1 * c4 + x3_x * s4,
+        y5_y = c1 * c4 - x3_y * s4, z4_z = x3_z * s4;
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]), x5_x = x4_x * c5 - v3 * s5,
+        x5_y = x4_y * c5 - v4 * s5, x5_z = x4_z * c5 + z3_z * s5;
     const float c6 = cosf(q[5]), s6 = sinf(q[5]);
-    const float T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 - z4_z * s6, T22_ = y5_y * c6 - x5_y * s6;
-    T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
-    T[8] = T31_; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 - z4_x * s6; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5);
+    T[3] = x2_x * a2 + x3_x * a3 + s1 * d3 - v3 * d4;
+    T[4] = x5_y * c6 + y5_y * s6; T[5] = y5_y * c6 - x5_y * s6; T[6] = -(v4 * c5 + x4_y * s5);
+    T[7] = x2_y * a2 + x3_y * a3 - c1 * d3 - v4 * d4;
+    T[8] = x5_z * c6 - z4_z * s6; T[9] = -(z4_z * c6 + x5_z * s6); T[10] = z3_z * c5 - x4_z * s5;
+    T[11] = d1 + s2 * a2 + x3_z * a3 + z3_z * d4;
     T[12] = T[13] = T[14] = 0.0f;
     T[15] = 1.0f;
 }
@@ -194,30 +189,29 @@ void puma560_f32_fk(const float q[6], float T[16])
 void puma560_f32_jacobian(const float q[6], float J[36])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2, p2_x = x2_x * a2,
-        p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
-    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, J64 = c2 * c3 - s2 * s3,
-        p3_z = p2_z + x3_z * a3, p3_x = p2_x + x3_x * a3 + s1 * d3,
-        p3_y = p2_y + x3_y * a3 - c1 * d3;
-    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, J21 = p3_x - v3 * d4,
-        p4_y = p3_y - v4 * d4, p4_z = p3_z + J64 * d4, J55 = x3_y * s4 - c1 * c4;
-    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
-    const float J66 = J64 * c5 - x3_z * c4 * s5, v5 = p4_z - d1, J32 = s1 * p4_y + c1 * J21,
-        v6 = p4_z - p2_z, J33 = s1 * (p4_y - p2_y) + c1 * (J21 - p2_x), v7 = J21 - p3_x,
-        v8 = p4_y - p3_y, v9 = p4_z - p3_z, J24 = J64 * v7 + v3 * v9, J34 = v4 * v7 - v3 * v8;
-    J[0] = -p4_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(v4 * v9 + J64 * v8); J[4] = 0.0f;
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, z3_z = c2 * c3 - s2 * s3, p3_z = p2_z + x3_z * a3,
+        p3_x = p2_x + x3_x * a3 + s1 * d3, p3_y = p2_y + x3_y * a3 - c1 * d3;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]), p4_x = p3_x - v3 * d4, p4_y = p3_y - v4 * d4,
+        p4_z = p3_z + z3_z * d4;
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]), v5 = p4_z - d1, v6 = p4_z - p2_z, v7 = p4_x -
+        p3_x,
+        v8 = p4_y - p3_y, v9 = p4_z - p3_z;
+    J[0] = -p4_y; J[1] = -(c1 * v5); J[2] = -(c1 * v6); J[3] = -(v4 * v9 + z3_z * v8); J[4] = 0.0f;
     J[5] = 0.0f;
-    J[6] = J21; J[7] = -(s1 * v5); J[8] = -(s1 * v6); J[9] = J24; J[10] = 0.0f; J[11] = 0.0f;
-    J[12] = 0.0f; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = 0.0f; J[17] = 0.0f;
-    J[18] = 0.0f; J[19] = s1; J[20] = s1; J[21] = -v3; J[22] = J45;
+    J[6] = p4_x; J[7] = -(s1 * v5); J[8] = -(s1 * v6); J[9] = z3_z * v7 + v3 * v9; J[10] = 0.0f;
+    J[11] = 0.0f;
+    J[12] = 0.0f; J[13] = s1 * p4_y + c1 * p4_x; J[14] = s1 * (p4_y - p2_y) + c1 * (p4_x - p2_x);
+    J[15] = v4 * v7 - v3 * v8; J[16] = 0.0f; J[17] = 0.0f;
+    J[18] = 0.0f; J[19] = s1; J[20] = s1; J[21] = -v3; J[22] = s1 * c4 + x3_x * s4;
     J[23] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5);
-    J[24] = 0.0f; J[25] = -c1; J[26] = -c1; J[27] = -v4; J[28] = J55;
+    J[24] = 0.0f; J[25] = -c1; J[26] = -c1; J[27] = -v4; J[28] = x3_y * s4 - c1 * c4;
     J[29] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5);
-    J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = J64; J[34] = J65; J[35] = J66;
+    J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = z3_z; J[34] = x3_z * s4;
+    J[35] = z3_z * c5 - x3_z * c4 * s5;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -462,8 +456,8 @@ static void solve(
             const float q2 = atan2f(s2, c2);
 
             /* theta4 */
-            const float c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
-            const float v7 = c23 * v6 + T33 * s23;
+            const float c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
+                v7 = c23 * v6 + T33 * s23;
             const float w4 = sqrtf(v7 * v7 + v8);
             const int free4 = w4 <= free_limit;
             const float divisor4 = free4 ? 1.0f : w4;
@@ -622,14 +616,23 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static float apart(float off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static float half_way(const float x[6], const float q[6], float half[6])
 {
-    return fabsf(off - turn * floorf(off / turn + 0.5f));
+    float most = 0.0f;
+    for (int i = 0; i < 6; i++) {
+        const float off = remainderf(q[i] - x[i], turn);
+        most = fmaxf(most, fabsf(off));
+        half[i] = x[i] + 0.5f * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const float weights[6] = { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const float pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -654,15 +657,15 @@ static float off_pose(const float T[16], const float x[6], float e[6], float J[3
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    float share, const float pace[6], const float J[36], float e[6], float x[6])
+    float share, const int held[6], const float J[36], float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -680,62 +683,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const float T[16], float enough, float q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const float T[16], float enough, float most, float q[6])
 {
-    float x[6], J[36], pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f }; /* 0 holds */
-    float last = HUGE_VALF;
-    int settled = 0;
+    float x[6], half[6], J[36], last = HUGE_VALF;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
         const float miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-06f;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5f * miss;
-        } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5f * miss;
+            } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
+            const float off = stands && pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
             if (fabsf(off) > 0.0f) {
-                pace[i] = 0.0f;
+                held[i] = 1;
                 last = HUGE_VALF;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1f))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
 {
-    float x[6], least = HUGE_VALF;
+    float x[6], half[6], J[36], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 5e-05f, x))
+    if (!settle(T, 5e-05f, 0.15f, x))
+        return;
+    if (beyond_limits(x) > 0.0f && !settle(T, NAN, 0.15f, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        float gap = status[row] == PUMA560_F32_UNREACHABLE ? 0.1f : 0.0f;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmaxf(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.03f)
-            return;
-        if (gap <= least) {
-            least = gap;
+        float e[6] = { 0.0f }, between = 0.0005f;
+        if (status[row] != PUMA560_F32_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.03f)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -773,7 +783,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
             continue;
         const float off = beyond_limits(q[row]);
         if (0.0f < off && off < 0.01f)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

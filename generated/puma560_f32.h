@@ -48,8 +48,8 @@ void puma560_f32_jacobian(const float q[6], float J[36]);
 
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
- * Returns how many rows are OK or FREE_JOINT, or -PUMA560_F32_INVALID_POSE, where the seed is
- * asked for also if that is not finite. */
+ * Returns how many rows are OK or FREE_JOINT, or -PUMA560_F32_INVALID_POSE, also for a seed that is
+ * not finite where it may count. */
 int puma560_f32_ik(
     const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
 

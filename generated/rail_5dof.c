@@ -223,10 +223,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -534,38 +536,33 @@ static const double weight[5] = { 0.027777777777777776, 1.0, 1.0, 1.0, 1.0 };
 void rail_5dof_fk(const double q[5], double T[16])
 {
     const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = c2 * c3, x3_y = s2 * c3, z4_x = c2 * s3, z4_y = s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + s2 * s4, x4_y = x3_y * c4 - c2 * s4, x4_z = s3 * c4,
-        T13_ = s2 * c4 - x3_x * s4, v1 = c2 * c4 + x3_y * s4, v2 = s3 * s4,
-        T14_ = a1 + s2 * d3 + T13_ * d5, T34_ = q[0] - v2 * d5;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = c2 * c3, x3_y = s2 * c3, z4_x = c2 * s3,
+        z4_y = s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + s2 * s4,
+        x4_y = x3_y * c4 - c2 * s4, x4_z = s3 * c4, y4_x = s2 * c4 - x3_x * s4,
+        v1 = c2 * c4 + x3_y * s4, v2 = s3 * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 - z4_x * s5, T21_ = x4_y * c5 - z4_y * s5,
-        T31_ = x4_z * c5 + c3 * s5, T32_ = c3 * c5 - x4_z * s5;
-    T[0] = T11_; T[1] = -(z4_x * c5 + x4_x * s5); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(z4_y * c5 + x4_y * s5); T[6] = -v1; T[7] = -(c2 * d3 + v1 * d5);
-    T[8] = T31_; T[9] = T32_; T[10] = -v2; T[11] = T34_;
+    T[0] = x4_x * c5 - z4_x * s5; T[1] = -(z4_x * c5 + x4_x * s5); T[2] = y4_x;
+    T[3] = a1 + s2 * d3 + y4_x * d5;
+    T[4] = x4_y * c5 - z4_y * s5; T[5] = -(z4_y * c5 + x4_y * s5); T[6] = -v1;
+    T[7] = -(c2 * d3 + v1 * d5);
+    T[8] = x4_z * c5 + c3 * s5; T[9] = c3 * c5 - x4_z * s5; T[10] = -v2; T[11] = q[0] - v2 * d5;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void rail_5dof_jacobian(const double q[5], double J[30])
 {
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double p3_x = a1 + s2 * d3, v1 = c2 * d3;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double J44 = c2 * s3, J54 = s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = s2 * c4 - c2 * c3 * s4, v2 = c2 * c4 + s2 * c3 * s4, v3 = s3 * s4,
-        p5_x = p3_x + J45 * d5, J12 = v1 + v2 * d5, J22 = p5_x - a1, v4 = q[0] - v3 * d5 - q[0],
-        v5 = p5_x - p3_x, v6 = v1 - J12, J33 = s2 * v6 + c2 * v5, J14 = J54 * v4 + c3 * v6,
-        J34 = J44 * v6 - J54 * v5;
-    J[0] = 0.0; J[1] = J12; J[2] = -(c2 * v4); J[3] = J14; J[4] = 0.0;
-    J[5] = 0.0; J[6] = J22; J[7] = -(s2 * v4); J[8] = -(c3 * v5 + J44 * v4); J[9] = 0.0;
-    J[10] = 1.0; J[11] = 0.0; J[12] = J33; J[13] = J34; J[14] = 0.0;
-    J[15] = 0.0; J[16] = 0.0; J[17] = s2; J[18] = J44; J[19] = J45;
-    J[20] = 0.0; J[21] = 0.0; J[22] = -c2; J[23] = J54; J[24] = -v2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), p3_x = a1 + s2 * d3, v1 = c2 * d3;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), z4_x = c2 * s3, z4_y = s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), y4_x = s2 * c4 - c2 * c3 * s4,
+        v2 = c2 * c4 + s2 * c3 * s4, v3 = s3 * s4, p5_x = p3_x + y4_x * d5, J12 = v1 + v2 * d5,
+        v4 = q[0] - v3 * d5 - q[0], v5 = p5_x - p3_x, v6 = v1 - J12;
+    J[0] = 0.0; J[1] = J12; J[2] = -(c2 * v4); J[3] = z4_y * v4 + c3 * v6; J[4] = 0.0;
+    J[5] = 0.0; J[6] = p5_x - a1; J[7] = -(s2 * v4); J[8] = -(c3 * v5 + z4_x * v4); J[9] = 0.0;
+    J[10] = 1.0; J[11] = 0.0; J[12] = s2 * v6 + c2 * v5; J[13] = z4_x * v6 - z4_y * v5; J[14] = 0.0;
+    J[15] = 0.0; J[16] = 0.0; J[17] = s2; J[18] = z4_x; J[19] = y4_x;
+    J[20] = 0.0; J[21] = 0.0; J[22] = -c2; J[23] = z4_y; J[24] = -v2;
     J[25] = 0.0; J[26] = 1.0; J[27] = 0.0; J[28] = -c3; J[29] = -v3;
 }
 
@@ -978,16 +975,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[5], const double q[5], double half[5])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.16666666666666666;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 5; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.16666666666666666));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[5] = { 6.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -1012,15 +1016,15 @@ static double off_pose(const double T[16], const double x[5], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[5], const double J[30], double e[6], double x[5])
+    double share, const int held[5], const double J[30], double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
-            A[i][j] = pace[j] * weights[i] * J[5 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
         A[i][5 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1038,56 +1042,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[5])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], J[30], pace[5] = { 6.000, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[5], half[5], J[30], last = HUGE_VAL;
+    int settled = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 5; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[5], double q[2][5],
     unsigned char status[2])
 {
-    double x[5], least = HUGE_VAL;
+    double x[5], half[5], J[30], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 5; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == RAIL_5DOF_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 5; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != RAIL_5DOF_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

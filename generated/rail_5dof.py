@@ -192,29 +192,23 @@ def fk(q):
     x4_x = x3_x * c4 + s2 * s4
     x4_y = x3_y * c4 - c2 * s4
     x4_z = s3 * c4
-    T13_ = s2 * c4 - x3_x * s4
+    y4_x = s2 * c4 - x3_x * s4
     v1 = c2 * c4 + x3_y * s4
     v2 = s3 * s4
-    T14_ = a1 + s2 * d3 + T13_ * d5
-    T34_ = q[0] - v2 * d5
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 - z4_x * s5
-    T21_ = x4_y * c5 - z4_y * s5
-    T31_ = x4_z * c5 + c3 * s5
-    T32_ = c3 * c5 - x4_z * s5
-    T[0, 0] = T11_
+    T[0, 0] = x4_x * c5 - z4_x * s5
     T[0, 1] = -(z4_x * c5 + x4_x * s5)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 2] = y4_x
+    T[0, 3] = a1 + s2 * d3 + y4_x * d5
+    T[1, 0] = x4_y * c5 - z4_y * s5
     T[1, 1] = -(z4_y * c5 + x4_y * s5)
     T[1, 2] = -v1
     T[1, 3] = -(c2 * d3 + v1 * d5)
-    T[2, 0] = T31_
-    T[2, 1] = T32_
+    T[2, 0] = x4_z * c5 + c3 * s5
+    T[2, 1] = c3 * c5 - x4_z * s5
     T[2, 2] = -v2
-    T[2, 3] = T34_
+    T[2, 3] = q[0] - v2 * d5
     T[3, 3] = 1.0
     return T
 
@@ -231,36 +225,32 @@ def jacobian(q):
     v1 = c2 * d3
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    J44 = c2 * s3
-    J54 = s2 * s3
+    z4_x = c2 * s3
+    z4_y = s2 * s3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = s2 * c4 - c2 * c3 * s4
+    y4_x = s2 * c4 - c2 * c3 * s4
     v2 = c2 * c4 + s2 * c3 * s4
     v3 = s3 * s4
-    p5_x = p3_x + J45 * d5
+    p5_x = p3_x + y4_x * d5
     J12 = v1 + v2 * d5
-    J22 = p5_x - a1
     v4 = q[0] - v3 * d5 - q[0]
     v5 = p5_x - p3_x
     v6 = v1 - J12
-    J33 = s2 * v6 + c2 * v5
-    J14 = J54 * v4 + c3 * v6
-    J34 = J44 * v6 - J54 * v5
     J[0, 1] = J12
     J[0, 2] = -(c2 * v4)
-    J[0, 3] = J14
-    J[1, 1] = J22
+    J[0, 3] = z4_y * v4 + c3 * v6
+    J[1, 1] = p5_x - a1
     J[1, 2] = -(s2 * v4)
-    J[1, 3] = -(c3 * v5 + J44 * v4)
+    J[1, 3] = -(c3 * v5 + z4_x * v4)
     J[2, 0] = 1.0
-    J[2, 2] = J33
-    J[2, 3] = J34
+    J[2, 2] = s2 * v6 + c2 * v5
+    J[2, 3] = z4_x * v6 - z4_y * v5
     J[3, 2] = s2
-    J[3, 3] = J44
-    J[3, 4] = J45
+    J[3, 3] = z4_x
+    J[3, 4] = y4_x
     J[4, 2] = -c2
-    J[4, 3] = J54
+    J[4, 3] = z4_y
     J[4, 4] = -v2
     J[5, 1] = 1.0
     J[5, 3] = -c3
@@ -280,7 +270,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rail_5dof a0d1eb130500d00d"
+_KEY = "rail_5dof 87168ee611f9c161"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -353,35 +343,29 @@ def _missed_by(pose, q):
     x4_x = x3_x * c4 + s2 * s4
     x4_y = x3_y * c4 - c2 * s4
     x4_z = s3 * c4
-    T13_ = s2 * c4 - x3_x * s4
+    y4_x = s2 * c4 - x3_x * s4
     v1 = c2 * c4 + x3_y * s4
     v2 = s3 * s4
-    T14_ = a1 + s2 * d3 + T13_ * d5
-    T34_ = q[0] - v2 * d5
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 - z4_x * s5
-    T21_ = x4_y * c5 - z4_y * s5
-    T31_ = x4_z * c5 + c3 * s5
-    T32_ = c3 * c5 - x4_z * s5
     miss = 0.0
-    off = T11_ - pose[0]
+    off = x4_x * c5 - z4_x * s5 - pose[0]
     miss += (1.0 * off) ** 2
-    off = T13_ - pose[2]
+    off = y4_x - pose[2]
     miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
+    off = a1 + s2 * d3 + y4_x * d5 - pose[3]
     miss += (0.16666666666666666 * off) ** 2
-    off = T21_ - pose[4]
+    off = x4_y * c5 - z4_y * s5 - pose[4]
     miss += (1.0 * off) ** 2
     off = -v1 - pose[6]
     miss += (1.0 * off) ** 2
     off = -(c2 * d3 + v1 * d5) - pose[7]
     miss += (0.16666666666666666 * off) ** 2
-    off = T31_ - pose[8]
+    off = x4_z * c5 + c3 * s5 - pose[8]
     miss += (1.0 * off) ** 2
     off = -v2 - pose[10]
     miss += (1.0 * off) ** 2
-    off = T34_ - pose[11]
+    off = q[0] - v2 * d5 - pose[11]
     miss += (0.16666666666666666 * off) ** 2
     return math.sqrt(miss)
 
@@ -898,14 +882,14 @@ def _seek(pose, seed, begun, q, status):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([6.000, 1.0, 1.0, 1.0, 1.0])
+_PACE = np.array([6.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -920,23 +904,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(5):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -948,51 +932,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.1667
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.1667))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(5):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -1002,23 +995,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(5), 0, math.inf
+    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
+    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(5):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]

@@ -89,7 +89,7 @@ free_limit1 = 8e-13  # a length that fixes no angle [m]
 reach_slack1 = 8.000000000000001e-14  # rounding at the boundary of the workspace [m]
 merge_slack1 = 8e-15  # nearer to that boundary two branches are one [m]
 k1 = 0.09  # a3^2 [m^2]
-k2 = 11.111111111111112  # 1 / (a3^2) [m^-2]
+k2 = 11.111111111111112  # 1 / k1 [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 6.4e-07  # doubt_limit1^2 [m^2]
 
@@ -178,21 +178,18 @@ def fk(q):
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     v1 = s1 * s3
-    T21_ = c1 * s3
-    T22_ = c1 * c3
-    T24_ = c1 * q[1] + T21_ * a3
-    T34_ = d1 - c3 * a3
+    x3_y = c1 * s3
     T[0, 0] = -v1
     T[0, 1] = -(s1 * c3)
     T[0, 2] = c1
     T[0, 3] = -(s1 * q[1] + v1 * a3)
-    T[1, 0] = T21_
-    T[1, 1] = T22_
+    T[1, 0] = x3_y
+    T[1, 1] = c1 * c3
     T[1, 2] = s1
-    T[1, 3] = T24_
+    T[1, 3] = c1 * q[1] + x3_y * a3
     T[2, 0] = -c3
     T[2, 1] = s3
-    T[2, 3] = T34_
+    T[2, 3] = d1 - c3 * a3
     T[3, 3] = 1.0
     return T
 
@@ -212,15 +209,13 @@ def jacobian(q):
     v2 = v1 + s1 * s3 * a3
     p3_y = p2_y + c1 * s3 * a3
     v3 = d1 - c3 * a3 - d1
-    J13 = s1 * v3
-    J33 = c1 * (p3_y - p2_y) - s1 * (v1 - v2)
     J[0, 0] = -p3_y
     J[0, 1] = -s1
-    J[0, 2] = J13
+    J[0, 2] = s1 * v3
     J[1, 0] = -v2
     J[1, 1] = c1
     J[1, 2] = -(c1 * v3)
-    J[2, 2] = J33
+    J[2, 2] = c1 * (p3_y - p2_y) - s1 * (v1 - v2)
     J[3, 2] = c1
     J[4, 2] = s1
     J[5, 0] = 1.0
@@ -239,7 +234,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpr b0133d4cb7c7e8fb"
+_KEY = "rpr 31dcfc2f8c2853c8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -374,14 +369,14 @@ def _turned(joint, given, towards):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 0.8000, 1.0])
+_PACE = np.array([1.0, 0.8, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([1.250, 1.250, 1.250, 0.0, 0.0, 0.0])
+_MISS_WEIGHT = np.array([1.25, 1.25, 1.25, 0.0, 0.0, 0.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -391,23 +386,23 @@ def _miss(T, q, pace, A):
     e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
     for j in range(3):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 9)), np.zeros(6)
     for i in range(6):
         for j in range(3):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -419,51 +414,60 @@ def _add_step(A, e, miss, pace, q):
         for j in range(9):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(3):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 1.250
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 3)), q.copy(), False
+    most = 0.0
+    for i in range(3):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 1.25))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(3)
+    held, A, x, settled = np.zeros(3, np.bool_), np.empty((6, 3)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(3):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(3)
     for i in range(3):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(3):
         q[i] = values[i]
     return settled
@@ -473,23 +477,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(3), 0, math.inf
+    x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
+    A = np.empty((6, 3))
     for i in range(3):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(4 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(3):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(3):
         q[place, i] = x[i]

@@ -226,10 +226,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -263,22 +265,20 @@ static const double weight[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 void rrprrr_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2, z3_y = s1 * s2, T14_ = z3_x * q[2],
-        T24_ = z3_y * q[2];
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x2_x * c4 + s1 * s4, x4_y = x2_y * c4 - c1 * s4, x4_z = s2 * c4,
-        y4_x = s1 * c4 - x2_x * s4, v1 = c1 * c4 + x2_y * s4, v2 = s2 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - z3_x * s5, x5_y = x4_y * c5 - z3_y * s5,
-        x5_z = x4_z * c5 + c2 * s5, T13_ = z3_x * c5 + x4_x * s5, T23_ = z3_y * c5 + x4_y * s5,
-        T33_ = x4_z * s5 - c2 * c5;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
+        z3_y = s1 * s2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x2_x * c4 + s1 * s4,
+        x4_y = x2_y * c4 - c1 * s4, x4_z = s2 * c4, y4_x = s1 * c4 - x2_x * s4,
+        v1 = c1 * c4 + x2_y * s4, v2 = s2 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - z3_x * s5,
+        x5_y = x4_y * c5 - z3_y * s5, x5_z = x4_z * c5 + c2 * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y4_x * s6, T21_ = x5_y * c6 - v1 * s6,
-        T31_ = x5_z * c6 - v2 * s6, T12_ = y4_x * c6 - x5_x * s6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(v1 * c6 + x5_y * s6); T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = -(v2 * c6 + x5_z * s6); T[10] = T33_; T[11] = -(c2 * q[2]);
+    T[0] = x5_x * c6 + y4_x * s6; T[1] = y4_x * c6 - x5_x * s6; T[2] = z3_x * c5 + x4_x * s5;
+    T[3] = z3_x * q[2];
+    T[4] = x5_y * c6 - v1 * s6; T[5] = -(v1 * c6 + x5_y * s6); T[6] = z3_y * c5 + x4_y * s5;
+    T[7] = z3_y * q[2];
+    T[8] = x5_z * c6 - v2 * s6; T[9] = -(v2 * c6 + x5_z * s6); T[10] = x4_z * s5 - c2 * c5;
+    T[11] = -(c2 * q[2]);
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -286,21 +286,19 @@ void rrprrr_fk(const double q[6], double T[16])
 void rrprrr_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, J13 = c1 * s2, J23 = s1 * s2, J21 = J13 * q[2],
-        p3_y = J23 * q[2], v1 = c2 * q[2];
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, z3_x = c1 * s2,
+        z3_y = s1 * s2, p3_x = z3_x * q[2], p3_y = z3_y * q[2], v1 = c2 * q[2];
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = s1 * c4 - x2_x * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = J13 * c5 + (x2_x * c4 + s1 * s4) * s5,
-        J56 = J23 * c5 + (x2_y * c4 - c1 * s4) * s5, J66 = s2 * c4 * s5 - c2 * c5, J12 = c1 * v1,
-        J22 = s1 * v1, J32 = s1 * p3_y + c1 * J21;
-    J[0] = -p3_y; J[1] = J12; J[2] = J13; J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
-    J[12] = 0.0; J[13] = J32; J[14] = -c2; J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
-    J[18] = 0.0; J[19] = s1; J[20] = 0.0; J[21] = J13; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -c1; J[26] = 0.0; J[27] = J23; J[28] = -(c1 * c4 + x2_y * s4); J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -c2; J[34] = -(s2 * s4); J[35] = J66;
+    J[0] = -p3_y; J[1] = c1 * v1; J[2] = z3_x; J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
+    J[6] = p3_x; J[7] = s1 * v1; J[8] = z3_y; J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
+    J[12] = 0.0; J[13] = s1 * p3_y + c1 * p3_x; J[14] = -c2; J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
+    J[18] = 0.0; J[19] = s1; J[20] = 0.0; J[21] = z3_x; J[22] = s1 * c4 - x2_x * s4;
+    J[23] = z3_x * c5 + (x2_x * c4 + s1 * s4) * s5;
+    J[24] = 0.0; J[25] = -c1; J[26] = 0.0; J[27] = z3_y; J[28] = -(c1 * c4 + x2_y * s4);
+    J[29] = z3_y * c5 + (x2_y * c4 - c1 * s4) * s5;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -c2; J[34] = -(s2 * s4);
+    J[35] = s2 * c4 * s5 - c2 * c5;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -612,16 +610,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 1.0;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.0));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 1.000, 1.000, 1.000, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -646,15 +651,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -672,56 +677,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.000, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == RRPRRR_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != RRPRRR_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

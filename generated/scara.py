@@ -207,16 +207,14 @@ def fk(q):
     x2_y = s1 * c2 + c1 * s2
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    T11_ = x2_x * c4 - x2_y * s4
-    T21_ = x2_y * c4 + x2_x * s4
-    T14_ = c1 * L1 + x2_x * L2 + T11_ * L4
-    T24_ = s1 * L1 + x2_y * L2 + T21_ * L4
-    T[0, 0] = T11_
-    T[0, 1] = -T21_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T11_
-    T[1, 3] = T24_
+    x4_x = x2_x * c4 - x2_y * s4
+    x4_y = x2_y * c4 + x2_x * s4
+    T[0, 0] = x4_x
+    T[0, 1] = -x4_y
+    T[0, 3] = c1 * L1 + x2_x * L2 + x4_x * L4
+    T[1, 0] = x4_y
+    T[1, 1] = x4_x
+    T[1, 3] = s1 * L1 + x2_y * L2 + x4_y * L4
     T[2, 2] = 1.0
     T[2, 3] = q[2]
     T[3, 3] = 1.0
@@ -243,16 +241,12 @@ def jacobian(q):
     s4 = math.sin(q[3])
     J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4
     v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4
-    J22 = J21 - p1_x
-    J12 = p1_y - v1
-    J24 = J21 - p2_x
-    J14 = p2_y - v1
     J[0, 0] = -v1
-    J[0, 1] = J12
-    J[0, 3] = J14
+    J[0, 1] = p1_y - v1
+    J[0, 3] = p2_y - v1
     J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 3] = J24
+    J[1, 1] = J21 - p1_x
+    J[1, 3] = J21 - p2_x
     J[2, 2] = 1.0
     J[5, 0] = 1.0
     J[5, 1] = 1.0
@@ -272,7 +266,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara 57a5a4f4ba2a01fa"
+_KEY = "scara 3ea07192b1fc116a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -639,14 +633,14 @@ def _choose(pose, seed, q, status):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 0.8000, 1.0])
+_PACE = np.array([1.0, 1.0, 0.8, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([1.250, 1.250, 1.250, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([1.25, 1.25, 1.25, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -661,23 +655,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(4):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 10)), np.zeros(6)
     for i in range(6):
         for j in range(4):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 4 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -689,56 +683,66 @@ def _add_step(A, e, miss, pace, q):
         for j in range(10):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(4):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 1.250
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 4)), q.copy(), False
+    most = 0.0
+    for i in range(4):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 1.25))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(4)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(4, np.bool_), np.empty((6, 4)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(4):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(4):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(4)
     for i in range(4):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(4):
         q[i] = values[i]
     return settled
@@ -748,23 +752,25 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(4), 0, math.inf
+    x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
+    A = np.empty((6, 4))
     for i in range(4):
         x[i] = seed[i] - _overshoot(i, seed[i])
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
+        return
+    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(4):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(4):
         q[place, i] = x[i]
@@ -784,8 +790,9 @@ def _whole(pose, seed, q, status):
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(4):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -109,7 +109,9 @@ HELPER wide irregularity_wide(const wide T[16])
     return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 2e-06f)
+#define high(joint) (highest[joint - 1] + 2e-06f)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -138,8 +140,6 @@ static const float
     m4 = 1e-10f; /* pose_slack^2 */
 /* coefficients */
 static const float m2 = 1.25f, m3 = 0.0875f;
-static const float low1 = -2.26893f, high1 = 2.26893f,
-low2 = -2.5307295f, high2 = 2.5307295f, low3 = -0.200002f, high3 = 2e-06f;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -166,13 +166,12 @@ static const float fan_step[4] = {
 void scara_f32_fk(const float q[4], float T[16])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float T11_ = x2_x * c4 - x2_y * s4, T21_ = x2_y * c4 + x2_x * s4,
-        T14_ = c1 * L1 + x2_x * L2 + T11_ * L4, T24_ = s1 * L1 + x2_y * L2 + T21_ * L4;
-    T[0] = T11_; T[1] = -T21_; T[2] = 0.0f; T[3] = T14_;
-    T[4] = T21_; T[5] = T11_; T[6] = 0.0f; T[7] = T24_;
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 *
+        s2;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]), x4_x = x2_x * c4 - x2_y * s4,
+        x4_y = x2_y * c4 + x2_x * s4;
+    T[0] = x4_x; T[1] = -x4_y; T[2] = 0.0f; T[3] = c1 * L1 + x2_x * L2 + x4_x * L4;
+    T[4] = x4_y; T[5] = x4_x; T[6] = 0.0f; T[7] = s1 * L1 + x2_y * L2 + x4_y * L4;
     T[8] = 0.0f; T[9] = 0.0f; T[10] = 1.0f; T[11] = q[2];
     T[12] = T[13] = T[14] = 0.0f;
     T[15] = 1.0f;
@@ -180,17 +179,14 @@ void scara_f32_fk(const float q[4], float T[16])
 
 void scara_f32_jacobian(const float q[4], float J[24])
 {
-    const float c1 = cosf(q[0]), s1 = sinf(q[0]);
-    const float p1_x = c1 * L1, p1_y = s1 * L1;
-    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + x2_x * L2,
-        p2_y = p1_y + x2_y * L2;
-    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4,
-        v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4, J22 = J21 - p1_x, J12 = p1_y - v1,
-        J24 = J21 - p2_x, J14 = p2_y - v1;
-    J[0] = -v1; J[1] = J12; J[2] = 0.0f; J[3] = J14;
-    J[4] = J21; J[5] = J22; J[6] = 0.0f; J[7] = J24;
+    const float c1 = cosf(q[0]), s1 = sinf(q[0]), p1_x = c1 * L1, p1_y = s1 * L1;
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 *
+        s2,
+        p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]), J21 = p2_x + (x2_x * c4 - x2_y * s4) * L4,
+        v1 = p2_y + (x2_y * c4 + x2_x * s4) * L4;
+    J[0] = -v1; J[1] = p1_y - v1; J[2] = 0.0f; J[3] = p2_y - v1;
+    J[4] = J21; J[5] = J21 - p1_x; J[6] = 0.0f; J[7] = J21 - p2_x;
     J[8] = 0.0f; J[9] = 0.0f; J[10] = 1.0f; J[11] = 0.0f;
     J[12] = 0.0f; J[13] = 0.0f; J[14] = 0.0f; J[15] = 0.0f;
     J[16] = 0.0f; J[17] = 0.0f; J[18] = 0.0f; J[19] = 0.0f;
@@ -513,16 +509,23 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static float apart(int joint, float off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static float half_way(const float x[4], const float q[4], float half[4])
 {
-    if (!revolute[joint])
-        return fabsf(off) * 1.25f;
-    return fabsf(off - turn * floorf(off / turn + 0.5f));
+    float most = 0.0f;
+    for (int i = 0; i < 4; i++) {
+        const float off = revolute[i] ? remainderf(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmaxf(most, fabsf(off) * (revolute[i] ? 1.0f : 1.25f));
+        half[i] = x[i] + 0.5f * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const float weights[6] = { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const float pace[4] = { 1.0f, 1.0f, 0.8f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -547,15 +550,15 @@ static float off_pose(const float T[16], const float x[4], float e[6], float J[2
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    float share, const float pace[4], const float J[24], float e[6], float x[4])
+    float share, const int held[4], const float J[24], float e[6], float x[4])
 {
     float A[6][10] = { { 0.0f } }, square[6] = { 0.0f };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
-            A[i][j] = pace[j] * weights[i] * J[4 * i + j];
+            A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[4 * i + j];
         A[i][4 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -573,62 +576,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const float T[16], float enough, float q[4])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const float T[16], float enough, float most, float q[4])
 {
-    float x[4], J[24], pace[4] = { 1.0f, 1.0f, 0.8f, 1.0f }; /* 0 holds */
-    float last = HUGE_VALF;
-    int settled = 0;
+    float x[4], half[4], J[24], last = HUGE_VALF;
+    const int stands = isnan(enough);
+    int settled = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
         const float miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-06f;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5f * miss;
-        } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5f * miss;
+            } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 4; i++) {
-            const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
+            const float off = stands && pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
             if (fabsf(off) > 0.0f) {
-                pace[i] = 0.0f;
+                held[i] = 1;
                 last = HUGE_VALF;
             }
             x[i] -= off;
-            if (!(apart(i, x[i] - q[i]) <= 0.1f))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const float T[16], const float seed[4], float q[2][4],
     unsigned char status[2])
 {
-    float x[4], least = HUGE_VALF;
+    float x[4], half[4], J[24], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 4; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 5e-05f, x))
+    if (!settle(T, 5e-05f, 0.15f, x))
+        return;
+    if (beyond_limits(x) > 0.0f && !settle(T, NAN, 0.15f, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        float gap = status[row] == SCARA_F32_UNREACHABLE ? 0.1f : 0.0f;
-        for (int i = 0; i < 4; i++) /* NaN is no gap */
-            gap = fmaxf(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.03f)
-            return;
-        if (gap <= least) {
-            least = gap;
+        float e[6] = { 0.0f }, between = 0.0005f;
+        if (status[row] != SCARA_F32_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.03f)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -666,7 +676,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
             continue;
         const float off = beyond_limits(q[row]);
         if (0.0f < off && off < 0.01f)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);
         for (int i = 0; i < 4; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -233,10 +233,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -285,44 +287,39 @@ static const double weight[6] = { 1.0, 1.0, 0.5917159763313609, 1.0, 1.0, 1.0 };
 void scara_wrist_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double v1 = x2_y * s4, x4_x = x2_x * c4 + v1, v2 = x2_y * c4, x4_y = v2 + -x2_x * s4,
-        y5_x = v2 - x2_x * s4, y5_y = -x2_x * c4 - v1;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5, x5_y = x4_y * c5, v3 = x4_x * s5, v4 = x4_y * s5;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), v1 = x2_y * s4, x4_x = x2_x * c4 + v1,
+        v2 = x2_y * c4, x4_y = v2 + -x2_x * s4, y5_x = v2 - x2_x * s4, y5_y = -x2_x * c4 - v1;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5, x5_y = x4_y * c5, v3 = x4_x * s5,
+        v4 = x4_y * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6, T32_ = s5 * s6,
-        T14_ = c1 * a1 + x2_x * a2 - v3 * d6, T24_ = s1 * a1 + x2_y * a2 - v4 * d6,
-        T34_ = d1 + q[2] - c5 * d6;
-    T[0] = T11_; T[1] = T12_; T[2] = -v3; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -v4; T[7] = T24_;
-    T[8] = -(s5 * c6); T[9] = T32_; T[10] = -c5; T[11] = T34_;
+    T[0] = x5_x * c6 + y5_x * s6; T[1] = y5_x * c6 - x5_x * s6; T[2] = -v3;
+    T[3] = c1 * a1 + x2_x * a2 - v3 * d6;
+    T[4] = x5_y * c6 + y5_y * s6; T[5] = y5_y * c6 - x5_y * s6; T[6] = -v4;
+    T[7] = s1 * a1 + x2_y * a2 - v4 * d6;
+    T[8] = -(s5 * c6); T[9] = s5 * s6; T[10] = -c5; T[11] = d1 + q[2] - c5 * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void scara_wrist_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2, p2_x = p1_x + x2_x * a2,
-        p2_y = p1_y + x2_y * a2, p3_z = d1 + q[2];
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double v1 = x2_y * s4, v2 = x2_y * c4, J45 = x2_x * s4 - v2, J55 = v1 - -x2_x * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double v3 = (x2_x * c4 + v1) * s5, v4 = (v2 + -x2_x * s4) * s5, J21 = p2_x - v3 * d6,
-        p6_y = p2_y - v4 * d6, J22 = J21 - p1_x, J12 = p1_y - p6_y, v5 = J21 - p2_x,
-        J14 = p6_y - p2_y, v6 = p3_z - c5 * d6 - p3_z, J15 = J55 * v6, J35 = J45 * J14 - J55 * v5,
-        J16 = c5 * J14 - v4 * v6, J26 = v3 * v6 - c5 * v5, J36 = v4 * v5 - v3 * J14;
-    J[0] = -p6_y; J[1] = J12; J[2] = 0.0; J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = 0.0; J[9] = -v5; J[10] = -(J45 * v6); J[11] = J26;
-    J[12] = 0.0; J[13] = 0.0; J[14] = 1.0; J[15] = 0.0; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = 0.0; J[22] = J45; J[23] = -v3;
-    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = 0.0; J[28] = J55; J[29] = -v4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - s1 * s2, x2_y = s1 * c2 + c1 * s2,
+        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p3_z = d1 + q[2];
+    const double c4 = cos(q[3]), s4 = sin(q[3]), v1 = x2_y * s4, v2 = x2_y * c4,
+        z4_x = x2_x * s4 - v2, z4_y = v1 - -x2_x * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), v3 = (x2_x * c4 + v1) * s5,
+        v4 = (v2 + -x2_x * s4) * s5, p6_x = p2_x - v3 * d6, p6_y = p2_y - v4 * d6, v5 = p6_x - p2_x,
+        J14 = p6_y - p2_y, v6 = p3_z - c5 * d6 - p3_z;
+    J[0] = -p6_y; J[1] = p1_y - p6_y; J[2] = 0.0; J[3] = J14; J[4] = z4_y * v6;
+    J[5] = c5 * J14 - v4 * v6;
+    J[6] = p6_x; J[7] = p6_x - p1_x; J[8] = 0.0; J[9] = -v5; J[10] = -(z4_x * v6);
+    J[11] = v3 * v6 - c5 * v5;
+    J[12] = 0.0; J[13] = 0.0; J[14] = 1.0; J[15] = 0.0; J[16] = z4_x * J14 - z4_y * v5;
+    J[17] = v4 * v5 - v3 * J14;
+    J[18] = 0.0; J[19] = 0.0; J[20] = 0.0; J[21] = 0.0; J[22] = z4_x; J[23] = -v3;
+    J[24] = 0.0; J[25] = 0.0; J[26] = 0.0; J[27] = 0.0; J[28] = z4_y; J[29] = -v4;
     J[30] = 1.0; J[31] = 1.0; J[32] = 0.0; J[33] = -1.0; J[34] = 0.0; J[35] = -c5;
 }
 
@@ -614,16 +611,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(int joint, double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    if (!revolute[joint])
-        return fabs(off) * 0.7692307692307692;
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = revolute[i] ? remainder(q[i] - x[i], turn) : q[i] - x[i];
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.7692307692307692));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.3, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -648,15 +652,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -674,56 +678,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.300, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(i, x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[4][6],
     unsigned char status[4])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = status[row] == SCARA_WRIST_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(i, q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != SCARA_WRIST_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -107,7 +107,7 @@ free_limit_squared2 = 9.063039999999997e-25  # square of a length that fixes no 
 doubtful_slack = 0.01  # a row may miss the pose by this before it is tightened
 doubtful_slack1 = 0.009519999999999999  # a row may miss the pose by this before it is tightened [m]
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
-k2 = 10.237300628570258  # 1 / (2 * a3 * a2) [m^-2]
+k2 = 10.237300628570258  # 1 / k1 [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
 whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 9.063039999999999e-07  # doubt_limit1^2 [m^2]
@@ -226,30 +226,23 @@ def fk(q):
     x4_x = x3_x * c4 - v4 * s4
     x4_y = x3_y * c4 - v5 * s4
     x4_z = y3_z * s4 - v3 * c4
-    T13_ = v4 * c4 + x3_x * s4
-    T23_ = v5 * c4 + x3_y * s4
+    z4_x = v4 * c4 + x3_x * s4
+    z4_y = v5 * c4 + x3_y * s4
     v7 = y3_z * c4 + v3 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 - s1 * s5
-    T21_ = x4_y * c5 + c1 * s5
-    T31_ = x4_z * c5
-    T22_ = c1 * c5 - x4_y * s5
-    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5
-    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5
-    T34_ = d1 - s2 * a2 - v3 * a3 - v7 * d5
-    T[0, 0] = T11_
+    T[0, 0] = x4_x * c5 - s1 * s5
     T[0, 1] = -(s1 * c5 + x4_x * s5)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[0, 2] = z4_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + x3_x * a3 + z4_x * d5
+    T[1, 0] = x4_y * c5 + c1 * s5
+    T[1, 1] = c1 * c5 - x4_y * s5
+    T[1, 2] = z4_y
+    T[1, 3] = s1 * a1 + x2_y * a2 + x3_y * a3 + z4_y * d5
+    T[2, 0] = x4_z * c5
     T[2, 1] = -(x4_z * s5)
     T[2, 2] = -v7
-    T[2, 3] = T34_
+    T[2, 3] = d1 - s2 * a2 - v3 * a3 - v7 * d5
     T[3, 3] = 1.0
     return T
 
@@ -284,47 +277,39 @@ def jacobian(q):
     v4 = q[3] + offset4
     c4 = math.cos(v4)
     s4 = math.sin(v4)
-    J45 = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4
-    J55 = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4
+    z4_x = (v1 * c3 + x2_x * s3) * c4 + x3_x * s4
+    z4_y = (v2 * c3 + x2_y * s3) * c4 + x3_y * s4
     v5 = (s2 * s3 - c2 * c3) * c4 + v3 * s4
-    J21 = p3_x + J45 * d5
-    p5_y = p3_y + J55 * d5
+    p5_x = p3_x + z4_x * d5
+    p5_y = p3_y + z4_y * d5
     p5_z = p3_z - v5 * d5
     v6 = p5_z - d1
-    J12 = c1 * v6
-    J22 = s1 * v6
     v7 = p5_z - p2_z
-    J13 = c1 * v7
-    J23 = s1 * v7
-    v8 = J21 - p3_x
+    v8 = p5_x - p3_x
     v9 = p5_y - p3_y
     v10 = p5_z - p3_z
-    J14 = c1 * v10
-    J24 = s1 * v10
-    J15 = J55 * v10 + v5 * v9
-    J35 = J45 * v9 - J55 * v8
     J[0, 0] = -p5_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = -(v5 * v8 + J45 * v10)
-    J[2, 1] = -(s1 * (p5_y - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = -(s1 * (p5_y - p2_y) + c1 * (J21 - p2_x))
+    J[0, 1] = c1 * v6
+    J[0, 2] = c1 * v7
+    J[0, 3] = c1 * v10
+    J[0, 4] = z4_y * v10 + v5 * v9
+    J[1, 0] = p5_x
+    J[1, 1] = s1 * v6
+    J[1, 2] = s1 * v7
+    J[1, 3] = s1 * v10
+    J[1, 4] = -(v5 * v8 + z4_x * v10)
+    J[2, 1] = -(s1 * (p5_y - p1_y) + c1 * (p5_x - p1_x))
+    J[2, 2] = -(s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x))
     J[2, 3] = -(s1 * v9 + c1 * v8)
-    J[2, 4] = J35
+    J[2, 4] = z4_x * v9 - z4_y * v8
     J[3, 1] = -s1
     J[3, 2] = -s1
     J[3, 3] = -s1
-    J[3, 4] = J45
+    J[3, 4] = z4_x
     J[4, 1] = c1
     J[4, 2] = c1
     J[4, 3] = c1
-    J[4, 4] = J55
+    J[4, 4] = z4_y
     J[5, 0] = 1.0
     J[5, 4] = -v5
     return J
@@ -346,7 +331,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 62e1d050dd8dce48"
+_KEY = "scorbot_pointing 4ba86b19900a9c0c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -428,30 +413,23 @@ def _missed_by(pose, q):
     x4_x = x3_x * c4 - v4 * s4
     x4_y = x3_y * c4 - v5 * s4
     x4_z = y3_z * s4 - v3 * c4
-    T13_ = v4 * c4 + x3_x * s4
-    T23_ = v5 * c4 + x3_y * s4
+    z4_x = v4 * c4 + x3_x * s4
+    z4_y = v5 * c4 + x3_y * s4
     v7 = y3_z * c4 + v3 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 - s1 * s5
-    T21_ = x4_y * c5 + c1 * s5
-    T31_ = x4_z * c5
-    T22_ = c1 * c5 - x4_y * s5
-    T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 + T13_ * d5
-    T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 + T23_ * d5
-    T34_ = d1 - s2 * a2 - v3 * a3 - v7 * d5
     miss = 0.0
-    off = T13_ - pose[2]
+    off = z4_x - pose[2]
     miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
+    off = c1 * a1 + x2_x * a2 + x3_x * a3 + z4_x * d5 - pose[3]
     miss += (1.050420168067227 * off) ** 2
-    off = T23_ - pose[6]
+    off = z4_y - pose[6]
     miss += (1.0 * off) ** 2
-    off = T24_ - pose[7]
+    off = s1 * a1 + x2_y * a2 + x3_y * a3 + z4_y * d5 - pose[7]
     miss += (1.050420168067227 * off) ** 2
     off = -v7 - pose[10]
     miss += (1.0 * off) ** 2
-    off = T34_ - pose[11]
+    off = d1 - s2 * a2 - v3 * a3 - v7 * d5 - pose[11]
     miss += (1.050420168067227 * off) ** 2
     return math.sqrt(miss)
 
@@ -1130,12 +1108,12 @@ def _seek(pose, q_free, seed, begun, q, status):
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0, 1.0, 0.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([1.050, 1.050, 1.050, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([1.05, 1.05, 1.05, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -1152,23 +1130,23 @@ def _miss(T, q, pace, A):
         for i in range(3):  # turning about z changes nothing
             J[3 + i, j] -= along * P[i, 2]
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -1180,49 +1158,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(5):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -1232,24 +1220,24 @@ def _settle(pose, enough, q):
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(5), 0, math.inf
+    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
+    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
     x[4] = q_free[0]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(4 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(5):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]

@@ -109,13 +109,13 @@ longest3_apart = 0.673240736063957  # the longest, where branches merge [m^2]
 shortest3_apart = 0.001559263936015267  # the shortest, where branches merge [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.07  # d2 - d3 [m]
-k2 = 0.004900000000000001  # (d2 - d3)^2 [m^2]
-k3 = 2.4920000000031693e-14  # reach_slack1 * (2 * (d2 - d3) + reach_slack1) [m^2]
-k4 = 2.4920000000003178e-15  # merge_slack1 * (2 * (d2 - d3) + merge_slack1) [m^2]
+k2 = 0.004900000000000001  # k1^2 [m^2]
+k3 = 2.4920000000031693e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
+k4 = 2.4920000000003178e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
 k5 = 0.3268  # 2 * d4 * a2 [m^2]
 k6 = 0.0774  # 2 * a3 * a2 [m^2]
 k7 = 0.3374  # a2^2 + (a3^2 + d4^2) [m^2]
-k8 = 8.866112830151877  # 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4]
+k8 = 8.866112830151877  # 1 / (k5^2 + k6^2) [m^-4]
 doubt_limit_squared2 = 3.1684000000000017e-06  # square of a length that fixes no angle [m^2]
 turn1 = -1.3382393849899876  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
@@ -236,31 +236,23 @@ def fk(q):
     x5_x = x4_x * c5 - z3_x * s5
     x5_y = x4_y * c5 - z3_y * s5
     x5_z = y4_z * s5 - v4 * c5
-    T13_ = z3_x * c5 + x4_x * s5
-    T23_ = z3_y * c5 + x4_y * s5
+    z5_x = z3_x * c5 + x4_x * s5
+    z5_y = z3_y * c5 + x4_y * s5
     v6 = y4_z * c5 + v4 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 - v5 * s6
-    T21_ = x5_y * c6 + z4_y * s6
-    T31_ = x5_z * c6 + z4_z * s6
-    T22_ = z4_y * c6 - x5_y * s6
-    T32_ = z4_z * c6 - x5_z * s6
-    T14_ = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 + z3_x * d4 + T13_ * d6
-    T24_ = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3 - c1 * d3 + z3_y * d4 + T23_ * d6
-    T34_ = d1 - s2 * a2 - v3 * a3 + -y4_z * d4 - v6 * d6
-    T[0, 0] = T11_
+    T[0, 0] = x5_x * c6 - v5 * s6
     T[0, 1] = -(v5 * c6 + x5_x * s6)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * a2 - s1 * d2 + x3_x * a3 + s1 * d3 + z3_x * d4 + z5_x * d6
+    T[1, 0] = x5_y * c6 + z4_y * s6
+    T[1, 1] = z4_y * c6 - x5_y * s6
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + x2_y * a2 + c1 * d2 + x3_y * a3 - c1 * d3 + z3_y * d4 + z5_y * d6
+    T[2, 0] = x5_z * c6 + z4_z * s6
+    T[2, 1] = z4_z * c6 - x5_z * s6
     T[2, 2] = -v6
-    T[2, 3] = T34_
+    T[2, 3] = d1 - s2 * a2 - v3 * a3 + -y4_z * d4 - v6 * d6
     T[3, 3] = 1.0
     return T
 
@@ -289,8 +281,8 @@ def jacobian(q):
     x3_x = x2_x * c3 - v1 * s3
     x3_y = x2_y * c3 - v2 * s3
     v3 = s2 * c3 + c2 * s3
-    J44 = v1 * c3 + x2_x * s3
-    J54 = v2 * c3 + x2_y * s3
+    z3_x = v1 * c3 + x2_x * s3
+    z3_y = v2 * c3 + x2_y * s3
     y4_z = s2 * s3 - c2 * c3
     p3_z = p2_z - v3 * a3
     p3_x = p2_x + x3_x * a3 + s1 * d3
@@ -298,68 +290,57 @@ def jacobian(q):
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     v4 = s1 * c4 + x3_x * s4
-    J55 = c1 * c4 - x3_y * s4
-    J65 = v3 * s4
-    p4_x = p3_x + J44 * d4
-    p4_y = p3_y + J54 * d4
+    z4_y = c1 * c4 - x3_y * s4
+    z4_z = v3 * s4
+    p4_x = p3_x + z3_x * d4
+    p4_y = p3_y + z3_y * d4
     p4_z = p3_z + -y4_z * d4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = J44 * c5 + (x3_x * c4 - s1 * s4) * s5
-    J56 = J54 * c5 + (x3_y * c4 + c1 * s4) * s5
+    z5_x = z3_x * c5 + (x3_x * c4 - s1 * s4) * s5
+    z5_y = z3_y * c5 + (x3_y * c4 + c1 * s4) * s5
     v5 = y4_z * c5 + v3 * c4 * s5
-    J21 = p4_x + J46 * d6
-    p6_y = p4_y + J56 * d6
+    p6_x = p4_x + z5_x * d6
+    p6_y = p4_y + z5_y * d6
     p6_z = p4_z - v5 * d6
     v6 = p6_z - d1
-    J12 = c1 * v6
-    J22 = s1 * v6
     v7 = p6_z - p2_z
-    J13 = c1 * v7
-    J23 = s1 * v7
-    v8 = J21 - p3_x
+    v8 = p6_x - p3_x
     v9 = p6_y - p3_y
     v10 = p6_z - p3_z
-    J14 = J54 * v10 - -y4_z * v9
-    J24 = -y4_z * v8 - J44 * v10
-    J34 = J44 * v9 - J54 * v8
-    v11 = J21 - p4_x
+    v11 = p6_x - p4_x
     v12 = p6_y - p4_y
     v13 = p6_z - p4_z
-    J15 = J55 * v13 - J65 * v12
-    J25 = J65 * v11 + v4 * v13
-    J16 = J56 * v13 + v5 * v12
-    J36 = J46 * v12 - J56 * v11
     J[0, 0] = -p6_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = -(v5 * v11 + J46 * v13)
-    J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (J21 - p1_x))
-    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (J21 - p2_x))
-    J[2, 3] = J34
-    J[2, 4] = -(v4 * v12 + J55 * v11)
-    J[2, 5] = J36
+    J[0, 1] = c1 * v6
+    J[0, 2] = c1 * v7
+    J[0, 3] = z3_y * v10 - -y4_z * v9
+    J[0, 4] = z4_y * v13 - z4_z * v12
+    J[0, 5] = z5_y * v13 + v5 * v12
+    J[1, 0] = p6_x
+    J[1, 1] = s1 * v6
+    J[1, 2] = s1 * v7
+    J[1, 3] = -y4_z * v8 - z3_x * v10
+    J[1, 4] = z4_z * v11 + v4 * v13
+    J[1, 5] = -(v5 * v11 + z5_x * v13)
+    J[2, 1] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x))
+    J[2, 2] = -(s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x))
+    J[2, 3] = z3_x * v9 - z3_y * v8
+    J[2, 4] = -(v4 * v12 + z4_y * v11)
+    J[2, 5] = z5_x * v12 - z5_y * v11
     J[3, 1] = -s1
     J[3, 2] = -s1
-    J[3, 3] = J44
+    J[3, 3] = z3_x
     J[3, 4] = -v4
-    J[3, 5] = J46
+    J[3, 5] = z5_x
     J[4, 1] = c1
     J[4, 2] = c1
-    J[4, 3] = J54
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 3] = -y4_z
-    J[5, 4] = J65
+    J[5, 4] = z4_z
     J[5, 5] = -v5
     return J
 
@@ -376,7 +357,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_all_offsets 5b4ba42d221116d2"
+_KEY = "spherical_wrist_all_offsets ce296f8a8d203fd4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -618,8 +599,8 @@ _MISS_WEIGHT = np.array([0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -634,23 +615,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -662,49 +643,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -714,23 +705,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

@@ -470,82 +470,72 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 
 void spherical_wrist_general_arm_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
-        y2_x = z1_x * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2,
-        z2_x = v3 * sa2 + z1_x * ca2, v6 = v4 * sa2 + v2 * ca2, z2_z = f3 - v5 * sa2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
-        v9 = y2_z * c3 - x2_z * s3, y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3,
-        y3_z = v9 * ca3 - z2_z * sa3, z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3,
-        z3_z = v9 * sa3 + z2_z * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + y3_x * s4, x4_y = x3_y * c4 + y3_y * s4,
-        x4_z = x3_z * c4 + y3_z * s4, y5_x = y3_x * c4 - x3_x * s4, y5_y = y3_y * c4 - x3_y * s4,
-        y5_z = y3_z * c4 - x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5, T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
-        T33_ = z3_z * c5 - x4_z * s5;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * ca1, y1_y = c1 * ca1, z1_x = s1 * sa1,
+        v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + f2, z2_x = v3 * sa2 + z1_x * ca2,
+        v6 = v4 * sa2 + v2 * ca2, z2_z = f3 - v5 * sa2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3,
+        v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3, y3_x = v7 * ca3 - z2_x * sa3,
+        y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - z2_z * sa3, z3_x = v7 * sa3 + z2_x * ca3,
+        z3_y = v8 * sa3 - v6 * ca3, z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + y3_x * s4,
+        x4_y = x3_y * c4 + y3_y * s4, x4_z = x3_z * c4 + y3_z * s4, y5_x = y3_x * c4 - x3_x * s4,
+        y5_y = y3_y * c4 - x3_y * s4, y5_z = y3_z * c4 - x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, z5_x = z3_x * c5 - x4_x * s5,
+        z5_y = z3_y * c5 - x4_y * s5, z5_z = z3_z * c5 - x4_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 + y5_x * s6, T21_ = x5_y * c6 + y5_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, T12_ = y5_x * c6 - x5_x * s6, T22_ = y5_y * c6 - x5_y * s6,
-        T32_ = y5_z * c6 - x5_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6,
-        T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 + y5_x * s6; T[1] = y5_x * c6 - x5_x * s6; T[2] = z5_x;
+    T[3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + z5_x * d6;
+    T[4] = x5_y * c6 + y5_y * s6; T[5] = y5_y * c6 - x5_y * s6; T[6] = z5_y;
+    T[7] = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + z5_y * d6;
+    T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = z5_z;
+    T[11] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + z5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void spherical_wrist_general_arm_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1, y1_y = c1 * ca1, J42 = s1 * sa1,
-        v2 = c1 * sa1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2,
-        p2_x = p1_x + x2_x * a2 + J42 * d2, p2_y = p1_y + x2_y * a2 - v2 * d2,
-        p2_z = d1 + x2_z * a2 + g1, y2_x = J42 * sa2 - v3 * ca2, y2_y = v4 * ca2 - v2 * sa2,
-        y2_z = v5 * ca2 + g2, J43 = v3 * sa2 + J42 * ca2, v6 = v4 * sa2 + v2 * ca2,
-        J63 = g3 - v5 * sa2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3, v8 = y2_y * c3 - x2_y * s3,
-        v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + J43 * d3,
-        p3_y = p2_y + x3_y * a3 - v6 * d3, p3_z = p2_z + x3_z * a3 + J63 * d3,
-        y3_x = v7 * ca3 - J43 * sa3, y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - J63 * sa3,
-        J44 = v7 * sa3 + J43 * ca3, J54 = v8 * sa3 - v6 * ca3, J64 = v9 * sa3 + J63 * ca3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double p4_x = p3_x + J44 * d4, p4_y = p3_y + J54 * d4, p4_z = p3_z + J64 * d4,
-        J45 = x3_x * s4 - y3_x * c4, J55 = x3_y * s4 - y3_y * c4, J65 = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5,
-        J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5,
-        J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5, J21 = p4_x + J46 * d6,
-        p6_y = p4_y + J56 * d6, p6_z = p4_z + J66 * d6, v10 = J21 - p1_x, v11 = p6_y - p1_y,
-        v12 = p6_z - d1, J22 = ca1 * v10 - J42 * v12, J32 = J42 * v11 + v2 * v10, v13 = J21 - p2_x,
-        v14 = p6_y - p2_y, v15 = p6_z - p2_z, J23 = J63 * v13 - J43 * v15,
-        J33 = J43 * v14 + v6 * v13, v16 = J21 - p3_x, v17 = p6_y - p3_y, v18 = p6_z - p3_z,
-        J14 = J54 * v18 - J64 * v17, J24 = J64 * v16 - J44 * v18, J34 = J44 * v17 - J54 * v16,
-        v19 = J21 - p4_x, v20 = p6_y - p4_y, v21 = p6_z - p4_z, J15 = J55 * v21 - J65 * v20,
-        J25 = J65 * v19 - J45 * v21, J35 = J45 * v20 - J55 * v19, J16 = J56 * v21 - J66 * v20,
-        J26 = J66 * v19 - J46 * v21, J36 = J46 * v20 - J56 * v19;
-    J[0] = -p6_y; J[1] = -(v2 * v12 + ca1 * v11); J[2] = -(v6 * v15 + J63 * v14); J[3] = J14;
-    J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = J42; J[20] = J43; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = -v2; J[26] = -v6; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = ca1; J[32] = J63; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1, v1 = s1 * ca1,
+        y1_y = c1 * ca1, z1_x = s1 * sa1, v2 = c1 * sa1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = sa1 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = sa1 * c2, p2_x = p1_x + x2_x * a2 + z1_x * d2,
+        p2_y = p1_y + x2_y * a2 - v2 * d2, p2_z = d1 + x2_z * a2 + g1, y2_x = z1_x * sa2 - v3 * ca2,
+        y2_y = v4 * ca2 - v2 * sa2, y2_z = v5 * ca2 + g2, z2_x = v3 * sa2 + z1_x * ca2,
+        v6 = v4 * sa2 + v2 * ca2, z2_z = g3 - v5 * sa2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = x2_z * c3 + y2_z * s3, v7 = y2_x * c3 - x2_x * s3,
+        v8 = y2_y * c3 - x2_y * s3, v9 = y2_z * c3 - x2_z * s3, p3_x = p2_x + x3_x * a3 + z2_x * d3,
+        p3_y = p2_y + x3_y * a3 - v6 * d3, p3_z = p2_z + x3_z * a3 + z2_z * d3,
+        y3_x = v7 * ca3 - z2_x * sa3, y3_y = v8 * ca3 + v6 * sa3, y3_z = v9 * ca3 - z2_z * sa3,
+        z3_x = v7 * sa3 + z2_x * ca3, z3_y = v8 * sa3 - v6 * ca3, z3_z = v9 * sa3 + z2_z * ca3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), p4_x = p3_x + z3_x * d4, p4_y = p3_y + z3_y * d4,
+        p4_z = p3_z + z3_z * d4, z4_x = x3_x * s4 - y3_x * c4, z4_y = x3_y * s4 - y3_y * c4,
+        z4_z = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), z5_x = z3_x * c5 - (x3_x * c4 + y3_x * s4) * s5,
+        z5_y = z3_y * c5 - (x3_y * c4 + y3_y * s4) * s5,
+        z5_z = z3_z * c5 - (x3_z * c4 + y3_z * s4) * s5, p6_x = p4_x + z5_x * d6,
+        p6_y = p4_y + z5_y * d6, p6_z = p4_z + z5_z * d6, v10 = p6_x - p1_x, v11 = p6_y - p1_y,
+        v12 = p6_z - d1, v13 = p6_x - p2_x, v14 = p6_y - p2_y, v15 = p6_z - p2_z, v16 = p6_x - p3_x,
+        v17 = p6_y - p3_y, v18 = p6_z - p3_z, v19 = p6_x - p4_x, v20 = p6_y - p4_y,
+        v21 = p6_z - p4_z;
+    J[0] = -p6_y; J[1] = -(v2 * v12 + ca1 * v11); J[2] = -(v6 * v15 + z2_z * v14);
+    J[3] = z3_y * v18 - z3_z * v17; J[4] = z4_y * v21 - z4_z * v20; J[5] = z5_y * v21 - z5_z * v20;
+    J[6] = p6_x; J[7] = ca1 * v10 - z1_x * v12; J[8] = z2_z * v13 - z2_x * v15;
+    J[9] = z3_z * v16 - z3_x * v18; J[10] = z4_z * v19 - z4_x * v21;
+    J[11] = z5_z * v19 - z5_x * v21;
+    J[12] = 0.0; J[13] = z1_x * v11 + v2 * v10; J[14] = z2_x * v14 + v6 * v13;
+    J[15] = z3_x * v17 - z3_y * v16; J[16] = z4_x * v20 - z4_y * v19;
+    J[17] = z5_x * v20 - z5_y * v19;
+    J[18] = 0.0; J[19] = z1_x; J[20] = z2_x; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = -v2; J[26] = -v6; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = ca1; J[32] = z2_z; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -959,14 +949,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -991,15 +990,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -1017,56 +1016,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

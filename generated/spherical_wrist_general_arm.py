@@ -379,32 +379,23 @@ def fk(q):
     x5_x = x4_x * c5 + z3_x * s5
     x5_y = x4_y * c5 + z3_y * s5
     x5_z = x4_z * c5 + z3_z * s5
-    T13_ = z3_x * c5 - x4_x * s5
-    T23_ = z3_y * c5 - x4_y * s5
-    T33_ = z3_z * c5 - x4_z * s5
+    z5_x = z3_x * c5 - x4_x * s5
+    z5_y = z3_y * c5 - x4_y * s5
+    z5_z = z3_z * c5 - x4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ * d6
-    T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6
-    T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x5_x * c6 + y5_x * s6
+    T[0, 1] = y5_x * c6 - x5_x * s6
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + z5_x * d6
+    T[1, 0] = x5_y * c6 + y5_y * s6
+    T[1, 1] = y5_y * c6 - x5_y * s6
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + z5_y * d6
+    T[2, 0] = x5_z * c6 + y5_z * s6
+    T[2, 1] = y5_z * c6 - x5_z * s6
+    T[2, 2] = z5_z
+    T[2, 3] = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + z5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -421,7 +412,7 @@ def jacobian(q):
     p1_y = s1 * a1
     v1 = s1 * ca1
     y1_y = c1 * ca1
-    J42 = s1 * sa1
+    z1_x = s1 * sa1
     v2 = c1 * sa1
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
@@ -431,15 +422,15 @@ def jacobian(q):
     v3 = v1 * c2 + c1 * s2
     v4 = y1_y * c2 - s1 * s2
     v5 = sa1 * c2
-    p2_x = p1_x + x2_x * a2 + J42 * d2
+    p2_x = p1_x + x2_x * a2 + z1_x * d2
     p2_y = p1_y + x2_y * a2 - v2 * d2
     p2_z = d1 + x2_z * a2 + g1
-    y2_x = J42 * sa2 - v3 * ca2
+    y2_x = z1_x * sa2 - v3 * ca2
     y2_y = v4 * ca2 - v2 * sa2
     y2_z = v5 * ca2 + g2
-    J43 = v3 * sa2 + J42 * ca2
+    z2_x = v3 * sa2 + z1_x * ca2
     v6 = v4 * sa2 + v2 * ca2
-    J63 = g3 - v5 * sa2
+    z2_z = g3 - v5 * sa2
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
     x3_x = x2_x * c3 + y2_x * s3
@@ -448,89 +439,76 @@ def jacobian(q):
     v7 = y2_x * c3 - x2_x * s3
     v8 = y2_y * c3 - x2_y * s3
     v9 = y2_z * c3 - x2_z * s3
-    p3_x = p2_x + x3_x * a3 + J43 * d3
+    p3_x = p2_x + x3_x * a3 + z2_x * d3
     p3_y = p2_y + x3_y * a3 - v6 * d3
-    p3_z = p2_z + x3_z * a3 + J63 * d3
-    y3_x = v7 * ca3 - J43 * sa3
+    p3_z = p2_z + x3_z * a3 + z2_z * d3
+    y3_x = v7 * ca3 - z2_x * sa3
     y3_y = v8 * ca3 + v6 * sa3
-    y3_z = v9 * ca3 - J63 * sa3
-    J44 = v7 * sa3 + J43 * ca3
-    J54 = v8 * sa3 - v6 * ca3
-    J64 = v9 * sa3 + J63 * ca3
+    y3_z = v9 * ca3 - z2_z * sa3
+    z3_x = v7 * sa3 + z2_x * ca3
+    z3_y = v8 * sa3 - v6 * ca3
+    z3_z = v9 * sa3 + z2_z * ca3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    p4_x = p3_x + J44 * d4
-    p4_y = p3_y + J54 * d4
-    p4_z = p3_z + J64 * d4
-    J45 = x3_x * s4 - y3_x * c4
-    J55 = x3_y * s4 - y3_y * c4
-    J65 = x3_z * s4 - y3_z * c4
+    p4_x = p3_x + z3_x * d4
+    p4_y = p3_y + z3_y * d4
+    p4_z = p3_z + z3_z * d4
+    z4_x = x3_x * s4 - y3_x * c4
+    z4_y = x3_y * s4 - y3_y * c4
+    z4_z = x3_z * s4 - y3_z * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = J44 * c5 - (x3_x * c4 + y3_x * s4) * s5
-    J56 = J54 * c5 - (x3_y * c4 + y3_y * s4) * s5
-    J66 = J64 * c5 - (x3_z * c4 + y3_z * s4) * s5
-    J21 = p4_x + J46 * d6
-    p6_y = p4_y + J56 * d6
-    p6_z = p4_z + J66 * d6
-    v10 = J21 - p1_x
+    z5_x = z3_x * c5 - (x3_x * c4 + y3_x * s4) * s5
+    z5_y = z3_y * c5 - (x3_y * c4 + y3_y * s4) * s5
+    z5_z = z3_z * c5 - (x3_z * c4 + y3_z * s4) * s5
+    p6_x = p4_x + z5_x * d6
+    p6_y = p4_y + z5_y * d6
+    p6_z = p4_z + z5_z * d6
+    v10 = p6_x - p1_x
     v11 = p6_y - p1_y
     v12 = p6_z - d1
-    J22 = ca1 * v10 - J42 * v12
-    J32 = J42 * v11 + v2 * v10
-    v13 = J21 - p2_x
+    v13 = p6_x - p2_x
     v14 = p6_y - p2_y
     v15 = p6_z - p2_z
-    J23 = J63 * v13 - J43 * v15
-    J33 = J43 * v14 + v6 * v13
-    v16 = J21 - p3_x
+    v16 = p6_x - p3_x
     v17 = p6_y - p3_y
     v18 = p6_z - p3_z
-    J14 = J54 * v18 - J64 * v17
-    J24 = J64 * v16 - J44 * v18
-    J34 = J44 * v17 - J54 * v16
-    v19 = J21 - p4_x
+    v19 = p6_x - p4_x
     v20 = p6_y - p4_y
     v21 = p6_z - p4_z
-    J15 = J55 * v21 - J65 * v20
-    J25 = J65 * v19 - J45 * v21
-    J35 = J45 * v20 - J55 * v19
-    J16 = J56 * v21 - J66 * v20
-    J26 = J66 * v19 - J46 * v21
-    J36 = J46 * v20 - J56 * v19
     J[0, 0] = -p6_y
     J[0, 1] = -(v2 * v12 + ca1 * v11)
-    J[0, 2] = -(v6 * v15 + J63 * v14)
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
-    J[3, 1] = J42
-    J[3, 2] = J43
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[0, 2] = -(v6 * v15 + z2_z * v14)
+    J[0, 3] = z3_y * v18 - z3_z * v17
+    J[0, 4] = z4_y * v21 - z4_z * v20
+    J[0, 5] = z5_y * v21 - z5_z * v20
+    J[1, 0] = p6_x
+    J[1, 1] = ca1 * v10 - z1_x * v12
+    J[1, 2] = z2_z * v13 - z2_x * v15
+    J[1, 3] = z3_z * v16 - z3_x * v18
+    J[1, 4] = z4_z * v19 - z4_x * v21
+    J[1, 5] = z5_z * v19 - z5_x * v21
+    J[2, 1] = z1_x * v11 + v2 * v10
+    J[2, 2] = z2_x * v14 + v6 * v13
+    J[2, 3] = z3_x * v17 - z3_y * v16
+    J[2, 4] = z4_x * v20 - z4_y * v19
+    J[2, 5] = z5_x * v20 - z5_y * v19
+    J[3, 1] = z1_x
+    J[3, 2] = z2_x
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 1] = -v2
     J[4, 2] = -v6
-    J[4, 3] = J54
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
     J[5, 1] = ca1
-    J[5, 2] = J63
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 2] = z2_z
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -549,7 +527,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm 3bf4b145141db36a"
+_KEY = "spherical_wrist_general_arm 1e839fe3e37ccd00"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -656,38 +634,29 @@ def _missed_by(pose, q):
     x5_x = x4_x * c5 + z3_x * s5
     x5_y = x4_y * c5 + z3_y * s5
     x5_z = x4_z * c5 + z3_z * s5
-    T13_ = z3_x * c5 - x4_x * s5
-    T23_ = z3_y * c5 - x4_y * s5
-    T33_ = z3_z * c5 - x4_z * s5
+    z5_x = z3_x * c5 - x4_x * s5
+    z5_y = z3_y * c5 - x4_y * s5
+    z5_z = z3_z * c5 - x4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + y5_x * s6
-    T21_ = x5_y * c6 + y5_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T12_ = y5_x * c6 - x5_x * s6
-    T22_ = y5_y * c6 - x5_y * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + T13_ * d6
-    T24_ = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + T23_ * d6
-    T34_ = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + T33_ * d6
     miss = 0.0
-    off = T11_ - pose[0]
+    off = x5_x * c6 + y5_x * s6 - pose[0]
     miss += (1.0 * off) ** 2
-    off = T13_ - pose[2]
+    off = z5_x - pose[2]
     miss += (1.0 * off) ** 2
-    off = T14_ - pose[3]
+    off = c1 * a1 + x2_x * a2 + z1_x * d2 + x3_x * a3 + z2_x * d3 + z3_x * d4 + z5_x * d6 - pose[3]
     miss += (0.6097560975609756 * off) ** 2
-    off = T21_ - pose[4]
+    off = x5_y * c6 + y5_y * s6 - pose[4]
     miss += (1.0 * off) ** 2
-    off = T23_ - pose[6]
+    off = z5_y - pose[6]
     miss += (1.0 * off) ** 2
-    off = T24_ - pose[7]
+    off = s1 * a1 + x2_y * a2 - v2 * d2 + x3_y * a3 - v6 * d3 + z3_y * d4 + z5_y * d6 - pose[7]
     miss += (0.6097560975609756 * off) ** 2
-    off = T31_ - pose[8]
+    off = x5_z * c6 + y5_z * s6 - pose[8]
     miss += (1.0 * off) ** 2
-    off = T33_ - pose[10]
+    off = z5_z - pose[10]
     miss += (1.0 * off) ** 2
-    off = T34_ - pose[11]
+    off = d1 + x2_z * a2 + f1 + x3_z * a3 + z2_z * d3 + z3_z * d4 + z5_z * d6 - pose[11]
     miss += (0.6097560975609756 * off) ** 2
     return math.sqrt(miss)
 
@@ -1384,8 +1353,8 @@ _MISS_WEIGHT = np.array([0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -1400,23 +1369,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -1428,49 +1397,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -1480,23 +1459,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

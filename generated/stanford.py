@@ -97,9 +97,9 @@ free_limit_squared2 = 1.6129e-24  # square of a length that fixes no angle [m^2]
 free_limit1 = 1.27e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.13369999999999999  # d2 - a3 [m]
-k2 = 0.01787569  # (d2 - a3)^2 [m^2]
-k3 = 3.395980000001613e-14  # reach_slack1 * (2 * (d2 - a3) + reach_slack1) [m^2]
-k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * (d2 - a3) + merge_slack1) [m^2]
+k2 = 0.01787569  # k1^2 [m^2]
+k3 = 3.395980000001613e-14  # reach_slack1 * (2 * k1 + reach_slack1) [m^2]
+k4 = 3.3959800000001613e-15  # merge_slack1 * (2 * k1 + merge_slack1) [m^2]
 doubt_limit_squared2 = 1.6128999999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.9670597293903604
@@ -210,9 +210,6 @@ def fk(q):
     x2_y = s1 * c2
     z2_x = c1 * s2
     z2_y = s1 * s2
-    T34_ = d1 + c2 * q[2]
-    T14_ = z2_x * q[2] - s1 * d2 + s1 * a3
-    T24_ = c1 * d2 + z2_y * q[2] - c1 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = s1 * c4 + x2_x * s4
@@ -226,28 +223,20 @@ def fk(q):
     x5_x = x4_x * c5 - z2_x * s5
     x5_y = x4_y * c5 - z2_y * s5
     v3 = v1 * c5 + c2 * s5
-    T13_ = z2_x * c5 + x4_x * s5
-    T23_ = z2_y * c5 + x4_y * s5
-    T33_ = c2 * c5 - v1 * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 + z4_x * s6
-    T21_ = x5_y * c6 + z4_y * s6
-    T12_ = z4_x * c6 - x5_x * s6
-    T22_ = z4_y * c6 - x5_y * s6
-    T32_ = v3 * s6 - v2 * c6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
+    T[0, 0] = x5_x * c6 + z4_x * s6
+    T[0, 1] = z4_x * c6 - x5_x * s6
+    T[0, 2] = z2_x * c5 + x4_x * s5
+    T[0, 3] = z2_x * q[2] - s1 * d2 + s1 * a3
+    T[1, 0] = x5_y * c6 + z4_y * s6
+    T[1, 1] = z4_y * c6 - x5_y * s6
+    T[1, 2] = z2_y * c5 + x4_y * s5
+    T[1, 3] = c1 * d2 + z2_y * q[2] - c1 * a3
     T[2, 0] = -(v3 * c6 + v2 * s6)
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[2, 1] = v3 * s6 - v2 * c6
+    T[2, 2] = c2 * c5 - v1 * s5
+    T[2, 3] = d1 + c2 * q[2]
     T[3, 3] = 1.0
     return T
 
@@ -264,42 +253,35 @@ def jacobian(q):
     s2 = math.sin(q[1])
     x2_x = c1 * c2
     x2_y = s1 * c2
-    J13 = c1 * s2
-    J23 = s1 * s2
-    J21 = J13 * q[2] - s1 * d2 + s1 * a3
-    p3_y = c1 * d2 + J23 * q[2] - c1 * a3
+    z2_x = c1 * s2
+    z2_y = s1 * s2
+    p3_x = z2_x * q[2] - s1 * d2 + s1 * a3
+    p3_y = c1 * d2 + z2_y * q[2] - c1 * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = x2_x * c4 - s1 * s4
-    J55 = x2_y * c4 + c1 * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = J13 * c5 + (s1 * c4 + x2_x * s4) * s5
-    J56 = J23 * c5 + (x2_y * s4 - c1 * c4) * s5
-    J66 = c2 * c5 - s2 * s4 * s5
     v1 = d1 + c2 * q[2] - d1
-    J12 = c1 * v1
-    J22 = s1 * v1
     J[0, 0] = -p3_y
-    J[0, 1] = J12
-    J[0, 2] = J13
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[2, 1] = -(s1 * p3_y + c1 * J21)
+    J[0, 1] = c1 * v1
+    J[0, 2] = z2_x
+    J[1, 0] = p3_x
+    J[1, 1] = s1 * v1
+    J[1, 2] = z2_y
+    J[2, 1] = -(s1 * p3_y + c1 * p3_x)
     J[2, 2] = c2
     J[3, 1] = -s1
-    J[3, 3] = J13
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[3, 3] = z2_x
+    J[3, 4] = x2_x * c4 - s1 * s4
+    J[3, 5] = z2_x * c5 + (s1 * c4 + x2_x * s4) * s5
     J[4, 1] = c1
-    J[4, 3] = J23
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 3] = z2_y
+    J[4, 4] = x2_y * c4 + c1 * s4
+    J[4, 5] = z2_y * c5 + (x2_y * s4 - c1 * c4) * s5
     J[5, 0] = 1.0
     J[5, 3] = c2
     J[5, 4] = -(s2 * c4)
-    J[5, 5] = J66
+    J[5, 5] = c2 * c5 - s2 * s4 * s5
     return J
 
 
@@ -315,7 +297,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford e9eeadc2b29d4aba"
+_KEY = "stanford 122bfc64c2997fbe"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -700,14 +682,14 @@ def _choose(pose, seed, q, status):
 
 
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
-_PACE = np.array([1.0, 1.0, 1.270, 1.0, 1.0, 1.0])
+_PACE = np.array([1.0, 1.0, 1.27, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
 _MISS_WEIGHT = np.array([0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -722,23 +704,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -750,56 +732,66 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(joint, off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    if not _REVOLUTE[joint]:
-        return abs(off) * 0.7874
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        if _REVOLUTE[i]:
+            off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 0.7874))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(j, x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -809,23 +801,25 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i] - _overshoot(i, seed[i])
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
+        return
+    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(i, q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -845,8 +839,9 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

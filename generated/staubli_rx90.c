@@ -227,10 +227,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -249,7 +251,7 @@ static const double
     free_limit_squared2 = 8.1e-25, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.405, /* 2 * d4 * a2 [m^2] */
-    k2 = 6.096631611034903, /* 1 / ((2 * d4 * a2)^2) [m^-4] */
+    k2 = 6.096631611034903, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 8.1e-07, /* doubt_limit1^2 [m^2] */
     m4 = 6.561e-13, /* doubt_limit_squared2^2 [m^4] */
@@ -276,24 +278,23 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void staubli_rx90_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
-        T14_ = x2_x * a2 - v3 * d4, T24_ = x2_y * a2 - v4 * d4, T34_ = s2 * a2 + y3_z * d4;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        z5_x = s1 * c4 + x3_x * s4, y4_y = c1 * c4 - x3_y * s4, z5_z = x3_z * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 - v3 * s5, x5_y = x4_y * c5 - v4 * s5,
-        x5_z = x4_z * c5 + y3_z * s5, T33_ = y3_z * c5 - x4_z * s5;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, z5_x = s1 * c4 + x3_x * s4,
+        y4_y = c1 * c4 - x3_y * s4, z5_z = x3_z * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 - v3 * s5,
+        x5_y = x4_y * c5 - v4 * s5, x5_z = x4_z * c5 + y3_z * s5;
     const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double T11_ = x5_x * c6 - z5_x * s6, T21_ = x5_y * c6 + y4_y * s6,
-        T31_ = x5_z * c6 - z5_z * s6, T22_ = y4_y * c6 - x5_y * s6;
-    T[0] = T11_; T[1] = -(z5_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5); T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -(v4 * c5 + x4_y * s5); T[7] = T24_;
-    T[8] = T31_; T[9] = -(z5_z * c6 + x5_z * s6); T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 - z5_x * s6; T[1] = -(z5_x * c6 + x5_x * s6); T[2] = -(v3 * c5 + x4_x * s5);
+    T[3] = x2_x * a2 - v3 * d4;
+    T[4] = x5_y * c6 + y4_y * s6; T[5] = y4_y * c6 - x5_y * s6; T[6] = -(v4 * c5 + x4_y * s5);
+    T[7] = x2_y * a2 - v4 * d4;
+    T[8] = x5_z * c6 - z5_z * s6; T[9] = -(z5_z * c6 + x5_z * s6); T[10] = y3_z * c5 - x4_z * s5;
+    T[11] = s2 * a2 + y3_z * d4;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -301,26 +302,24 @@ void staubli_rx90_fk(const double q[6], double T[16])
 void staubli_rx90_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2, p3_x = x2_x * a2,
-        p3_y = x2_y * a2, p3_z = s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, J64 = c2 * c3 - s2 * s3,
-        J21 = p3_x - v3 * d4, p4_y = p3_y - v4 * d4, p4_z = p3_z + J64 * d4;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, p3_x = x2_x * a2, p3_y = x2_y * a2, p3_z = s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3, p4_x = p3_x - v3 * d4,
+        p4_y = p3_y - v4 * d4, p4_z = p3_z + y3_z * d4;
     const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, J55 = x3_y * s4 - c1 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J66 = J64 * c5 - x3_z * c4 * s5, J32 = s1 * p4_y + c1 * J21, v5 = p4_z - p3_z,
-        J33 = s1 * (p4_y - p3_y) + c1 * (J21 - p3_x);
+    const double c5 = cos(q[4]), s5 = sin(q[4]), v5 = p4_z - p3_z;
     J[0] = -p4_y; J[1] = -(c1 * p4_z); J[2] = -(c1 * v5); J[3] = 0.0; J[4] = 0.0; J[5] = 0.0;
-    J[6] = J21; J[7] = -(s1 * p4_z); J[8] = -(s1 * v5); J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
-    J[12] = 0.0; J[13] = J32; J[14] = J33; J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
-    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = -v3; J[22] = J45;
+    J[6] = p4_x; J[7] = -(s1 * p4_z); J[8] = -(s1 * v5); J[9] = 0.0; J[10] = 0.0; J[11] = 0.0;
+    J[12] = 0.0; J[13] = s1 * p4_y + c1 * p4_x; J[14] = s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x);
+    J[15] = 0.0; J[16] = 0.0; J[17] = 0.0;
+    J[18] = 0.0; J[19] = s1; J[20] = s1; J[21] = -v3; J[22] = s1 * c4 + x3_x * s4;
     J[23] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5);
-    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -v4; J[28] = J55;
+    J[24] = 0.0; J[25] = -c1; J[26] = -c1; J[27] = -v4; J[28] = x3_y * s4 - c1 * c4;
     J[29] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5);
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = y3_z; J[34] = x3_z * s4;
+    J[35] = y3_z * c5 - x3_z * c4 * s5;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -692,14 +691,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 1.111, 1.111, 1.111, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -724,15 +732,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -750,56 +758,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 6; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == STAUBLI_RX90_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != STAUBLI_RX90_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -103,7 +103,7 @@ shortest3_apart = 8.099999999999999e-29  # the shortest, where branches merge [m
 free_limit_squared2 = 8.1e-25  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.405  # 2 * d4 * a2 [m^2]
-k2 = 6.096631611034903  # 1 / ((2 * d4 * a2)^2) [m^-4]
+k2 = 6.096631611034903  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 8.1e-07  # doubt_limit1^2 [m^2]
 m3 = 1.1111111111111112  # a coefficient of S2
@@ -205,9 +205,6 @@ def fk(q):
     v3 = v1 * c3 + x2_x * s3
     v4 = v2 * c3 + x2_y * s3
     y3_z = c2 * c3 - s2 * s3
-    T14_ = x2_x * a2 - v3 * d4
-    T24_ = x2_y * a2 - v4 * d4
-    T34_ = s2 * a2 + y3_z * d4
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
     x4_x = x3_x * c4 - s1 * s4
@@ -221,25 +218,20 @@ def fk(q):
     x5_x = x4_x * c5 - v3 * s5
     x5_y = x4_y * c5 - v4 * s5
     x5_z = x4_z * c5 + y3_z * s5
-    T33_ = y3_z * c5 - x4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 - z5_x * s6
-    T21_ = x5_y * c6 + y4_y * s6
-    T31_ = x5_z * c6 - z5_z * s6
-    T22_ = y4_y * c6 - x5_y * s6
-    T[0, 0] = T11_
+    T[0, 0] = x5_x * c6 - z5_x * s6
     T[0, 1] = -(z5_x * c6 + x5_x * s6)
     T[0, 2] = -(v3 * c5 + x4_x * s5)
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
+    T[0, 3] = x2_x * a2 - v3 * d4
+    T[1, 0] = x5_y * c6 + y4_y * s6
+    T[1, 1] = y4_y * c6 - x5_y * s6
     T[1, 2] = -(v4 * c5 + x4_y * s5)
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 3] = x2_y * a2 - v4 * d4
+    T[2, 0] = x5_z * c6 - z5_z * s6
     T[2, 1] = -(z5_z * c6 + x5_z * s6)
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[2, 2] = y3_z * c5 - x4_z * s5
+    T[2, 3] = s2 * a2 + y3_z * d4
     T[3, 3] = 1.0
     return T
 
@@ -268,43 +260,37 @@ def jacobian(q):
     x3_z = s2 * c3 + c2 * s3
     v3 = v1 * c3 + x2_x * s3
     v4 = v2 * c3 + x2_y * s3
-    J64 = c2 * c3 - s2 * s3
-    J21 = p3_x - v3 * d4
+    y3_z = c2 * c3 - s2 * s3
+    p4_x = p3_x - v3 * d4
     p4_y = p3_y - v4 * d4
-    p4_z = p3_z + J64 * d4
+    p4_z = p3_z + y3_z * d4
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = s1 * c4 + x3_x * s4
-    J65 = x3_z * s4
-    J55 = x3_y * s4 - c1 * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J66 = J64 * c5 - x3_z * c4 * s5
-    J32 = s1 * p4_y + c1 * J21
     v5 = p4_z - p3_z
-    J33 = s1 * (p4_y - p3_y) + c1 * (J21 - p3_x)
     J[0, 0] = -p4_y
     J[0, 1] = -(c1 * p4_z)
     J[0, 2] = -(c1 * v5)
-    J[1, 0] = J21
+    J[1, 0] = p4_x
     J[1, 1] = -(s1 * p4_z)
     J[1, 2] = -(s1 * v5)
-    J[2, 1] = J32
-    J[2, 2] = J33
+    J[2, 1] = s1 * p4_y + c1 * p4_x
+    J[2, 2] = s1 * (p4_y - p3_y) + c1 * (p4_x - p3_x)
     J[3, 1] = s1
     J[3, 2] = s1
     J[3, 3] = -v3
-    J[3, 4] = J45
+    J[3, 4] = s1 * c4 + x3_x * s4
     J[3, 5] = -(v3 * c5 + (x3_x * c4 - s1 * s4) * s5)
     J[4, 1] = -c1
     J[4, 2] = -c1
     J[4, 3] = -v4
-    J[4, 4] = J55
+    J[4, 4] = x3_y * s4 - c1 * c4
     J[4, 5] = -(v4 * c5 + (x3_y * c4 + c1 * s4) * s5)
     J[5, 0] = 1.0
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 3] = y3_z
+    J[5, 4] = x3_z * s4
+    J[5, 5] = y3_z * c5 - x3_z * c4 * s5
     return J
 
 
@@ -320,7 +306,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 15327a2e686b5b45"
+_KEY = "staubli_rx90 28867c1eaf9949ee"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -553,8 +539,8 @@ _MISS_WEIGHT = np.array([1.111, 1.111, 1.111, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -569,23 +555,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -597,49 +583,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -649,23 +645,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]

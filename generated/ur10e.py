@@ -233,30 +233,23 @@ def fk(q):
     x5_x = x4_x * c5 + s1 * s5
     x5_y = x4_y * c5 - c1 * s5
     x5_z = x4_z * c5
-    T13_ = s1 * c5 - x4_x * s5
+    z5_x = s1 * c5 - x4_x * s5
     v5 = c1 * c5 + x4_y * s5
     v6 = x4_z * s5
     c6 = math.cos(q[5])
     s6 = math.sin(q[5])
-    T11_ = x5_x * c6 - z4_x * s6
-    T21_ = x5_y * c6 - z4_y * s6
-    T31_ = x5_z * c6 + y5_z * s6
-    T32_ = y5_z * c6 - x5_z * s6
-    T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6
-    T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6
-    T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6
-    T[0, 0] = T11_
+    T[0, 0] = x5_x * c6 - z4_x * s6
     T[0, 1] = -(z4_x * c6 + x5_x * s6)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
+    T[0, 2] = z5_x
+    T[0, 3] = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + z5_x * d6
+    T[1, 0] = x5_y * c6 - z4_y * s6
     T[1, 1] = -(z4_y * c6 + x5_y * s6)
     T[1, 2] = -v5
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
+    T[1, 3] = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6
+    T[2, 0] = x5_z * c6 + y5_z * s6
+    T[2, 1] = y5_z * c6 - x5_z * s6
     T[2, 2] = -v6
-    T[2, 3] = T34_
+    T[2, 3] = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6
     T[3, 3] = 1.0
     return T
 
@@ -291,67 +284,59 @@ def jacobian(q):
     p3_z = p2_z + x3_z * a3
     c4 = math.cos(q[3])
     s4 = math.sin(q[3])
-    J45 = v3 * c4 + x3_x * s4
-    J55 = v4 * c4 + x3_y * s4
+    z4_x = v3 * c4 + x3_x * s4
+    z4_y = v4 * c4 + x3_y * s4
     p4_x = p3_x + s1 * d4
     p4_y = p3_y - c1 * d4
-    J65 = x3_z * s4 - y3_z * c4
+    z4_z = x3_z * s4 - y3_z * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5
+    z5_x = s1 * c5 - (x3_x * c4 - v3 * s4) * s5
     v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5
     v6 = (x3_z * c4 + y3_z * s4) * s5
-    p5_x = p4_x + J45 * d5
-    p5_y = p4_y + J55 * d5
-    p5_z = p3_z + J65 * d5
-    J21 = p5_x + J46 * d6
+    p5_x = p4_x + z4_x * d5
+    p5_y = p4_y + z4_y * d5
+    p5_z = p3_z + z4_z * d5
+    p6_x = p5_x + z5_x * d6
     p6_y = p5_y - v5 * d6
     p6_z = p5_z - v6 * d6
     v7 = p6_z - d1
-    J32 = s1 * p6_y + c1 * J21
     v8 = p6_z - p2_z
-    J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x)
     v9 = p6_z - p3_z
-    J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x)
-    v10 = J21 - p4_x
+    v10 = p6_x - p4_x
     v11 = p6_y - p4_y
-    J15 = J55 * v9 - J65 * v11
-    J25 = J65 * v10 - J45 * v9
-    J35 = J45 * v11 - J55 * v10
-    v12 = J21 - p5_x
+    v12 = p6_x - p5_x
     v13 = p6_y - p5_y
     v14 = p6_z - p5_z
-    J16 = v6 * v13 - v5 * v14
-    J36 = J46 * v13 + v5 * v12
     J[0, 0] = -p6_y
     J[0, 1] = -(c1 * v7)
     J[0, 2] = -(c1 * v8)
     J[0, 3] = -(c1 * v9)
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
+    J[0, 4] = z4_y * v9 - z4_z * v11
+    J[0, 5] = v6 * v13 - v5 * v14
+    J[1, 0] = p6_x
     J[1, 1] = -(s1 * v7)
     J[1, 2] = -(s1 * v8)
     J[1, 3] = -(s1 * v9)
-    J[1, 4] = J25
-    J[1, 5] = -(v6 * v12 + J46 * v14)
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
+    J[1, 4] = z4_z * v10 - z4_x * v9
+    J[1, 5] = -(v6 * v12 + z5_x * v14)
+    J[2, 1] = s1 * p6_y + c1 * p6_x
+    J[2, 2] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x)
+    J[2, 3] = s1 * (p6_y - p3_y) + c1 * (p6_x - p3_x)
+    J[2, 4] = z4_x * v11 - z4_y * v10
+    J[2, 5] = z5_x * v13 + v5 * v12
     J[3, 1] = s1
     J[3, 2] = s1
     J[3, 3] = s1
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 1] = -c1
     J[4, 2] = -c1
     J[4, 3] = -c1
-    J[4, 4] = J55
+    J[4, 4] = z4_y
     J[4, 5] = -v5
     J[5, 0] = 1.0
-    J[5, 4] = J65
+    J[5, 4] = z4_z
     J[5, 5] = -v6
     return J
 
@@ -372,7 +357,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur10e 448b6dc43ef5d49a"
+_KEY = "ur10e d1ee7e9eca3edb4e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -864,8 +849,8 @@ _MISS_WEIGHT = np.array([0.5632, 0.5632, 0.5632, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -880,23 +865,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -908,54 +893,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -965,23 +961,25 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(6), 0, math.inf
+    x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
+    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i] - _overshoot(i, seed[i])
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
+        return
+    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(6):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -1001,8 +999,9 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -109,7 +109,9 @@ HELPER wide irregularity_wide(const wide T[16])
     return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
 }
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 2e-06f)
+#define high(joint) (highest[joint - 1] + 2e-06f)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -169,27 +171,24 @@ static const float highest[6] = {
 void ur5_f32_fk(const float q[6], float T[16])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
-    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
-    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
-        x4_z = x3_z * c4 + y3_z * s4, z4_x = v3 * c4 + x3_x * s4, z4_y = v4 * c4 + x3_y * s4,
-        y5_z = y3_z * c4 - x3_z * s4;
-    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
-    const float x5_x = x4_x * c5 + s1 * s5, x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5,
-        T13_ = s1 * c5 - x4_x * s5, v5 = c1 * c5 + x4_y * s5, v6 = x4_z * s5;
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]), x4_x = x3_x * c4 - v3 * s4,
+        x4_y = x3_y * c4 - v4 * s4, x4_z = x3_z * c4 + y3_z * s4, z4_x = v3 * c4 + x3_x * s4,
+        z4_y = v4 * c4 + x3_y * s4, y5_z = y3_z * c4 - x3_z * s4;
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]), x5_x = x4_x * c5 + s1 * s5,
+        x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5, z5_x = s1 * c5 - x4_x * s5,
+        v5 = c1 * c5 + x4_y * s5, v6 = x4_z * s5;
     const float c6 = cosf(q[5]), s6 = sinf(q[5]);
-    const float T11_ = x5_x * c6 - z4_x * s6, T21_ = x5_y * c6 - z4_y * s6,
-        T31_ = x5_z * c6 + y5_z * s6, T32_ = y5_z * c6 - x5_z * s6,
-        T14_ = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + T13_ * d6,
-        T24_ = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6,
-        T34_ = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
-    T[0] = T11_; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = -v5; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = -v6; T[11] = T34_;
+    T[0] = x5_x * c6 - z4_x * s6; T[1] = -(z4_x * c6 + x5_x * s6); T[2] = z5_x;
+    T[3] = x2_x * a2 + x3_x * a3 + s1 * d4 + z4_x * d5 + z5_x * d6;
+    T[4] = x5_y * c6 - z4_y * s6; T[5] = -(z4_y * c6 + x5_y * s6); T[6] = -v5;
+    T[7] = x2_y * a2 + x3_y * a3 - c1 * d4 + z4_y * d5 - v5 * d6;
+    T[8] = x5_z * c6 + y5_z * s6; T[9] = y5_z * c6 - x5_z * s6; T[10] = -v6;
+    T[11] = d1 + s2 * a2 + x3_z * a3 + -y5_z * d5 - v6 * d6;
     T[12] = T[13] = T[14] = 0.0f;
     T[15] = 1.0f;
 }
@@ -197,33 +196,31 @@ void ur5_f32_fk(const float q[6], float T[16])
 void ur5_f32_jacobian(const float q[6], float J[36])
 {
     const float c1 = cosf(q[0]), s1 = sinf(q[0]);
-    const float c2 = cosf(q[1]), s2 = sinf(q[1]);
-    const float x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2, p2_x = x2_x * a2,
-        p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
-    const float c3 = cosf(q[2]), s3 = sinf(q[2]);
-    const float x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
-        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
-    const float c4 = cosf(q[3]), s4 = sinf(q[3]);
-    const float J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4, p4_x = p3_x + s1 * d4,
-        p4_y = p3_y - c1 * d4, J65 = x3_z * s4 - y3_z * c4;
-    const float c5 = cosf(q[4]), s5 = sinf(q[4]);
-    const float J46 = s1 * c5 - (x3_x * c4 - v3 * s4) * s5,
+    const float c2 = cosf(q[1]), s2 = sinf(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2;
+    const float c3 = cosf(q[2]), s3 = sinf(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3, p3_x = p2_x + x3_x * a3,
+        p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const float c4 = cosf(q[3]), s4 = sinf(q[3]), z4_x = v3 * c4 + x3_x * s4,
+        z4_y = v4 * c4 + x3_y * s4, p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4,
+        z4_z = x3_z * s4 - y3_z * c4;
+    const float c5 = cosf(q[4]), s5 = sinf(q[4]), z5_x = s1 * c5 - (x3_x * c4 - v3 * s4) * s5,
         v5 = c1 * c5 + (x3_y * c4 - v4 * s4) * s5, v6 = (x3_z * c4 + y3_z * s4) * s5,
-        p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5, p5_z = p3_z + J65 * d5,
-        J21 = p5_x + J46 * d6, p6_y = p5_y - v5 * d6, p6_z = p5_z - v6 * d6, v7 = p6_z - d1,
-        J32 = s1 * p6_y + c1 * J21, v8 = p6_z - p2_z, J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x),
-        v9 = p6_z - p3_z, J34 = s1 * (p6_y - p3_y) + c1 * (J21 - p3_x), v10 = J21 - p4_x,
-        v11 = p6_y - p4_y, J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9,
-        J35 = J45 * v11 - J55 * v10, v12 = J21 - p5_x, v13 = p6_y - p5_y, v14 = p6_z - p5_z,
-        J16 = v6 * v13 - v5 * v14, J36 = J46 * v13 + v5 * v12;
-    J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = -(s1 * v7); J[8] = -(s1 * v8); J[9] = -(s1 * v9); J[10] = J25;
-    J[11] = -(v6 * v12 + J46 * v14);
-    J[12] = 0.0f; J[13] = J32; J[14] = J33; J[15] = J34; J[16] = J35; J[17] = J36;
-    J[18] = 0.0f; J[19] = s1; J[20] = s1; J[21] = s1; J[22] = J45; J[23] = J46;
-    J[24] = 0.0f; J[25] = -c1; J[26] = -c1; J[27] = -c1; J[28] = J55; J[29] = -v5;
-    J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = 0.0f; J[34] = J65; J[35] = -v6;
+        p5_x = p4_x + z4_x * d5, p5_y = p4_y + z4_y * d5, p5_z = p3_z + z4_z * d5,
+        p6_x = p5_x + z5_x * d6, p6_y = p5_y - v5 * d6, p6_z = p5_z - v6 * d6, v7 = p6_z - d1,
+        v8 = p6_z - p2_z, v9 = p6_z - p3_z, v10 = p6_x - p4_x, v11 = p6_y - p4_y, v12 = p6_x - p5_x,
+        v13 = p6_y - p5_y, v14 = p6_z - p5_z;
+    J[0] = -p6_y; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9);
+    J[4] = z4_y * v9 - z4_z * v11; J[5] = v6 * v13 - v5 * v14;
+    J[6] = p6_x; J[7] = -(s1 * v7); J[8] = -(s1 * v8); J[9] = -(s1 * v9);
+    J[10] = z4_z * v10 - z4_x * v9; J[11] = -(v6 * v12 + z5_x * v14);
+    J[12] = 0.0f; J[13] = s1 * p6_y + c1 * p6_x; J[14] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x);
+    J[15] = s1 * (p6_y - p3_y) + c1 * (p6_x - p3_x); J[16] = z4_x * v11 - z4_y * v10;
+    J[17] = z5_x * v13 + v5 * v12;
+    J[18] = 0.0f; J[19] = s1; J[20] = s1; J[21] = s1; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0f; J[25] = -c1; J[26] = -c1; J[27] = -c1; J[28] = z4_y; J[29] = -v5;
+    J[30] = 1.0f; J[31] = 0.0f; J[32] = 0.0f; J[33] = 0.0f; J[34] = z4_z; J[35] = -v6;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -735,14 +732,23 @@ static float turned(int joint, float given, float towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static float apart(float off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static float half_way(const float x[6], const float q[6], float half[6])
 {
-    return fabsf(off - turn * floorf(off / turn + 0.5f));
+    float most = 0.0f;
+    for (int i = 0; i < 6; i++) {
+        const float off = remainderf(q[i] - x[i], turn);
+        most = fmaxf(most, fabsf(off));
+        half[i] = x[i] + 0.5f * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const float weights[6] = { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const float pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -767,15 +773,15 @@ static float off_pose(const float T[16], const float x[6], float e[6], float J[3
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    float share, const float pace[6], const float J[36], float e[6], float x[6])
+    float share, const int held[6], const float J[36], float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -793,62 +799,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const float T[16], float enough, float q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const float T[16], float enough, float most, float q[6])
 {
-    float x[6], J[36], pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f }; /* 0 holds */
-    float last = HUGE_VALF;
-    int settled = 0;
+    float x[6], half[6], J[36], last = HUGE_VALF;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
         const float miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-06f;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5f * miss;
-        } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5f * miss;
+            } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrtf(0.1f * miss * miss + 1e-26f), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const float off = pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
+            const float off = stands && pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
             if (fabsf(off) > 0.0f) {
-                pace[i] = 0.0f;
+                held[i] = 1;
                 last = HUGE_VALF;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1f))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
 {
-    float x[6], least = HUGE_VALF;
+    float x[6], half[6], J[36], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 5e-05f, x))
+    if (!settle(T, 5e-05f, 0.15f, x))
+        return;
+    if (beyond_limits(x) > 0.0f && !settle(T, NAN, 0.15f, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        float gap = status[row] == UR5_F32_UNREACHABLE ? 0.1f : 0.0f;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmaxf(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.03f)
-            return;
-        if (gap <= least) {
-            least = gap;
+        float e[6] = { 0.0f }, between = 0.0005f;
+        if (status[row] != UR5_F32_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.03f)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -889,7 +902,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
             continue;
         const float off = beyond_limits(q[row]);
         if (0.0f < off && off < 0.01f)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -215,6 +215,7 @@ static double pulled(
     const double high[5])
 {
     double least = HUGE_VAL, pull = 0.5, best[5], step[5];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3282,57 +3283,55 @@ static const double highest[5] = { 2.9670597283903604, INFINITY, INFINITY, INFIN
 void welding_5r_fk(const double q[5], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
-        x4_z = x3_z * c4 + y3_z * s4, T12_ = v3 * c4 + x3_x * s4, T22_ = v4 * c4 + x3_y * s4,
-        T32_ = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 + s1 * s5, T21_ = x4_y * c5 - c1 * s5, T31_ = x4_z * c5,
-        T23_ = c1 * c5 + x4_y * s5, T33_ = x4_z * s5, T13_ = x4_x * s5 - s1 * c5,
-        T14_ = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + T12_ * d5 + T11_ * ex + T13_ * ez,
-        T24_ = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + T22_ * d5 + T21_ * ex + T23_ * ez,
-        T34_ = d1 + s2 * L2 + x3_z * L3 + T32_ * d5 + T31_ * ex + T33_ * ez;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - v3 * s4,
+        x4_y = x3_y * c4 - v4 * s4, x4_z = x3_z * c4 + y3_z * s4, z4_x = v3 * c4 + x3_x * s4,
+        z4_y = v4 * c4 + x3_y * s4, z4_z = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + s1 * s5,
+        x5_y = x4_y * c5 - c1 * s5, x5_z = x4_z * c5, z5_y = c1 * c5 + x4_y * s5, z5_z = x4_z * s5,
+        z5_x = x4_x * s5 - s1 * c5;
+    T[0] = x5_x; T[1] = z4_x; T[2] = z5_x;
+    T[3] = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + z4_x * d5 + x5_x * ex + z5_x * ez;
+    T[4] = x5_y; T[5] = z4_y; T[6] = z5_y;
+    T[7] = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + z4_y * d5 + x5_y * ex + z5_y * ez;
+    T[8] = x5_z; T[9] = z4_z; T[10] = z5_z;
+    T[11] = d1 + s2 * L2 + x3_z * L3 + z4_z * d5 + x5_z * ex + z5_z * ez;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void welding_5r_jacobian(const double q[5], double J[30])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2, v2 = s1 * s2,
-        p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2, p2_z = d1 + s2 * L2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 - v1 * s3, x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3,
-        v3 = v1 * c3 + x2_x * s3, v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
-        p3_x = p2_x + x3_x * L3, p3_y = p2_y + x3_y * L3, p3_z = p2_z + x3_z * L3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - v3 * s4, x4_y = x3_y * c4 - v4 * s4,
-        x4_z = x3_z * c4 + y3_z * s4, J45 = v3 * c4 + x3_x * s4, J55 = v4 * c4 + x3_y * s4,
-        p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4, J65 = x3_z * s4 - y3_z * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double J21 = p4_x + J45 * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez,
-        v5 = p4_y + J55 * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez,
-        v6 = p3_z + J65 * d5 + x4_z * c5 * ex + x4_z * s5 * ez, v7 = v6 - d1,
-        J32 = s1 * (v5 - p1_y) + c1 * (J21 - p1_x), v8 = v6 - p2_z,
-        J33 = s1 * (v5 - p2_y) + c1 * (J21 - p2_x), v9 = v6 - p3_z,
-        J34 = s1 * (v5 - p3_y) + c1 * (J21 - p3_x), v10 = J21 - p4_x, v11 = v5 - p4_y,
-        J15 = J55 * v9 - J65 * v11, J25 = J65 * v10 - J45 * v9, J35 = J45 * v11 - J55 * v10;
-    J[0] = -v5; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9); J[4] = J15;
-    J[5] = J21; J[6] = -(s1 * v7); J[7] = -(s1 * v8); J[8] = -(s1 * v9); J[9] = J25;
-    J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
-    J[15] = 0.0; J[16] = s1; J[17] = s1; J[18] = s1; J[19] = J45;
-    J[20] = 0.0; J[21] = -c1; J[22] = -c1; J[23] = -c1; J[24] = J55;
-    J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = J65;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2, x2_y = s1 * c2, v1 = c1 * s2,
+        v2 = s1 * s2, p2_x = p1_x + x2_x * L2, p2_y = p1_y + x2_y * L2, p2_z = d1 + s2 * L2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 - v1 * s3,
+        x3_y = x2_y * c3 - v2 * s3, x3_z = s2 * c3 + c2 * s3, v3 = v1 * c3 + x2_x * s3,
+        v4 = v2 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3, p3_x = p2_x + x3_x * L3,
+        p3_y = p2_y + x3_y * L3, p3_z = p2_z + x3_z * L3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - v3 * s4,
+        x4_y = x3_y * c4 - v4 * s4, x4_z = x3_z * c4 + y3_z * s4, z4_x = v3 * c4 + x3_x * s4,
+        z4_y = v4 * c4 + x3_y * s4, p4_x = p3_x + s1 * d4, p4_y = p3_y - c1 * d4,
+        z4_z = x3_z * s4 - y3_z * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]),
+        J21 = p4_x + z4_x * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez,
+        v5 = p4_y + z4_y * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez,
+        v6 = p3_z + z4_z * d5 + x4_z * c5 * ex + x4_z * s5 * ez, v7 = v6 - d1, v8 = v6 - p2_z,
+        v9 = v6 - p3_z, v10 = J21 - p4_x, v11 = v5 - p4_y;
+    J[0] = -v5; J[1] = -(c1 * v7); J[2] = -(c1 * v8); J[3] = -(c1 * v9);
+    J[4] = z4_y * v9 - z4_z * v11;
+    J[5] = J21; J[6] = -(s1 * v7); J[7] = -(s1 * v8); J[8] = -(s1 * v9);
+    J[9] = z4_z * v10 - z4_x * v9;
+    J[10] = 0.0; J[11] = s1 * (v5 - p1_y) + c1 * (J21 - p1_x);
+    J[12] = s1 * (v5 - p2_y) + c1 * (J21 - p2_x); J[13] = s1 * (v5 - p3_y) + c1 * (J21 - p3_x);
+    J[14] = z4_x * v11 - z4_y * v10;
+    J[15] = 0.0; J[16] = s1; J[17] = s1; J[18] = s1; J[19] = z4_x;
+    J[20] = 0.0; J[21] = -c1; J[22] = -c1; J[23] = -c1; J[24] = z4_y;
+    J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = z4_z;
 }
 
 /* Copies a pose; a rotation that is only rounded becomes the nearest one.
@@ -3421,14 +3420,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[5], const double q[5], double half[5])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 5; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -3459,15 +3467,15 @@ static double off_pose(const double T[16], const double x[5], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[5], const double J[30], double e[6], double x[5])
+    double share, const int held[5], const double J[30], double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
-            A[i][j] = pace[j] * weights[i] * J[5 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
         A[i][5 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -3485,38 +3493,42 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[5])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], J[30], pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[5], half[5], J[30], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 5; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
@@ -3543,7 +3555,7 @@ int welding_5r_ik(
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 5; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -179,32 +179,29 @@ def fk(q):
     x4_x = x3_x * c4 - v3 * s4
     x4_y = x3_y * c4 - v4 * s4
     x4_z = x3_z * c4 + y3_z * s4
-    T12_ = v3 * c4 + x3_x * s4
-    T22_ = v4 * c4 + x3_y * s4
-    T32_ = x3_z * s4 - y3_z * c4
+    z4_x = v3 * c4 + x3_x * s4
+    z4_y = v4 * c4 + x3_y * s4
+    z4_z = x3_z * s4 - y3_z * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 + s1 * s5
-    T21_ = x4_y * c5 - c1 * s5
-    T31_ = x4_z * c5
-    T23_ = c1 * c5 + x4_y * s5
-    T33_ = x4_z * s5
-    T13_ = x4_x * s5 - s1 * c5
-    T14_ = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + T12_ * d5 + T11_ * ex + T13_ * ez
-    T24_ = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + T22_ * d5 + T21_ * ex + T23_ * ez
-    T34_ = d1 + s2 * L2 + x3_z * L3 + T32_ * d5 + T31_ * ex + T33_ * ez
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    x5_x = x4_x * c5 + s1 * s5
+    x5_y = x4_y * c5 - c1 * s5
+    x5_z = x4_z * c5
+    z5_y = c1 * c5 + x4_y * s5
+    z5_z = x4_z * s5
+    z5_x = x4_x * s5 - s1 * c5
+    T[0, 0] = x5_x
+    T[0, 1] = z4_x
+    T[0, 2] = z5_x
+    T[0, 3] = c1 * a1 + x2_x * L2 + x3_x * L3 + s1 * d4 + z4_x * d5 + x5_x * ex + z5_x * ez
+    T[1, 0] = x5_y
+    T[1, 1] = z4_y
+    T[1, 2] = z5_y
+    T[1, 3] = s1 * a1 + x2_y * L2 + x3_y * L3 - c1 * d4 + z4_y * d5 + x5_y * ex + z5_y * ez
+    T[2, 0] = x5_z
+    T[2, 1] = z4_z
+    T[2, 2] = z5_z
+    T[2, 3] = d1 + s2 * L2 + x3_z * L3 + z4_z * d5 + x5_z * ex + z5_z * ez
     T[3, 3] = 1.0
     return T
 
@@ -244,51 +241,45 @@ def jacobian(q):
     x4_x = x3_x * c4 - v3 * s4
     x4_y = x3_y * c4 - v4 * s4
     x4_z = x3_z * c4 + y3_z * s4
-    J45 = v3 * c4 + x3_x * s4
-    J55 = v4 * c4 + x3_y * s4
+    z4_x = v3 * c4 + x3_x * s4
+    z4_y = v4 * c4 + x3_y * s4
     p4_x = p3_x + s1 * d4
     p4_y = p3_y - c1 * d4
-    J65 = x3_z * s4 - y3_z * c4
+    z4_z = x3_z * s4 - y3_z * c4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    J21 = p4_x + J45 * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez
-    v5 = p4_y + J55 * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez
-    v6 = p3_z + J65 * d5 + x4_z * c5 * ex + x4_z * s5 * ez
+    J21 = p4_x + z4_x * d5 + (x4_x * c5 + s1 * s5) * ex + (x4_x * s5 - s1 * c5) * ez
+    v5 = p4_y + z4_y * d5 + (x4_y * c5 - c1 * s5) * ex + (c1 * c5 + x4_y * s5) * ez
+    v6 = p3_z + z4_z * d5 + x4_z * c5 * ex + x4_z * s5 * ez
     v7 = v6 - d1
-    J32 = s1 * (v5 - p1_y) + c1 * (J21 - p1_x)
     v8 = v6 - p2_z
-    J33 = s1 * (v5 - p2_y) + c1 * (J21 - p2_x)
     v9 = v6 - p3_z
-    J34 = s1 * (v5 - p3_y) + c1 * (J21 - p3_x)
     v10 = J21 - p4_x
     v11 = v5 - p4_y
-    J15 = J55 * v9 - J65 * v11
-    J25 = J65 * v10 - J45 * v9
-    J35 = J45 * v11 - J55 * v10
     J[0, 0] = -v5
     J[0, 1] = -(c1 * v7)
     J[0, 2] = -(c1 * v8)
     J[0, 3] = -(c1 * v9)
-    J[0, 4] = J15
+    J[0, 4] = z4_y * v9 - z4_z * v11
     J[1, 0] = J21
     J[1, 1] = -(s1 * v7)
     J[1, 2] = -(s1 * v8)
     J[1, 3] = -(s1 * v9)
-    J[1, 4] = J25
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
+    J[1, 4] = z4_z * v10 - z4_x * v9
+    J[2, 1] = s1 * (v5 - p1_y) + c1 * (J21 - p1_x)
+    J[2, 2] = s1 * (v5 - p2_y) + c1 * (J21 - p2_x)
+    J[2, 3] = s1 * (v5 - p3_y) + c1 * (J21 - p3_x)
+    J[2, 4] = z4_x * v11 - z4_y * v10
     J[3, 1] = s1
     J[3, 2] = s1
     J[3, 3] = s1
-    J[3, 4] = J45
+    J[3, 4] = z4_x
     J[4, 1] = -c1
     J[4, 2] = -c1
     J[4, 3] = -c1
-    J[4, 4] = J55
+    J[4, 4] = z4_y
     J[5, 0] = 1.0
-    J[5, 4] = J65
+    J[5, 4] = z4_z
     return J
 
 
@@ -304,7 +295,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "welding_5r f88eef981a733ffd"
+_KEY = "welding_5r 254029b83c0d9ea3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2056,12 +2047,12 @@ def _beyond_limits(values):
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.6250, 0.6250, 0.6250, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.625, 0.625, 0.625, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2078,23 +2069,23 @@ def _miss(T, q, pace, A):
         for i in range(3):  # turning about z changes nothing
             J[3 + i, j] -= along * P[i, 2]
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2106,54 +2097,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(5):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(5):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -2171,8 +2173,9 @@ def _whole(pose, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(5):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -235,10 +235,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -293,39 +295,33 @@ static const double highest[3] = { INFINITY, INFINITY, INFINITY };
 
 void wrist_oblique_fk(const double q[3], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2, v2 = c1 * f2;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * c2 - v1 * s2, x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2,
-        v3 = v1 * c2 + c1 * s2, v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, v6 = v3 * ca2 + z1_x * sa2,
-        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f3, T13_ = z1_x * ca2 - v3 * sa2,
-        T23_ = v4 * sa2 - v2 * ca2, T33_ = v5 * sa2 + f4;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = s1 * f1, y1_y = c1 * f1, z1_x = s1 * f2,
+        v2 = c1 * f2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * c2 - v1 * s2,
+        x2_y = s1 * c2 + y1_y * s2, x2_z = f2 * s2, v3 = v1 * c2 + c1 * s2,
+        v4 = y1_y * c2 - s1 * s2, v5 = f2 * c2, v6 = v3 * ca2 + z1_x * sa2,
+        y2_y = v4 * ca2 + v2 * sa2, y2_z = v5 * ca2 - f3, z2_x = z1_x * ca2 - v3 * sa2,
+        z2_y = v4 * sa2 - v2 * ca2, z2_z = v5 * sa2 + f4;
     const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double T11_ = x2_x * c3 - v6 * s3, T21_ = x2_y * c3 + y2_y * s3,
-        T31_ = x2_z * c3 + y2_z * s3, T22_ = y2_y * c3 - x2_y * s3, T32_ = y2_z * c3 - x2_z * s3,
-        T14_ = T13_ * d3, T24_ = T23_ * d3, T34_ = T33_ * d3;
-    T[0] = T11_; T[1] = -(v6 * c3 + x2_x * s3); T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x2_x * c3 - v6 * s3; T[1] = -(v6 * c3 + x2_x * s3); T[2] = z2_x; T[3] = z2_x * d3;
+    T[4] = x2_y * c3 + y2_y * s3; T[5] = y2_y * c3 - x2_y * s3; T[6] = z2_y; T[7] = z2_y * d3;
+    T[8] = x2_z * c3 + y2_z * s3; T[9] = y2_z * c3 - x2_z * s3; T[10] = z2_z; T[11] = z2_z * d3;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void wrist_oblique_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double J42 = s1 * g2, v1 = c1 * g2;
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double J43 = J42 * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2,
-        J53 = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2, J63 = g2 * c2 * sa2 + g3, J21 = J43 * d3,
-        p3_y = J53 * d3, p3_z = J63 * d3, J22 = g1 * J21 - J42 * p3_z, J32 = J42 * p3_y + v1 * J21,
-        J13 = J53 * p3_z - J63 * p3_y, J23 = J63 * J21 - J43 * p3_z, J33 = J43 * p3_y - J53 * J21;
-    J[0] = -p3_y; J[1] = -(v1 * p3_z + g1 * p3_y); J[2] = J13;
-    J[3] = J21; J[4] = J22; J[5] = J23;
-    J[6] = 0.0; J[7] = J32; J[8] = J33;
-    J[9] = 0.0; J[10] = J42; J[11] = J43;
-    J[12] = 0.0; J[13] = -v1; J[14] = J53;
-    J[15] = 1.0; J[16] = g1; J[17] = J63;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), z1_x = s1 * g2, v1 = c1 * g2;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), z2_x = z1_x * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2,
+        z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2, z2_z = g2 * c2 * sa2 + g3,
+        p3_x = z2_x * d3, p3_y = z2_y * d3, p3_z = z2_z * d3;
+    J[0] = -p3_y; J[1] = -(v1 * p3_z + g1 * p3_y); J[2] = z2_y * p3_z - z2_z * p3_y;
+    J[3] = p3_x; J[4] = g1 * p3_x - z1_x * p3_z; J[5] = z2_z * p3_x - z2_x * p3_z;
+    J[6] = 0.0; J[7] = z1_x * p3_y + v1 * p3_x; J[8] = z2_x * p3_y - z2_y * p3_x;
+    J[9] = 0.0; J[10] = z1_x; J[11] = z2_x;
+    J[12] = 0.0; J[13] = -v1; J[14] = z2_y;
+    J[15] = 1.0; J[16] = g1; J[17] = z2_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -643,14 +639,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[3], const double q[3], double half[3])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 10.00, 10.00, 10.00, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 10.0, 10.0, 10.0, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[3] = { 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -675,15 +680,15 @@ static double off_pose(const double T[16], const double x[3], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[3], const double J[18], double e[6], double x[3])
+    double share, const int held[3], const double J[18], double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
-            A[i][j] = pace[j] * weights[i] * J[3 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
         A[i][3 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -701,56 +706,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[3])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[3])
 {
-    double x[3], J[18], pace[3] = { 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[3], half[3], J[18], last = HUGE_VAL;
+    int settled = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 3; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[3], double q[2][3],
     unsigned char status[2])
 {
-    double x[3], least = HUGE_VAL;
+    double x[3], half[3], J[18], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 3; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double gap = status[row] == WRIST_OBLIQUE_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 3; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != WRIST_OBLIQUE_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -210,31 +210,23 @@ def fk(q):
     v6 = v3 * ca2 + z1_x * sa2
     y2_y = v4 * ca2 + v2 * sa2
     y2_z = v5 * ca2 - f3
-    T13_ = z1_x * ca2 - v3 * sa2
-    T23_ = v4 * sa2 - v2 * ca2
-    T33_ = v5 * sa2 + f4
+    z2_x = z1_x * ca2 - v3 * sa2
+    z2_y = v4 * sa2 - v2 * ca2
+    z2_z = v5 * sa2 + f4
     c3 = math.cos(q[2])
     s3 = math.sin(q[2])
-    T11_ = x2_x * c3 - v6 * s3
-    T21_ = x2_y * c3 + y2_y * s3
-    T31_ = x2_z * c3 + y2_z * s3
-    T22_ = y2_y * c3 - x2_y * s3
-    T32_ = y2_z * c3 - x2_z * s3
-    T14_ = T13_ * d3
-    T24_ = T23_ * d3
-    T34_ = T33_ * d3
-    T[0, 0] = T11_
+    T[0, 0] = x2_x * c3 - v6 * s3
     T[0, 1] = -(v6 * c3 + x2_x * s3)
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 2] = z2_x
+    T[0, 3] = z2_x * d3
+    T[1, 0] = x2_y * c3 + y2_y * s3
+    T[1, 1] = y2_y * c3 - x2_y * s3
+    T[1, 2] = z2_y
+    T[1, 3] = z2_y * d3
+    T[2, 0] = x2_z * c3 + y2_z * s3
+    T[2, 1] = y2_z * c3 - x2_z * s3
+    T[2, 2] = z2_z
+    T[2, 3] = z2_z * d3
     T[3, 3] = 1.0
     return T
 
@@ -247,36 +239,31 @@ def jacobian(q):
     J = np.zeros((6, 3))
     c1 = math.cos(q[0])
     s1 = math.sin(q[0])
-    J42 = s1 * g2
+    z1_x = s1 * g2
     v1 = c1 * g2
     c2 = math.cos(q[1])
     s2 = math.sin(q[1])
-    J43 = J42 * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2
-    J53 = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2
-    J63 = g2 * c2 * sa2 + g3
-    J21 = J43 * d3
-    p3_y = J53 * d3
-    p3_z = J63 * d3
-    J22 = g1 * J21 - J42 * p3_z
-    J32 = J42 * p3_y + v1 * J21
-    J13 = J53 * p3_z - J63 * p3_y
-    J23 = J63 * J21 - J43 * p3_z
-    J33 = J43 * p3_y - J53 * J21
+    z2_x = z1_x * ca2 - (s1 * g1 * c2 + c1 * s2) * sa2
+    z2_y = (c1 * g1 * c2 - s1 * s2) * sa2 - v1 * ca2
+    z2_z = g2 * c2 * sa2 + g3
+    p3_x = z2_x * d3
+    p3_y = z2_y * d3
+    p3_z = z2_z * d3
     J[0, 0] = -p3_y
     J[0, 1] = -(v1 * p3_z + g1 * p3_y)
-    J[0, 2] = J13
-    J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[3, 1] = J42
-    J[3, 2] = J43
+    J[0, 2] = z2_y * p3_z - z2_z * p3_y
+    J[1, 0] = p3_x
+    J[1, 1] = g1 * p3_x - z1_x * p3_z
+    J[1, 2] = z2_z * p3_x - z2_x * p3_z
+    J[2, 1] = z1_x * p3_y + v1 * p3_x
+    J[2, 2] = z2_x * p3_y - z2_y * p3_x
+    J[3, 1] = z1_x
+    J[3, 2] = z2_x
     J[4, 1] = -v1
-    J[4, 2] = J53
+    J[4, 2] = z2_y
     J[5, 0] = 1.0
     J[5, 1] = g1
-    J[5, 2] = J63
+    J[5, 2] = z2_z
     return J
 
 
@@ -292,7 +279,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique 84bbd72c78bb8753"
+_KEY = "wrist_oblique 41101cb24deb5829"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -499,12 +486,12 @@ def _turned(joint, given, towards):
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([10.00, 10.00, 10.00, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([10.0, 10.0, 10.0, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -519,23 +506,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(3):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 9)), np.zeros(6)
     for i in range(6):
         for j in range(3):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -547,49 +534,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(9):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(3):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 3)), q.copy(), False
+    most = 0.0
+    for i in range(3):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(3)
+    held, A, x, settled = np.zeros(3, np.bool_), np.empty((6, 3)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(3):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(3)
     for i in range(3):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(3):
         q[i] = values[i]
     return settled
@@ -599,23 +596,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(3), 0, math.inf
+    x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
+    A = np.empty((6, 3))
     for i in range(3):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(2 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(3):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(3):
         q[place, i] = x[i]

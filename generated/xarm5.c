@@ -228,10 +228,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -290,26 +292,22 @@ static const double highest[5] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void xarm5_fk(const double q[5], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2, v5 = q[2] + offset3;
-    const double c3 = cos(v5), s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
-        v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
-        v8 = q[3] + offset4;
-    const double c4 = cos(v8), s4 = sin(v8);
-    const double x4_x = x3_x * c4 - v6 * s4, x4_y = x3_y * c4 - v7 * s4,
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2,
+        v4 = s1 * s2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5), x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3,
+        x3_z = s2 * c3 + c2 * s3, v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3,
+        y3_z = c2 * c3 - s2 * s3, v8 = q[3] + offset4;
+    const double c4 = cos(v8), s4 = sin(v8), x4_x = x3_x * c4 - v6 * s4, x4_y = x3_y * c4 - v7 * s4,
         x4_z = x3_z * c4 + y3_z * s4, v9 = v6 * c4 + x3_x * s4, v10 = v7 * c4 + x3_y * s4,
-        T33_ = y3_z * c4 - x3_z * s4;
+        z4_z = y3_z * c4 - x3_z * s4;
     const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double T11_ = x4_x * c5 - s1 * s5, T21_ = x4_y * c5 + c1 * s5, T31_ = x4_z * c5,
-        T22_ = c1 * c5 - x4_y * s5, T14_ = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5,
-        T24_ = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5,
-        T34_ = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + T33_ * d5;
-    T[0] = T11_; T[1] = -(s1 * c5 + x4_x * s5); T[2] = -v9; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -v10; T[7] = T24_;
-    T[8] = T31_; T[9] = -(x4_z * s5); T[10] = T33_; T[11] = T34_;
+    T[0] = x4_x * c5 - s1 * s5; T[1] = -(s1 * c5 + x4_x * s5); T[2] = -v9;
+    T[3] = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5;
+    T[4] = x4_y * c5 + c1 * s5; T[5] = c1 * c5 - x4_y * s5; T[6] = -v10;
+    T[7] = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5;
+    T[8] = x4_z * c5; T[9] = -(x4_z * s5); T[10] = z4_z;
+    T[11] = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + z4_z * d5;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -317,31 +315,28 @@ void xarm5_fk(const double q[5], double T[16])
 void xarm5_jacobian(const double q[5], double J[30])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2, v4 = s1 * s2, p2_x = x2_x * a2,
-        p2_y = x2_y * a2, p2_z = d1 + s2 * a2, v5 = q[2] + offset3;
-    const double c3 = cos(v5), s3 = sin(v5);
-    const double x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3, x3_z = s2 * c3 + c2 * s3,
-        v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3, y3_z = c2 * c3 - s2 * s3,
-        p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3,
-        v8 = q[3] + offset4;
-    const double c4 = cos(v8), s4 = sin(v8);
-    const double v9 = v6 * c4 + x3_x * s4, v10 = v7 * c4 + x3_y * s4, J65 = y3_z * c4 - x3_z * s4,
-        p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4, p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4,
-        p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4, J21 = p4_x - v9 * d5, p5_y = p4_y - v10 * d5,
-        p5_z = p4_z + J65 * d5, v11 = p5_z - d1, J32 = s1 * p5_y + c1 * J21, v12 = p5_z - p2_z,
-        J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x), v13 = p5_z - p3_z,
-        J34 = s1 * (p5_y - p3_y) + c1 * (J21 - p3_x), v14 = J21 - p4_x, v15 = p5_y - p4_y,
-        v16 = p5_z - p4_z, J25 = J65 * v14 + v9 * v16, J35 = v10 * v14 - v9 * v15;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, v3 = c1 * s2,
+        v4 = s1 * s2, p2_x = x2_x * a2, p2_y = x2_y * a2, p2_z = d1 + s2 * a2, v5 = q[2] + offset3;
+    const double c3 = cos(v5), s3 = sin(v5), x3_x = x2_x * c3 - v3 * s3, x3_y = x2_y * c3 - v4 * s3,
+        x3_z = s2 * c3 + c2 * s3, v6 = v3 * c3 + x2_x * s3, v7 = v4 * c3 + x2_y * s3,
+        y3_z = c2 * c3 - s2 * s3, p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3,
+        p3_z = p2_z + x3_z * a3, v8 = q[3] + offset4;
+    const double c4 = cos(v8), s4 = sin(v8), v9 = v6 * c4 + x3_x * s4, v10 = v7 * c4 + x3_y * s4,
+        z4_z = y3_z * c4 - x3_z * s4, p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4,
+        p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4, p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4,
+        p5_x = p4_x - v9 * d5, p5_y = p4_y - v10 * d5, p5_z = p4_z + z4_z * d5, v11 = p5_z - d1,
+        v12 = p5_z - p2_z, v13 = p5_z - p3_z, v14 = p5_x - p4_x, v15 = p5_y - p4_y,
+        v16 = p5_z - p4_z;
     J[0] = -p5_y; J[1] = -(c1 * v11); J[2] = -(c1 * v12); J[3] = -(c1 * v13);
-    J[4] = -(v10 * v16 + J65 * v15);
-    J[5] = J21; J[6] = -(s1 * v11); J[7] = -(s1 * v12); J[8] = -(s1 * v13); J[9] = J25;
-    J[10] = 0.0; J[11] = J32; J[12] = J33; J[13] = J34; J[14] = J35;
+    J[4] = -(v10 * v16 + z4_z * v15);
+    J[5] = p5_x; J[6] = -(s1 * v11); J[7] = -(s1 * v12); J[8] = -(s1 * v13);
+    J[9] = z4_z * v14 + v9 * v16;
+    J[10] = 0.0; J[11] = s1 * p5_y + c1 * p5_x; J[12] = s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x);
+    J[13] = s1 * (p5_y - p3_y) + c1 * (p5_x - p3_x); J[14] = v10 * v14 - v9 * v15;
     J[15] = 0.0; J[16] = s1; J[17] = s1; J[18] = s1; J[19] = -v9;
     J[20] = 0.0; J[21] = -c1; J[22] = -c1; J[23] = -c1; J[24] = -v10;
-    J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = J65;
+    J[25] = 1.0; J[26] = 0.0; J[27] = 0.0; J[28] = 0.0; J[29] = z4_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -731,8 +726,8 @@ static void solve(
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
-            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
-            const double v14 = a3 * c23 + (a2 * c2 + -v11);
+            const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
+                v14 = a3 * c23 + (a2 * c2 + -v11);
             if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v15))) <= pose_slack1 && fabs(T14 - c1 * v14) <=
                 pose_slack1 && fabs(T24 - s1 * v14) <= pose_slack1))
                 continue; /* the arm can't take this pose */
@@ -885,14 +880,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[5], const double q[5], double half[5])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 5; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -917,15 +921,15 @@ static double off_pose(const double T[16], const double x[5], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[5], const double J[30], double e[6], double x[5])
+    double share, const int held[5], const double J[30], double e[6], double x[5])
 {
     double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
-            A[i][j] = pace[j] * weights[i] * J[5 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
         A[i][5 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -943,56 +947,56 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[5])
+/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
+ * if so. Goes on while that gains. */
+static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], J[30], pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[5], half[5], J[30], last = HUGE_VAL;
+    int settled = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
-        for (int i = 0; i < 5; i++) {
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
-        }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[5], double q[4][5],
     unsigned char status[4])
 {
-    double x[5], least = HUGE_VAL;
+    double x[5], half[5], J[30], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 5; i++)
         x[i] = seed[i];
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double gap = status[row] == XARM5_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 5; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != XARM5_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }

@@ -235,28 +235,21 @@ def fk(q):
     x4_z = x3_z * c4 + y3_z * s4
     v9 = v6 * c4 + x3_x * s4
     v10 = v7 * c4 + x3_y * s4
-    T33_ = y3_z * c4 - x3_z * s4
+    z4_z = y3_z * c4 - x3_z * s4
     c5 = math.cos(q[4])
     s5 = math.sin(q[4])
-    T11_ = x4_x * c5 - s1 * s5
-    T21_ = x4_y * c5 + c1 * s5
-    T31_ = x4_z * c5
-    T22_ = c1 * c5 - x4_y * s5
-    T14_ = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5
-    T24_ = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5
-    T34_ = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + T33_ * d5
-    T[0, 0] = T11_
+    T[0, 0] = x4_x * c5 - s1 * s5
     T[0, 1] = -(s1 * c5 + x4_x * s5)
     T[0, 2] = -v9
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
+    T[0, 3] = x2_x * a2 + x3_x * a3 + x4_x * a4 - v9 * d5
+    T[1, 0] = x4_y * c5 + c1 * s5
+    T[1, 1] = c1 * c5 - x4_y * s5
     T[1, 2] = -v10
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 3] = x2_y * a2 + x3_y * a3 + x4_y * a4 - v10 * d5
+    T[2, 0] = x4_z * c5
     T[2, 1] = -(x4_z * s5)
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[2, 2] = z4_z
+    T[2, 3] = d1 + s2 * a2 + x3_z * a3 + x4_z * a4 + z4_z * d5
     T[3, 3] = 1.0
     return T
 
@@ -297,38 +290,33 @@ def jacobian(q):
     s4 = math.sin(v8)
     v9 = v6 * c4 + x3_x * s4
     v10 = v7 * c4 + x3_y * s4
-    J65 = y3_z * c4 - x3_z * s4
+    z4_z = y3_z * c4 - x3_z * s4
     p4_x = p3_x + (x3_x * c4 - v6 * s4) * a4
     p4_y = p3_y + (x3_y * c4 - v7 * s4) * a4
     p4_z = p3_z + (x3_z * c4 + y3_z * s4) * a4
-    J21 = p4_x - v9 * d5
+    p5_x = p4_x - v9 * d5
     p5_y = p4_y - v10 * d5
-    p5_z = p4_z + J65 * d5
+    p5_z = p4_z + z4_z * d5
     v11 = p5_z - d1
-    J32 = s1 * p5_y + c1 * J21
     v12 = p5_z - p2_z
-    J33 = s1 * (p5_y - p2_y) + c1 * (J21 - p2_x)
     v13 = p5_z - p3_z
-    J34 = s1 * (p5_y - p3_y) + c1 * (J21 - p3_x)
-    v14 = J21 - p4_x
+    v14 = p5_x - p4_x
     v15 = p5_y - p4_y
     v16 = p5_z - p4_z
-    J25 = J65 * v14 + v9 * v16
-    J35 = v10 * v14 - v9 * v15
     J[0, 0] = -p5_y
     J[0, 1] = -(c1 * v11)
     J[0, 2] = -(c1 * v12)
     J[0, 3] = -(c1 * v13)
-    J[0, 4] = -(v10 * v16 + J65 * v15)
-    J[1, 0] = J21
+    J[0, 4] = -(v10 * v16 + z4_z * v15)
+    J[1, 0] = p5_x
     J[1, 1] = -(s1 * v11)
     J[1, 2] = -(s1 * v12)
     J[1, 3] = -(s1 * v13)
-    J[1, 4] = J25
-    J[2, 1] = J32
-    J[2, 2] = J33
-    J[2, 3] = J34
-    J[2, 4] = J35
+    J[1, 4] = z4_z * v14 + v9 * v16
+    J[2, 1] = s1 * p5_y + c1 * p5_x
+    J[2, 2] = s1 * (p5_y - p2_y) + c1 * (p5_x - p2_x)
+    J[2, 3] = s1 * (p5_y - p3_y) + c1 * (p5_x - p3_x)
+    J[2, 4] = v10 * v14 - v9 * v15
     J[3, 1] = s1
     J[3, 2] = s1
     J[3, 3] = s1
@@ -338,7 +326,7 @@ def jacobian(q):
     J[4, 3] = -c1
     J[4, 4] = -v10
     J[5, 0] = 1.0
-    J[5, 4] = J65
+    J[5, 4] = z4_z
     return J
 
 
@@ -358,7 +346,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm5 a8b11294b3a21c00"
+_KEY = "xarm5 5f4d94991c306fe9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -782,8 +770,8 @@ _MISS_WEIGHT = np.array([0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -798,23 +786,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(5):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -826,49 +814,59 @@ def _add_step(A, e, miss, pace, q):
         for j in range(11):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(5):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 5)), q.copy(), False
+    most = 0.0
+    for i in range(5):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(5)
+    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
-        for j in range(5):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(5)
     for i in range(5):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(5):
         q[i] = values[i]
     return settled
@@ -878,23 +876,23 @@ def _settle(pose, enough, q):
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
-    The solution next to the seed gets a row unless it has one: that of one near to it, one that is
-    left, or the nearest.
+    The solution next to the seed gets a row unless it has one: that of one which it is told from by
+    nothing, one that is left, or any.
     """
-    x, place, least = np.empty(5), 0, math.inf
+    x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
+    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
-    if not _settle(pose, 1e-12, x):
+    if not _settle(pose, 1e-12, 0.15, x):
         return
     for row in range(4 - 1, -1, -1):
-        gap = 0.1 if status[row] == UNREACHABLE else 0.0
+        between = 1e-06
         if status[row] != UNREACHABLE:
-            for i in range(5):
-                gap = max(gap, _moved_by(q[row, i] - x[i]))
-        if gap < 0.001:
-            return
-        if gap <= least:
-            place, least = row, gap
+            if _half_way(x, q[row], half) < 0.001:
+                return
+            between = _miss(pose, half, A)[1]
+        if between <= least:
+            place, least = row, between
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]

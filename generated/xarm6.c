@@ -234,6 +234,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3476,29 +3477,24 @@ static const double highest[6] = { INFINITY, INFINITY, INFINITY, INFINITY, INFIN
 void xarm6_fk(const double q[6], double T[16])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2, y2_y = s1 * c2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3,
-        v1 = s2 * c3 + c2 * s3;
-    const double c4 = cos(-q[3]), s4 = sin(-q[3]);
-    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4, v2 = v1 * c4,
-        v3 = s1 * c4 + y3_x * s4, y4_y = c1 * c4 - y3_y * s4, y4_z = v1 * s4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x3_x * c5 + x4_x * s5, x5_y = x3_y * c5 + x4_y * s5,
-        x5_z = x3_z * c5 - v2 * s5, y5_x = x4_x * c5 - x3_x * s5, y5_y = x4_y * c5 - x3_y * s5,
-        v4 = v2 * c5 + x3_z * s5;
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2,
+        y2_y = s1 * c2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3,
+        y3_y = y2_y * c3 - x2_y * s3, v1 = s2 * c3 + c2 * s3;
+    const double c4 = cos(-q[3]), s4 = sin(-q[3]), x4_x = y3_x * c4 - s1 * s4,
+        x4_y = y3_y * c4 + c1 * s4, v2 = v1 * c4, v3 = s1 * c4 + y3_x * s4,
+        y4_y = c1 * c4 - y3_y * s4, y4_z = v1 * s4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x3_x * c5 + x4_x * s5,
+        x5_y = x3_y * c5 + x4_y * s5, x5_z = x3_z * c5 - v2 * s5, y5_x = x4_x * c5 - x3_x * s5,
+        y5_y = x4_y * c5 - x3_y * s5, v4 = v2 * c5 + x3_z * s5;
     const double c6 = cos(-q[5]), s6 = sin(-q[5]);
-    const double T11_ = y5_x * c6 - v3 * s6, T21_ = y5_y * c6 + y4_y * s6,
-        T31_ = y4_z * s6 - v4 * c6, T12_ = v3 * c6 + y5_x * s6,
-        T14_ = x2_x * h2 + y2_x * b2 + y3_x * a3 - x3_x * d4 + y5_x * a5 - x5_x * d6,
-        T24_ = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6,
-        T34_ = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6,
-        T22_ = y5_y * s6 - y4_y * c6;
-    T[0] = T11_; T[1] = T12_; T[2] = -x5_x; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = -x5_y; T[7] = T24_;
-    T[8] = T31_; T[9] = -(y4_z * c6 + v4 * s6); T[10] = -x5_z; T[11] = T34_;
+    T[0] = y5_x * c6 - v3 * s6; T[1] = v3 * c6 + y5_x * s6; T[2] = -x5_x;
+    T[3] = x2_x * h2 + y2_x * b2 + y3_x * a3 - x3_x * d4 + y5_x * a5 - x5_x * d6;
+    T[4] = y5_y * c6 + y4_y * s6; T[5] = y5_y * s6 - y4_y * c6; T[6] = -x5_y;
+    T[7] = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6;
+    T[8] = y4_z * s6 - v4 * c6; T[9] = -(y4_z * c6 + v4 * s6); T[10] = -x5_z;
+    T[11] = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -3506,36 +3502,34 @@ void xarm6_fk(const double q[6], double T[16])
 void xarm6_jacobian(const double q[6], double J[36])
 {
     const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double c2 = cos(q[1]), s2 = sin(q[1]);
-    const double x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2, y2_y = s1 * c2,
-        p3_x = x2_x * h2 + y2_x * b2, p3_y = x2_y * h2 + y2_y * b2, p3_z = d1 + c2 * h2 - s2 * b2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3, y3_y = y2_y * c3 - x2_y * s3,
-        v1 = s2 * c3 + c2 * s3, p4_x = p3_x + y3_x * a3, p4_y = p3_y + y3_y * a3,
-        p4_z = p3_z - v1 * a3;
-    const double c4 = cos(-q[3]), s4 = sin(-q[3]);
-    const double x4_x = y3_x * c4 - s1 * s4, x4_y = y3_y * c4 + c1 * s4, v2 = v1 * c4,
-        v3 = s1 * c4 + y3_x * s4, J55 = c1 * c4 - y3_y * s4, J65 = v1 * s4, p5_x = p4_x - x3_x * d4,
+    const double c2 = cos(q[1]), s2 = sin(q[1]), x2_x = c1 * s2, x2_y = s1 * s2, y2_x = c1 * c2,
+        y2_y = s1 * c2, p3_x = x2_x * h2 + y2_x * b2, p3_y = x2_y * h2 + y2_y * b2,
+        p3_z = d1 + c2 * h2 - s2 * b2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * c3 - s2 * s3, y3_x = y2_x * c3 - x2_x * s3,
+        y3_y = y2_y * c3 - x2_y * s3, v1 = s2 * c3 + c2 * s3, p4_x = p3_x + y3_x * a3,
+        p4_y = p3_y + y3_y * a3, p4_z = p3_z - v1 * a3;
+    const double c4 = cos(-q[3]), s4 = sin(-q[3]), x4_x = y3_x * c4 - s1 * s4,
+        x4_y = y3_y * c4 + c1 * s4, v2 = v1 * c4, v3 = s1 * c4 + y3_x * s4,
+        y4_y = c1 * c4 - y3_y * s4, y4_z = v1 * s4, p5_x = p4_x - x3_x * d4,
         p5_y = p4_y - x3_y * d4, p5_z = p4_z - x3_z * d4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x3_x * c5 + x4_x * s5, x5_y = x3_y * c5 + x4_y * s5,
-        x5_z = x3_z * c5 - v2 * s5, p6_x = p5_x + (x4_x * c5 - x3_x * s5) * a5,
-        p6_y = p5_y + (x4_y * c5 - x3_y * s5) * a5, p6_z = p5_z - (v2 * c5 + x3_z * s5) * a5,
-        J21 = p6_x - x5_x * d6, v4 = p6_y - x5_y * d6, v5 = p6_z - x5_z * d6, v6 = v5 - d1,
-        J12 = c1 * v6, J22 = s1 * v6, v7 = v5 - p3_z, J13 = c1 * v7, J23 = s1 * v7, v8 = J21 - p4_x,
-        v9 = v4 - p4_y, v10 = v5 - p4_z, J24 = -x3_z * v8 + x3_x * v10, J34 = x3_y * v8 - x3_x * v9,
-        v11 = J21 - p5_x, v12 = v4 - p5_y, v13 = v5 - p5_z, J15 = J55 * v13 - J65 * v12,
-        J25 = J65 * v11 + v3 * v13, v14 = J21 - p6_x, v15 = v4 - p6_y, v16 = v5 - p6_z,
-        J26 = -x5_z * v14 + x5_x * v16, J36 = x5_y * v14 - x5_x * v15;
-    J[0] = -v4; J[1] = J12; J[2] = J13; J[3] = -(x3_y * v10 + -x3_z * v9); J[4] = J15;
-    J[5] = -(x5_y * v16 + -x5_z * v15);
-    J[6] = J21; J[7] = J22; J[8] = J23; J[9] = J24; J[10] = J25; J[11] = J26;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x3_x * c5 + x4_x * s5,
+        x5_y = x3_y * c5 + x4_y * s5, x5_z = x3_z * c5 - v2 * s5,
+        p6_x = p5_x + (x4_x * c5 - x3_x * s5) * a5, p6_y = p5_y + (x4_y * c5 - x3_y * s5) * a5,
+        p6_z = p5_z - (v2 * c5 + x3_z * s5) * a5, J21 = p6_x - x5_x * d6, v4 = p6_y - x5_y * d6,
+        v5 = p6_z - x5_z * d6, v6 = v5 - d1, v7 = v5 - p3_z, v8 = J21 - p4_x, v9 = v4 - p4_y,
+        v10 = v5 - p4_z, v11 = J21 - p5_x, v12 = v4 - p5_y, v13 = v5 - p5_z, v14 = J21 - p6_x,
+        v15 = v4 - p6_y, v16 = v5 - p6_z;
+    J[0] = -v4; J[1] = c1 * v6; J[2] = c1 * v7; J[3] = -(x3_y * v10 + -x3_z * v9);
+    J[4] = y4_y * v13 - y4_z * v12; J[5] = -(x5_y * v16 + -x5_z * v15);
+    J[6] = J21; J[7] = s1 * v6; J[8] = s1 * v7; J[9] = -x3_z * v8 + x3_x * v10;
+    J[10] = y4_z * v11 + v3 * v13; J[11] = -x5_z * v14 + x5_x * v16;
     J[12] = 0.0; J[13] = -(s1 * v4 + c1 * J21); J[14] = -(s1 * (v4 - p3_y) + c1 * (J21 - p3_x));
-    J[15] = J34; J[16] = -(v3 * v12 + J55 * v11); J[17] = J36;
+    J[15] = x3_y * v8 - x3_x * v9; J[16] = -(v3 * v12 + y4_y * v11);
+    J[17] = x5_y * v14 - x5_x * v15;
     J[18] = 0.0; J[19] = -s1; J[20] = -s1; J[21] = -x3_x; J[22] = -v3; J[23] = -x5_x;
-    J[24] = 0.0; J[25] = c1; J[26] = c1; J[27] = -x3_y; J[28] = J55; J[29] = -x5_y;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -x3_z; J[34] = J65; J[35] = -x5_z;
+    J[24] = 0.0; J[25] = c1; J[26] = c1; J[27] = -x3_y; J[28] = y4_y; J[29] = -x5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = -x3_z; J[34] = y4_z; J[35] = -x5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

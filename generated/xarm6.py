@@ -192,26 +192,18 @@ def fk(q):
     v4 = v2 * c5 + x3_z * s5
     c6 = math.cos(-q[5])
     s6 = math.sin(-q[5])
-    T11_ = y5_x * c6 - v3 * s6
-    T21_ = y5_y * c6 + y4_y * s6
-    T31_ = y4_z * s6 - v4 * c6
-    T12_ = v3 * c6 + y5_x * s6
-    T14_ = x2_x * h2 + y2_x * b2 + y3_x * a3 - x3_x * d4 + y5_x * a5 - x5_x * d6
-    T24_ = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6
-    T34_ = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6
-    T22_ = y5_y * s6 - y4_y * c6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
+    T[0, 0] = y5_x * c6 - v3 * s6
+    T[0, 1] = v3 * c6 + y5_x * s6
     T[0, 2] = -x5_x
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
+    T[0, 3] = x2_x * h2 + y2_x * b2 + y3_x * a3 - x3_x * d4 + y5_x * a5 - x5_x * d6
+    T[1, 0] = y5_y * c6 + y4_y * s6
+    T[1, 1] = y5_y * s6 - y4_y * c6
     T[1, 2] = -x5_y
-    T[1, 3] = T24_
-    T[2, 0] = T31_
+    T[1, 3] = x2_y * h2 + y2_y * b2 + y3_y * a3 - x3_y * d4 + y5_y * a5 - x5_y * d6
+    T[2, 0] = y4_z * s6 - v4 * c6
     T[2, 1] = -(y4_z * c6 + v4 * s6)
     T[2, 2] = -x5_z
-    T[2, 3] = T34_
+    T[2, 3] = d1 + c2 * h2 - s2 * b2 - v1 * a3 - x3_z * d4 - v4 * a5 - x5_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -250,8 +242,8 @@ def jacobian(q):
     x4_y = y3_y * c4 + c1 * s4
     v2 = v1 * c4
     v3 = s1 * c4 + y3_x * s4
-    J55 = c1 * c4 - y3_y * s4
-    J65 = v1 * s4
+    y4_y = c1 * c4 - y3_y * s4
+    y4_z = v1 * s4
     p5_x = p4_x - x3_x * d4
     p5_y = p4_y - x3_y * d4
     p5_z = p4_z - x3_z * d4
@@ -267,43 +259,33 @@ def jacobian(q):
     v4 = p6_y - x5_y * d6
     v5 = p6_z - x5_z * d6
     v6 = v5 - d1
-    J12 = c1 * v6
-    J22 = s1 * v6
     v7 = v5 - p3_z
-    J13 = c1 * v7
-    J23 = s1 * v7
     v8 = J21 - p4_x
     v9 = v4 - p4_y
     v10 = v5 - p4_z
-    J24 = -x3_z * v8 + x3_x * v10
-    J34 = x3_y * v8 - x3_x * v9
     v11 = J21 - p5_x
     v12 = v4 - p5_y
     v13 = v5 - p5_z
-    J15 = J55 * v13 - J65 * v12
-    J25 = J65 * v11 + v3 * v13
     v14 = J21 - p6_x
     v15 = v4 - p6_y
     v16 = v5 - p6_z
-    J26 = -x5_z * v14 + x5_x * v16
-    J36 = x5_y * v14 - x5_x * v15
     J[0, 0] = -v4
-    J[0, 1] = J12
-    J[0, 2] = J13
+    J[0, 1] = c1 * v6
+    J[0, 2] = c1 * v7
     J[0, 3] = -(x3_y * v10 + -x3_z * v9)
-    J[0, 4] = J15
+    J[0, 4] = y4_y * v13 - y4_z * v12
     J[0, 5] = -(x5_y * v16 + -x5_z * v15)
     J[1, 0] = J21
-    J[1, 1] = J22
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
+    J[1, 1] = s1 * v6
+    J[1, 2] = s1 * v7
+    J[1, 3] = -x3_z * v8 + x3_x * v10
+    J[1, 4] = y4_z * v11 + v3 * v13
+    J[1, 5] = -x5_z * v14 + x5_x * v16
     J[2, 1] = -(s1 * v4 + c1 * J21)
     J[2, 2] = -(s1 * (v4 - p3_y) + c1 * (J21 - p3_x))
-    J[2, 3] = J34
-    J[2, 4] = -(v3 * v12 + J55 * v11)
-    J[2, 5] = J36
+    J[2, 3] = x3_y * v8 - x3_x * v9
+    J[2, 4] = -(v3 * v12 + y4_y * v11)
+    J[2, 5] = x5_y * v14 - x5_x * v15
     J[3, 1] = -s1
     J[3, 2] = -s1
     J[3, 3] = -x3_x
@@ -312,11 +294,11 @@ def jacobian(q):
     J[4, 1] = c1
     J[4, 2] = c1
     J[4, 3] = -x3_y
-    J[4, 4] = J55
+    J[4, 4] = y4_y
     J[4, 5] = -x5_y
     J[5, 0] = 1.0
     J[5, 3] = -x3_z
-    J[5, 4] = J65
+    J[5, 4] = y4_z
     J[5, 5] = -x5_z
     return J
 
@@ -333,7 +315,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 dc4ecfc838c5f4c4"
+_KEY = "xarm6 ef75ce413e1581d4"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

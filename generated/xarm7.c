@@ -234,6 +234,7 @@ static double pulled(
     const double high[6])
 {
     double least = HUGE_VAL, pull = 0.5, best[6], step[6];
+    copy(u, best); /* compilers don't know that some miss is finite */
     for (int k = 1; k <= 60 + 40; k++) {
         look(d, u);
         if (pull == 0.0) {
@@ -3247,35 +3248,28 @@ static const double highest[7] = {
 void xarm7_fk(const double q[7], double T[16])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2, z2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
-        z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3, z3_x = x2_x * s3 - s1 * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + z2_x * s4, x4_y = x3_y * c4 + z2_y * s4,
-        x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4, z4_x = x3_x * s4 - z2_x * c4,
-        z4_y = x3_y * s4 - z2_y * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5, y6_x = z3_x * c5 - x4_x * s5, y6_y = z3_y * c5 - x4_y * s5,
-        y6_z = z3_z * c5 - x4_z * s5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double x6_x = x5_x * c6 + z4_x * s6, x6_y = x5_y * c6 + z4_y * s6,
-        x6_z = x5_z * c6 + z4_z * s6, T13_ = z4_x * c6 - x5_x * s6, T23_ = z4_y * c6 - x5_y * s6,
-        T33_ = z4_z * c6 - x5_z * s6;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
+        z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3,
+        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3,
+        z3_x = x2_x * s3 - s1 * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4,
+        z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, y6_x = z3_x * c5 - x4_x * s5,
+        y6_y = z3_y * c5 - x4_y * s5, y6_z = z3_z * c5 - x4_z * s5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), x6_x = x5_x * c6 + z4_x * s6,
+        x6_y = x5_y * c6 + z4_y * s6, x6_z = x5_z * c6 + z4_z * s6, z6_x = z4_x * c6 - x5_x * s6,
+        z6_y = z4_y * c6 - x5_y * s6, z6_z = z4_z * c6 - x5_z * s6;
     const double c7 = cos(q[6]), s7 = sin(q[6]);
-    const double T11_ = x6_x * c7 + y6_x * s7, T21_ = x6_y * c7 + y6_y * s7,
-        T31_ = x6_z * c7 + y6_z * s7, T12_ = y6_x * c7 - x6_x * s7, T22_ = y6_y * c7 - x6_y * s7,
-        T32_ = y6_z * c7 - x6_z * s7,
-        T14_ = x3_x * a3 + z2_x * d3 + x4_x * a4 + z4_x * d5 + x6_x * a6 + T13_ * d7,
-        T24_ = x3_y * a3 + z2_y * d3 + x4_y * a4 + z4_y * d5 + x6_y * a6 + T23_ * d7,
-        T34_ = d1 + x3_z * a3 - c2 * d3 + x4_z * a4 + z4_z * d5 + x6_z * a6 + T33_ * d7;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x6_x * c7 + y6_x * s7; T[1] = y6_x * c7 - x6_x * s7; T[2] = z6_x;
+    T[3] = x3_x * a3 + z2_x * d3 + x4_x * a4 + z4_x * d5 + x6_x * a6 + z6_x * d7;
+    T[4] = x6_y * c7 + y6_y * s7; T[5] = y6_y * c7 - x6_y * s7; T[6] = z6_y;
+    T[7] = x3_y * a3 + z2_y * d3 + x4_y * a4 + z4_y * d5 + x6_y * a6 + z6_y * d7;
+    T[8] = x6_z * c7 + y6_z * s7; T[9] = y6_z * c7 - x6_z * s7; T[10] = z6_z;
+    T[11] = d1 + x3_z * a3 - c2 * d3 + x4_z * a4 + z4_z * d5 + x6_z * a6 + z6_z * d7;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
@@ -3283,44 +3277,39 @@ void xarm7_fk(const double q[7], double T[16])
 void xarm7_jacobian(const double q[7], double J[42])
 {
     const double v1 = q[0] + offset1;
-    const double c1 = cos(v1), s1 = sin(v1);
-    const double v2 = q[1] + offset2;
-    const double c2 = cos(v2), s2 = sin(v2);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, J43 = c1 * s2, J53 = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + s1 * s3, x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3,
-        J54 = c1 * c3 + x2_y * s3, J64 = s2 * s3, p3_x = x3_x * a3 + J43 * d3,
-        p3_y = x3_y * a3 + J53 * d3, p3_z = d1 + x3_z * a3 - c2 * d3, J44 = x2_x * s3 - s1 * c3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 + J43 * s4, x4_y = x3_y * c4 + J53 * s4,
-        x4_z = x3_z * c4 - c2 * s4, J65 = c2 * c4 + x3_z * s4, p4_x = p3_x + x4_x * a4,
-        p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4, J45 = x3_x * s4 - J43 * c4,
-        J55 = x3_y * s4 - J53 * c4;
-    const double c5 = cos(q[4]), s5 = sin(q[4]);
-    const double x5_x = x4_x * c5 + J44 * s5, x5_y = x4_y * c5 + J54 * s5,
-        x5_z = x4_z * c5 + J64 * s5, p5_x = p4_x + J45 * d5, p5_y = p4_y + J55 * d5,
-        p5_z = p4_z + J65 * d5, J46 = x4_x * s5 - J44 * c5, J56 = x4_y * s5 - J54 * c5,
-        J66 = x4_z * s5 - J64 * c5;
-    const double c6 = cos(q[5]), s6 = sin(q[5]);
-    const double J47 = J45 * c6 - x5_x * s6, J57 = J55 * c6 - x5_y * s6, J67 = J65 * c6 - x5_z * s6,
-        p6_x = p5_x + (x5_x * c6 + J45 * s6) * a6, p6_y = p5_y + (x5_y * c6 + J55 * s6) * a6,
-        p6_z = p5_z + (x5_z * c6 + J65 * s6) * a6, J21 = p6_x + J47 * d7, p7_y = p6_y + J57 * d7,
-        p7_z = p6_z + J67 * d7, v3 = p7_z - d1, J32 = s1 * p7_y + c1 * J21,
-        J13 = J53 * v3 + c2 * p7_y, J33 = J43 * p7_y - J53 * J21, v4 = J21 - p3_x, v5 = p7_y - p3_y,
-        v6 = p7_z - p3_z, J14 = J54 * v6 - J64 * v5, J24 = J64 * v4 - J44 * v6,
-        J34 = J44 * v5 - J54 * v4, v7 = J21 - p4_x, v8 = p7_y - p4_y, v9 = p7_z - p4_z,
-        J15 = J55 * v9 - J65 * v8, J25 = J65 * v7 - J45 * v9, J35 = J45 * v8 - J55 * v7,
-        v10 = J21 - p5_x, v11 = p7_y - p5_y, v12 = p7_z - p5_z, J16 = J56 * v12 - J66 * v11,
-        J26 = J66 * v10 - J46 * v12, J36 = J46 * v11 - J56 * v10, v13 = J21 - p6_x,
-        v14 = p7_y - p6_y, v15 = p7_z - p6_z, J17 = J57 * v15 - J67 * v14,
-        J27 = J67 * v13 - J47 * v15, J37 = J47 * v14 - J57 * v13;
-    J[0] = -p7_y; J[1] = -(c1 * v3); J[2] = J13; J[3] = J14; J[4] = J15; J[5] = J16; J[6] = J17;
-    J[7] = J21; J[8] = -(s1 * v3); J[9] = -(c2 * J21 + J43 * v3); J[10] = J24; J[11] = J25;
-    J[12] = J26; J[13] = J27;
-    J[14] = 0.0; J[15] = J32; J[16] = J33; J[17] = J34; J[18] = J35; J[19] = J36; J[20] = J37;
-    J[21] = 0.0; J[22] = s1; J[23] = J43; J[24] = J44; J[25] = J45; J[26] = J46; J[27] = J47;
-    J[28] = 0.0; J[29] = -c1; J[30] = J53; J[31] = J54; J[32] = J55; J[33] = J56; J[34] = J57;
-    J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = J64; J[39] = J65; J[40] = J66; J[41] = J67;
+    const double c1 = cos(v1), s1 = sin(v1), v2 = q[1] + offset2;
+    const double c2 = cos(v2), s2 = sin(v2), x2_x = c1 * c2, x2_y = s1 * c2, z2_x = c1 * s2,
+        z2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + s1 * s3,
+        x3_y = x2_y * c3 - c1 * s3, x3_z = s2 * c3, z3_y = c1 * c3 + x2_y * s3, z3_z = s2 * s3,
+        p3_x = x3_x * a3 + z2_x * d3, p3_y = x3_y * a3 + z2_y * d3, p3_z = d1 + x3_z * a3 - c2 * d3,
+        z3_x = x2_x * s3 - s1 * c3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 + z2_x * s4,
+        x4_y = x3_y * c4 + z2_y * s4, x4_z = x3_z * c4 - c2 * s4, z4_z = c2 * c4 + x3_z * s4,
+        p4_x = p3_x + x4_x * a4, p4_y = p3_y + x4_y * a4, p4_z = p3_z + x4_z * a4,
+        z4_x = x3_x * s4 - z2_x * c4, z4_y = x3_y * s4 - z2_y * c4;
+    const double c5 = cos(q[4]), s5 = sin(q[4]), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, p5_x = p4_x + z4_x * d5,
+        p5_y = p4_y + z4_y * d5, p5_z = p4_z + z4_z * d5, z5_x = x4_x * s5 - z3_x * c5,
+        z5_y = x4_y * s5 - z3_y * c5, z5_z = x4_z * s5 - z3_z * c5;
+    const double c6 = cos(q[5]), s6 = sin(q[5]), z6_x = z4_x * c6 - x5_x * s6,
+        z6_y = z4_y * c6 - x5_y * s6, z6_z = z4_z * c6 - x5_z * s6,
+        p6_x = p5_x + (x5_x * c6 + z4_x * s6) * a6, p6_y = p5_y + (x5_y * c6 + z4_y * s6) * a6,
+        p6_z = p5_z + (x5_z * c6 + z4_z * s6) * a6, p7_x = p6_x + z6_x * d7,
+        p7_y = p6_y + z6_y * d7, p7_z = p6_z + z6_z * d7, v3 = p7_z - d1, v4 = p7_x - p3_x,
+        v5 = p7_y - p3_y, v6 = p7_z - p3_z, v7 = p7_x - p4_x, v8 = p7_y - p4_y, v9 = p7_z - p4_z,
+        v10 = p7_x - p5_x, v11 = p7_y - p5_y, v12 = p7_z - p5_z, v13 = p7_x - p6_x,
+        v14 = p7_y - p6_y, v15 = p7_z - p6_z;
+    J[0] = -p7_y; J[1] = -(c1 * v3); J[2] = z2_y * v3 + c2 * p7_y; J[3] = z3_y * v6 - z3_z * v5;
+    J[4] = z4_y * v9 - z4_z * v8; J[5] = z5_y * v12 - z5_z * v11; J[6] = z6_y * v15 - z6_z * v14;
+    J[7] = p7_x; J[8] = -(s1 * v3); J[9] = -(c2 * p7_x + z2_x * v3); J[10] = z3_z * v4 - z3_x * v6;
+    J[11] = z4_z * v7 - z4_x * v9; J[12] = z5_z * v10 - z5_x * v12; J[13] = z6_z * v13 - z6_x * v15;
+    J[14] = 0.0; J[15] = s1 * p7_y + c1 * p7_x; J[16] = z2_x * p7_y - z2_y * p7_x;
+    J[17] = z3_x * v5 - z3_y * v4; J[18] = z4_x * v8 - z4_y * v7; J[19] = z5_x * v11 - z5_y * v10;
+    J[20] = z6_x * v14 - z6_y * v13;
+    J[21] = 0.0; J[22] = s1; J[23] = z2_x; J[24] = z3_x; J[25] = z4_x; J[26] = z5_x; J[27] = z6_x;
+    J[28] = 0.0; J[29] = -c1; J[30] = z2_y; J[31] = z3_y; J[32] = z4_y; J[33] = z5_y; J[34] = z6_y;
+    J[35] = 1.0; J[36] = 0.0; J[37] = -c2; J[38] = z3_z; J[39] = z4_z; J[40] = z5_z; J[41] = z6_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */

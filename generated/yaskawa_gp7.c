@@ -233,10 +233,12 @@ HELPER void transpose(wide x[LANES])
 }
 #endif
 
-#define beyond(x, joint) (((x) < low##joint) | (high##joint < (x)))
+#define low(joint) (lowest[joint - 1] - 1e-09)
+#define high(joint) (highest[joint - 1] + 1e-09)
+#define beyond(x, joint) (((x) < low(joint)) | (high(joint) < (x)))
 #define compare_four(a, how, b) ((four_mask)_mm256_cmp_pd(a, all_four(b), how))
 #define beyond_four(x, joint) \
-    (compare_four(x, _CMP_LT_OQ, low##joint) | compare_four(x, _CMP_GT_OQ, high##joint))
+    (compare_four(x, _CMP_LT_OQ, low(joint)) | compare_four(x, _CMP_GT_OQ, high(joint)))
 
 /* The status of rows: whether they have no solution, or one outside the limits. */
 #define kind_of(x, outside) \
@@ -264,7 +266,7 @@ static const double
     k1 = 0.3916, /* 2 * d4 * a2 [m^2] */
     k2 = 0.0356, /* 2 * a3 * a2 [m^2] */
     k3 = 0.393225, /* a2^2 + (a3^2 + d4^2) [m^2] */
-    k4 = 6.467555636500607, /* 1 / ((2 * d4 * a2)^2 + (2 * a3 * a2)^2) [m^-4] */
+    k4 = 6.467555636500607, /* 1 / (k1^2 + k2^2) [m^-4] */
     doubt_limit_squared2 = 1.890625e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.4801364395941514, /* a constant angle [rad] */
@@ -274,9 +276,6 @@ static const double
 /* coefficients */
 static const double m3 = 1.1235955056179774, m4 = 0.003174157303370838, m5 = 0.10245901639344261,
 m6 = 1.1270491803278688, m7 = 0.0031839139344262803, m8 = 0.00028944672131148006;
-static const double low1 = -2.967000001, high1 = 2.967000001, low2 = -1.1344000010000002,
-high2 = 2.530700001, low3 = -1.221700001, high3 = 3.316100001, low5 = -2.356100001,
-high5 = 2.356100001;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -294,69 +293,57 @@ static const double highest[6] = { 2.967, 2.5307, 3.3161, 3.3161, 2.3561, 6.2944
 
 void yaskawa_gp7_fk(const double q[6], double T[16])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * s3 - s2 * c3, z3_x = y2_x * c3 - x2_x * s3, z3_y = y2_y * c3 - x2_y * s3,
-        z3_z = c2 * c3 + s2 * s3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double x4_x = x3_x * c4 - s1 * s4, x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4,
-        z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4, z4_y = x3_y * s4 - c1 * c4,
-        v2 = q[4] + offset5;
-    const double c5 = cos(v2), s5 = sin(v2);
-    const double x5_x = x4_x * c5 + z3_x * s5, x5_y = x4_y * c5 + z3_y * s5,
-        x5_z = x4_z * c5 + z3_z * s5, T13_ = z3_x * c5 - x4_x * s5, T23_ = z3_y * c5 - x4_y * s5,
-        T33_ = z3_z * c5 - x4_z * s5, v3 = q[5] + offset6;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * s3 - s2 * c3, z3_x = y2_x * c3 - x2_x * s3,
+        z3_y = y2_y * c3 - x2_y * s3, z3_z = c2 * c3 + s2 * s3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), x4_x = x3_x * c4 - s1 * s4,
+        x4_y = x3_y * c4 + c1 * s4, x4_z = x3_z * c4, z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4,
+        z4_y = x3_y * s4 - c1 * c4, v2 = q[4] + offset5;
+    const double c5 = cos(v2), s5 = sin(v2), x5_x = x4_x * c5 + z3_x * s5,
+        x5_y = x4_y * c5 + z3_y * s5, x5_z = x4_z * c5 + z3_z * s5, z6_x = z3_x * c5 - x4_x * s5,
+        z6_y = z3_y * c5 - x4_y * s5, z6_z = z3_z * c5 - x4_z * s5, v3 = q[5] + offset6;
     const double c6 = cos(v3), s6 = sin(v3);
-    const double T11_ = x5_x * c6 + z4_x * s6, T21_ = x5_y * c6 + z4_y * s6,
-        T31_ = x5_z * c6 + z4_z * s6,
-        T14_ = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -T13_ * d6,
-        T24_ = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -T23_ * d6,
-        T34_ = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -T33_ * d6, T12_ = x5_x * s6 - z4_x * c6,
-        T22_ = x5_y * s6 - z4_y * c6, T32_ = x5_z * s6 - z4_z * c6;
-    T[0] = T11_; T[1] = T12_; T[2] = T13_; T[3] = T14_;
-    T[4] = T21_; T[5] = T22_; T[6] = T23_; T[7] = T24_;
-    T[8] = T31_; T[9] = T32_; T[10] = T33_; T[11] = T34_;
+    T[0] = x5_x * c6 + z4_x * s6; T[1] = x5_x * s6 - z4_x * c6; T[2] = z6_x;
+    T[3] = c1 * a1 + x2_x * a2 + x3_x * a3 - z3_x * d4 - -z6_x * d6;
+    T[4] = x5_y * c6 + z4_y * s6; T[5] = x5_y * s6 - z4_y * c6; T[6] = z6_y;
+    T[7] = s1 * a1 + x2_y * a2 + x3_y * a3 - z3_y * d4 - -z6_y * d6;
+    T[8] = x5_z * c6 + z4_z * s6; T[9] = x5_z * s6 - z4_z * c6; T[10] = z6_z;
+    T[11] = d1 - s2 * a2 + x3_z * a3 - z3_z * d4 - -z6_z * d6;
     T[12] = T[13] = T[14] = 0.0;
     T[15] = 1.0;
 }
 
 void yaskawa_gp7_jacobian(const double q[6], double J[36])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]);
-    const double p1_x = c1 * a1, p1_y = s1 * a1, v1 = q[1] + offset2;
-    const double c2 = cos(v1), s2 = sin(v1);
-    const double x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2, y2_y = s1 * s2,
-        p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
-    const double c3 = cos(q[2]), s3 = sin(q[2]);
-    const double x3_x = x2_x * c3 + y2_x * s3, x3_y = x2_y * c3 + y2_y * s3,
-        x3_z = c2 * s3 - s2 * c3, J44 = y2_x * c3 - x2_x * s3, J54 = y2_y * c3 - x2_y * s3,
-        J64 = c2 * c3 + s2 * s3, p3_x = p2_x + x3_x * a3, p3_y = p2_y + x3_y * a3,
-        p3_z = p2_z + x3_z * a3;
-    const double c4 = cos(q[3]), s4 = sin(q[3]);
-    const double J45 = s1 * c4 + x3_x * s4, J65 = x3_z * s4, p4_x = p3_x - J44 * d4,
-        p4_y = p3_y - J54 * d4, p4_z = p3_z - J64 * d4, J55 = x3_y * s4 - c1 * c4,
-        v2 = q[4] + offset5;
-    const double c5 = cos(v2), s5 = sin(v2);
-    const double J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5,
-        J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5, J66 = x3_z * c4 * s5 - J64 * c5,
-        J21 = p4_x - J46 * d6, p6_y = p4_y - J56 * d6, p6_z = p4_z - J66 * d6, v3 = p6_z - d1,
-        J12 = c1 * v3, J22 = s1 * v3, v4 = p6_z - p2_z,
-        J33 = s1 * (p6_y - p2_y) + c1 * (J21 - p2_x), v5 = J21 - p3_x, v6 = p6_y - p3_y,
-        v7 = p6_z - p3_z, J14 = J54 * v7 - J64 * v6, J24 = J64 * v5 - J44 * v7,
-        J34 = J44 * v6 - J54 * v5, v8 = J21 - p4_x, v9 = p6_y - p4_y, v10 = p6_z - p4_z,
-        J15 = J55 * v10 - J65 * v9, J25 = J65 * v8 - J45 * v10, J35 = J45 * v9 - J55 * v8,
-        J16 = J56 * v10 - J66 * v9, J26 = J66 * v8 - J46 * v10, J36 = J46 * v9 - J56 * v8;
-    J[0] = -p6_y; J[1] = J12; J[2] = -(c1 * v4); J[3] = J14; J[4] = J15; J[5] = J16;
-    J[6] = J21; J[7] = J22; J[8] = -(s1 * v4); J[9] = J24; J[10] = J25; J[11] = J26;
-    J[12] = 0.0; J[13] = -(s1 * (p6_y - p1_y) + c1 * (J21 - p1_x)); J[14] = J33; J[15] = J34;
-    J[16] = J35; J[17] = J36;
-    J[18] = 0.0; J[19] = -s1; J[20] = s1; J[21] = J44; J[22] = J45; J[23] = J46;
-    J[24] = 0.0; J[25] = c1; J[26] = -c1; J[27] = J54; J[28] = J55; J[29] = J56;
-    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = J64; J[34] = J65; J[35] = J66;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_x = c1 * a1, p1_y = s1 * a1,
+        v1 = q[1] + offset2;
+    const double c2 = cos(v1), s2 = sin(v1), x2_x = c1 * c2, x2_y = s1 * c2, y2_x = c1 * s2,
+        y2_y = s1 * s2, p2_x = p1_x + x2_x * a2, p2_y = p1_y + x2_y * a2, p2_z = d1 - s2 * a2;
+    const double c3 = cos(q[2]), s3 = sin(q[2]), x3_x = x2_x * c3 + y2_x * s3,
+        x3_y = x2_y * c3 + y2_y * s3, x3_z = c2 * s3 - s2 * c3, z3_x = y2_x * c3 - x2_x * s3,
+        z3_y = y2_y * c3 - x2_y * s3, z3_z = c2 * c3 + s2 * s3, p3_x = p2_x + x3_x * a3,
+        p3_y = p2_y + x3_y * a3, p3_z = p2_z + x3_z * a3;
+    const double c4 = cos(q[3]), s4 = sin(q[3]), z4_x = s1 * c4 + x3_x * s4, z4_z = x3_z * s4,
+        p4_x = p3_x - z3_x * d4, p4_y = p3_y - z3_y * d4, p4_z = p3_z - z3_z * d4,
+        z4_y = x3_y * s4 - c1 * c4, v2 = q[4] + offset5;
+    const double c5 = cos(v2), s5 = sin(v2), z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5,
+        z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5, z5_z = x3_z * c4 * s5 - z3_z * c5,
+        p6_x = p4_x - z5_x * d6, p6_y = p4_y - z5_y * d6, p6_z = p4_z - z5_z * d6, v3 = p6_z - d1,
+        v4 = p6_z - p2_z, v5 = p6_x - p3_x, v6 = p6_y - p3_y, v7 = p6_z - p3_z, v8 = p6_x - p4_x,
+        v9 = p6_y - p4_y, v10 = p6_z - p4_z;
+    J[0] = -p6_y; J[1] = c1 * v3; J[2] = -(c1 * v4); J[3] = z3_y * v7 - z3_z * v6;
+    J[4] = z4_y * v10 - z4_z * v9; J[5] = z5_y * v10 - z5_z * v9;
+    J[6] = p6_x; J[7] = s1 * v3; J[8] = -(s1 * v4); J[9] = z3_z * v5 - z3_x * v7;
+    J[10] = z4_z * v8 - z4_x * v10; J[11] = z5_z * v8 - z5_x * v10;
+    J[12] = 0.0; J[13] = -(s1 * (p6_y - p1_y) + c1 * (p6_x - p1_x));
+    J[14] = s1 * (p6_y - p2_y) + c1 * (p6_x - p2_x); J[15] = z3_x * v6 - z3_y * v5;
+    J[16] = z4_x * v9 - z4_y * v8; J[17] = z5_x * v9 - z5_y * v8;
+    J[18] = 0.0; J[19] = -s1; J[20] = s1; J[21] = z3_x; J[22] = z4_x; J[23] = z5_x;
+    J[24] = 0.0; J[25] = c1; J[26] = -c1; J[27] = z3_y; J[28] = z4_y; J[29] = z5_y;
+    J[30] = 1.0; J[31] = 0.0; J[32] = 0.0; J[33] = z3_z; J[34] = z4_z; J[35] = z5_z;
 }
 
 /* One step R (3 I - R' R) / 2 towards the nearest rotation (polar decomposition, Higham 1986). */
@@ -501,10 +488,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v68 = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
         v69 = only_wide(half_turn < -v7, -whole_turn) - v7;
     const wide_mask v70 = beyond(angle1, 1), v71 = beyond(q1__m, 1);
-    const wide v72 = v66 + only_wide(v66 < low3, whole_turn),
-        v73 = v67 + only_wide(v67 < low3, whole_turn),
-        v74 = v68 + only_wide(v68 < low3, whole_turn),
-        v75 = v69 + only_wide(v69 < low3, whole_turn);
+    const wide v72 = v66 + only_wide(v66 < low(3), whole_turn),
+        v73 = v67 + only_wide(v67 < low(3), whole_turn),
+        v74 = v68 + only_wide(v68 < low(3), whole_turn),
+        v75 = v69 + only_wide(v69 < low(3), whole_turn);
     const wide_mask v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3),
         v79 = beyond(v75, 3);
     const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, v67, v73),
@@ -615,7 +602,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         q6_m = v31 + only_four(v31 <= -half_turn, whole_turn),
         v32 = q3_ + only_four(half_turn < q3_, -whole_turn);
     const four_mask v33 = beyond_four(q1_, 1);
-    const four v34 = v32 + only_four(v32 < low3, whole_turn);
+    const four v34 = v32 + only_four(v32 < low(3), whole_turn);
     const four_mask v35 = beyond_four(v34, 3);
     const four q3_p = pick_four(v35, v32, v34), q1_p = q1_ + (w3 - w3);
     const four_mask v36 = v35 | v33 | beyond_four(q2_p, 2), outside_p = v36 | beyond_four(q5_p, 5),
@@ -915,14 +902,23 @@ static double turned(int joint, double given, double towards)
     return value <= high ? value : given;
 }
 
-/* A difference of joint values but for whole turns [rad, arm sizes]. */
-static double apart(double off)
+/* How far some joint values are from others, but for whole turns [rad, arm sizes]; into half those
+ * half way. */
+static double half_way(const double x[6], const double q[6], double half[6])
 {
-    return fabs(off - turn * floor(off / turn + 0.5));
+    double most = 0.0;
+    for (int i = 0; i < 6; i++) {
+        const double off = remainder(q[i] - x[i], turn);
+        most = fmax(most, fabs(off));
+        half[i] = x[i] + 0.5 * off;
+    }
+    return most;
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
 static const double weights[6] = { 0.7273, 0.7273, 0.7273, 1.0, 1.0, 1.0 };
+/* What a step of one means for each joint; none where the caller gives the value. */
+static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
@@ -947,15 +943,15 @@ static double off_pose(const double T[16], const double x[6], double e[6], doubl
 }
 
 /* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: beside singular places
- * rounding would make the step miss otherwise. */
+ * of the damping's root, are made orthogonal one after another, twice: once would not do beside
+ * singular places. */
 static void add_step(
-    double share, const double pace[6], const double J[36], double e[6], double x[6])
+    double share, const int held[6], const double J[36], double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
-            A[i][j] = pace[j] * weights[i] * J[6 * i + j];
+            A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
         A[i][6 + i] = share;
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
@@ -973,62 +969,69 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some near them and inside their limits that miss the pose by no more than
- * enough or, if that is NaN, than they do; returns if so. Goes on while that gains. */
-static int settle(const double T[16], double enough, double q[6])
+/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
+ * that is
+ * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
+ * gains. */
+static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], J[36], pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 }; /* 0 holds */
-    double last = HUGE_VAL;
-    int settled = 0;
+    double x[6], half[6], J[36], last = HUGE_VAL;
+    const int stands = isnan(enough);
+    int settled = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
         const double miss = off_pose(T, x, e, J);
         if (isnan(enough)) {
             enough = miss + 1e-14;
-        } else if (miss < enough) {
-            take(x, q);
-            settled = 1;
-            enough = 0.5 * miss;
-        } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
-            break;
+        } else {
+            if (miss < enough) {
+                take(x, q);
+                settled = 1;
+                enough = 0.5 * miss;
+            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+                break;
+            }
+            last = miss;
+            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
-        last = miss;
-        add_step(sqrt(0.1 * miss * miss + 1e-26), pace, J, e, x);
         for (int i = 0; i < 6; i++) {
-            const double off = pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
-                pace[i] = 0.0;
+                held[i] = 1;
                 last = HUGE_VAL;
             }
             x[i] -= off;
-            if (!(apart(x[i] - q[i]) <= 0.1))
-                return settled; /* another solution */
         }
+        if (!(half_way(x, q, half) <= most))
+            break; /* another solution */
     }
     return settled;
 }
 
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
- * a row unless it has one: one beside it, one that is left, or the nearest. */
+ * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], least = HUGE_VAL;
+    double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    if (!settle(T, 1e-12, x))
+    if (!settle(T, 1e-12, 0.15, x))
+        return;
+    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double gap = status[row] == YASKAWA_GP7_UNREACHABLE ? 0.1 : 0.0;
-        for (int i = 0; i < 6; i++) /* NaN is no gap */
-            gap = fmax(gap, apart(q[row][i] - x[i]));
-        if (gap < 0.001)
-            return;
-        if (gap <= least) {
-            least = gap;
+        double e[6] = { 0.0 }, between = 1e-06;
+        if (status[row] != YASKAWA_GP7_UNREACHABLE) {
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
+        }
+        if (between <= least) {
+            least = between;
             place = row;
         }
     }
@@ -1066,7 +1069,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, q[row]);
+            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

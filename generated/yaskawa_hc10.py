@@ -197,33 +197,24 @@ def fk(q):
     x5_x = x4_x * c5 + z3_x * s5
     x5_y = x4_y * c5 + z3_y * s5
     x5_z = x4_z * c5 + z3_z * s5
-    T13_ = z3_x * c5 - x4_x * s5
-    T23_ = z3_y * c5 - x4_y * s5
-    T33_ = z3_z * c5 - x4_z * s5
+    z6_x = z3_x * c5 - x4_x * s5
+    z6_y = z3_y * c5 - x4_y * s5
+    z6_z = z3_z * c5 - x4_z * s5
     v6 = q[5] + offset6
     c6 = math.cos(v6)
     s6 = math.sin(v6)
-    T11_ = x5_x * c6 + z4_x * s6
-    T21_ = x5_y * c6 + z4_y * s6
-    T31_ = x5_z * c6 + z4_z * s6
-    T14_ = x2_x * a2 - z3_x * d4 - z4_x * d5 - -T13_ * d6
-    T24_ = x2_y * a2 - z3_y * d4 - z4_y * d5 - -T23_ * d6
-    T34_ = d1 + s2 * a2 - z3_z * d4 - z4_z * d5 - -T33_ * d6
-    T12_ = x5_x * s6 - z4_x * c6
-    T22_ = x5_y * s6 - z4_y * c6
-    T32_ = x5_z * s6 - z4_z * c6
-    T[0, 0] = T11_
-    T[0, 1] = T12_
-    T[0, 2] = T13_
-    T[0, 3] = T14_
-    T[1, 0] = T21_
-    T[1, 1] = T22_
-    T[1, 2] = T23_
-    T[1, 3] = T24_
-    T[2, 0] = T31_
-    T[2, 1] = T32_
-    T[2, 2] = T33_
-    T[2, 3] = T34_
+    T[0, 0] = x5_x * c6 + z4_x * s6
+    T[0, 1] = x5_x * s6 - z4_x * c6
+    T[0, 2] = z6_x
+    T[0, 3] = x2_x * a2 - z3_x * d4 - z4_x * d5 - -z6_x * d6
+    T[1, 0] = x5_y * c6 + z4_y * s6
+    T[1, 1] = x5_y * s6 - z4_y * c6
+    T[1, 2] = z6_y
+    T[1, 3] = x2_y * a2 - z3_y * d4 - z4_y * d5 - -z6_y * d6
+    T[2, 0] = x5_z * c6 + z4_z * s6
+    T[2, 1] = x5_z * s6 - z4_z * c6
+    T[2, 2] = z6_z
+    T[2, 3] = d1 + s2 * a2 - z3_z * d4 - z4_z * d5 - -z6_z * d6
     T[3, 3] = 1.0
     return T
 
@@ -253,83 +244,71 @@ def jacobian(q):
     x3_x = x2_x * c3 + y2_x * s3
     x3_y = x2_y * c3 + y2_y * s3
     x3_z = s2 * c3 - c2 * s3
-    J64 = c2 * c3 + s2 * s3
-    J44 = x2_x * s3 - y2_x * c3
-    J54 = x2_y * s3 - y2_y * c3
+    z3_z = c2 * c3 + s2 * s3
+    z3_x = x2_x * s3 - y2_x * c3
+    z3_y = x2_y * s3 - y2_y * c3
     v4 = q[3] + offset4
     c4 = math.cos(v4)
     s4 = math.sin(v4)
-    J45 = s1 * c4 + x3_x * s4
-    J65 = x3_z * s4
-    p4_x = p2_x - J44 * d4
-    p4_y = p2_y - J54 * d4
-    p4_z = p2_z - J64 * d4
-    J55 = x3_y * s4 - c1 * c4
+    z4_x = s1 * c4 + x3_x * s4
+    z4_z = x3_z * s4
+    p4_x = p2_x - z3_x * d4
+    p4_y = p2_y - z3_y * d4
+    p4_z = p2_z - z3_z * d4
+    z4_y = x3_y * s4 - c1 * c4
     v5 = q[4] + offset5
     c5 = math.cos(v5)
     s5 = math.sin(v5)
-    p5_x = p4_x - J45 * d5
-    p5_y = p4_y - J55 * d5
-    p5_z = p4_z - J65 * d5
-    J46 = (x3_x * c4 - s1 * s4) * s5 - J44 * c5
-    J56 = (x3_y * c4 + c1 * s4) * s5 - J54 * c5
-    J66 = x3_z * c4 * s5 - J64 * c5
-    J21 = p5_x - J46 * d6
-    p6_y = p5_y - J56 * d6
-    p6_z = p5_z - J66 * d6
+    p5_x = p4_x - z4_x * d5
+    p5_y = p4_y - z4_y * d5
+    p5_z = p4_z - z4_z * d5
+    z5_x = (x3_x * c4 - s1 * s4) * s5 - z3_x * c5
+    z5_y = (x3_y * c4 + c1 * s4) * s5 - z3_y * c5
+    z5_z = x3_z * c4 * s5 - z3_z * c5
+    p6_x = p5_x - z5_x * d6
+    p6_y = p5_y - z5_y * d6
+    p6_z = p5_z - z5_z * d6
     v6 = p6_z - d1
-    J32 = s1 * p6_y + c1 * J21
-    v7 = J21 - p2_x
+    v7 = p6_x - p2_x
     v8 = p6_y - p2_y
     v9 = p6_z - p2_z
-    J13 = c1 * v9
-    J23 = s1 * v9
-    J14 = J54 * v9 - J64 * v8
-    J24 = J64 * v7 - J44 * v9
-    J34 = J44 * v8 - J54 * v7
-    v10 = J21 - p4_x
+    v10 = p6_x - p4_x
     v11 = p6_y - p4_y
     v12 = p6_z - p4_z
-    J15 = J55 * v12 - J65 * v11
-    J25 = J65 * v10 - J45 * v12
-    J35 = J45 * v11 - J55 * v10
-    v13 = J21 - p5_x
+    v13 = p6_x - p5_x
     v14 = p6_y - p5_y
     v15 = p6_z - p5_z
-    J16 = J56 * v15 - J66 * v14
-    J26 = J66 * v13 - J46 * v15
-    J36 = J46 * v14 - J56 * v13
     J[0, 0] = -p6_y
     J[0, 1] = -(c1 * v6)
-    J[0, 2] = J13
-    J[0, 3] = J14
-    J[0, 4] = J15
-    J[0, 5] = J16
-    J[1, 0] = J21
+    J[0, 2] = c1 * v9
+    J[0, 3] = z3_y * v9 - z3_z * v8
+    J[0, 4] = z4_y * v12 - z4_z * v11
+    J[0, 5] = z5_y * v15 - z5_z * v14
+    J[1, 0] = p6_x
     J[1, 1] = -(s1 * v6)
-    J[1, 2] = J23
-    J[1, 3] = J24
-    J[1, 4] = J25
-    J[1, 5] = J26
-    J[2, 1] = J32
+    J[1, 2] = s1 * v9
+    J[1, 3] = z3_z * v7 - z3_x * v9
+    J[1, 4] = z4_z * v10 - z4_x * v12
+    J[1, 5] = z5_z * v13 - z5_x * v15
+    J[2, 1] = s1 * p6_y + c1 * p6_x
     J[2, 2] = -(s1 * v8 + c1 * v7)
-    J[2, 3] = J34
-    J[2, 4] = J35
-    J[2, 5] = J36
+    J[2, 3] = z3_x * v8 - z3_y * v7
+    J[2, 4] = z4_x * v11 - z4_y * v10
+    J[2, 5] = z5_x * v14 - z5_y * v13
     J[3, 1] = s1
     J[3, 2] = -s1
-    J[3, 3] = J44
-    J[3, 4] = J45
-    J[3, 5] = J46
+    J[3, 3] = z3_x
+    J[3, 4] = z4_x
+    J[3, 5] = z5_x
     J[4, 1] = -c1
     J[4, 2] = c1
-    J[4, 3] = J54
-    J[4, 4] = J55
-    J[4, 5] = J56
+    J[4, 3] = z3_y
+    J[4, 4] = z4_y
+    J[4, 5] = z5_y
     J[5, 0] = 1.0
-    J[5, 3] = J64
-    J[5, 4] = J65
-    J[5, 5] = J66
+    J[5, 3] = z3_z
+    J[5, 4] = z4_z
+    J[5, 5] = z5_z
     return J
 
 
@@ -345,7 +324,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_hc10 3b70119da021edff"
+_KEY = "yaskawa_hc10 605d13f1bc1aa0c1"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2330,8 +2309,8 @@ _MISS_WEIGHT = np.array([0.5659, 0.5659, 0.5659, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, pace, A):
-    """By how much joint values miss the pose (6,), and its length; into A how the joints change that.
+def _miss(T, q, A):
+    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
 
     The former is zero half a turn away, too.
     """
@@ -2346,23 +2325,23 @@ def _miss(T, q, pace, A):
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
     for j in range(6):
         for i in range(6):
-            A[i, j] = pace[j] * _MISS_WEIGHT[i] * J[i, j]
+            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
     for i in range(3):
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, pace, q):
+def _add_step(A, e, miss, held, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: beside singular places rounding would make the step miss otherwise.
+    (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
     rows, square = np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = A[i, j]
+            rows[i, j] = 0.0 if held[j] else A[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -2374,54 +2353,65 @@ def _add_step(A, e, miss, pace, q):
         for j in range(12):
             square[i] += rows[i, j] * rows[i, j]
         for j in range(6):
-            q[j] += e[i] / square[i] * rows[i, j] * pace[j]
+            q[j] += e[i] / square[i] * rows[i, j] * _PACE[j]
 
 
 @_inner
-def _moved_by(off):
-    """A difference of joint values, whole turns aside [rad, arm sizes]."""
-    return abs(off - _TURN * math.floor(off / _TURN + 0.5))
+def _half_way(x, q, half):
+    """How far joint values are from others, but for whole turns [rad, arm sizes].
 
-
-@_apart("boolean(UniTuple(float64, 12), float64, float64[::1])")
-def _settled(T, enough, q):
-    """Takes joint values to some near them that miss the pose by no more than enough; False if it can't.
-
-    If enough is NaN, by no more than they do; inside their limits. Damped least squares, while
-    they gain: where roots meet a step still leaves less than half.
+    Those half way go into half.
     """
-    pace, A, x, settled = _PACE.copy(), np.empty((6, 6)), q.copy(), False
+    most = 0.0
+    for i in range(6):
+        off = q[i] - x[i]
+        off -= _TURN * math.floor(off / _TURN + 0.5)
+        most = max(most, abs(off))
+        half[i] = x[i] + 0.5 * off
+    return most
+
+
+@_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
+def _settled(T, enough, most, q):
+    """Takes joint values to some not farther than most that miss the pose by less than enough.
+
+    If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+    Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    """
+    half = np.empty(6)
+    stands = math.isnan(enough)
+    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
     last = math.inf
     for _ in range(20):
-        e, miss = _miss(T, x, pace, A)
+        e, miss = _miss(T, x, A)
         if math.isnan(enough):
             enough = miss + 1e-14
-        elif miss < enough:
-            q[:] = x
-            settled = True
-            enough = 0.5 * miss
-        elif settled or miss > max(0.7 * last, 100.0 * enough):
-            return settled
-        last = miss
-        _add_step(A, e, miss, pace, x)
+        else:
+            if miss < enough:
+                q[:] = x
+                settled = True
+                enough = 0.5 * miss
+            elif settled or miss > max(0.7 * last, 100.0 * enough):
+                return settled
+            last = miss
+            _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if pace[j] > 0.0 else 0.0
+            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
-                pace[j], last = 0.0, math.inf
+                held[j], last = True, math.inf
             x[j] -= off
-        for j in range(6):
-            if not _moved_by(x[j] - q[j]) <= 0.1:
-                return settled  # another solution
+        if not _half_way(x, q, half) <= most:
+            return settled  # another solution
     return settled
 
 
 @_inner
-def _settle(pose, enough, q):
+def _settle(pose, enough, most, q):
     """The same for joint values of the caller's."""
     values = np.empty(6)
     for i in range(6):
         values[i] = q[i]
-    settled = _settled(pose, enough, values)
+    settled = _settled(pose, enough, most, values)
     for i in range(6):
         q[i] = values[i]
     return settled
@@ -2439,8 +2429,9 @@ def _whole(pose, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
-        if 0.0 < _beyond_limits(q[row]) < 0.01:
-            _settle(pose, math.nan, q[row])
+        off = _beyond_limits(q[row])
+        if 0.0 < off < 0.01:
+            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])

@@ -239,6 +239,12 @@ class Builder(Graph):
         names = Names(self._names, self._hints, self._folded)
         return scheduled(self, name, self._marks, names, named, free, tuple(near))
 
+    def finish_entries(self, name: str, entries: dict[str, Node]) -> Program:
+        """The program with these results, which get their names only where they are used again."""
+        results = [self.hint(node, wanted) for wanted, node in entries.items()]
+        names = Names(self._names, self._hints, self._folded)
+        return scheduled(self, name, self._marks, names, results, [])
+
     # the inside
 
     def _is(self, node: Node, value: int) -> bool:

@@ -28,7 +28,7 @@ def forward_program(chain: Chain) -> Program:
         for row in range(3)
         for column in range(4)
     }
-    return walk.builder.finish(chain.name, results, [])
+    return walk.builder.finish_entries(chain.name, results)
 
 
 def jacobian_program(chain: Chain) -> Program:
@@ -55,7 +55,7 @@ def jacobian_program(chain: Chain) -> Program:
         for row, entries in enumerate(rows)
         for column, entry in enumerate(entries)
     }
-    return builder.finish(chain.name, results, [])
+    return builder.finish_entries(chain.name, results)
 
 
 class Walk:

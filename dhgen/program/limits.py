@@ -6,6 +6,7 @@ An angle comes in (-pi, pi]. Limits that are wider than this cost nothing.
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 from functools import reduce
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 
 LOW, HIGH = "low", "high"  # the constants are called this and the joint's number
+_LIMIT = re.compile(rf"({LOW}|{HIGH})(\d+)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +81,12 @@ class Limiting:
 def whole_turn(builder: Builder) -> Node:
     """2 pi, by a name."""
     return builder.constant("whole_turn", 2 * math.pi, "2 pi [rad]")
+
+
+def limit_of(name: str) -> tuple[str, str] | None:
+    """Which end of the limits of which joint a constant is, or None."""
+    found = _LIMIT.fullmatch(name)
+    return (found[1], found[2]) if found else None
 
 
 def limited_joint(low: Expression, high: Expression) -> str:

@@ -16,15 +16,15 @@ is_known keep kept limited_step look least_u most_u nearest_solution no_highest 
 move_inside pulled shorten solved solves_between sorted_rows span_low span_width stands_before
 start_of stride turn_vector turning unit wrap_angles G LANES LOST NEARLY after all angle attempt
 before choose_again circle_roots CLOSE across ahead beside both_sides close descended doubtful end
-enough_beside exactness gap_between is_new known leads solves count distance found given here high
-i ik_carefully nearly residual serving_digits serving_value solve_regular enough ended inner j k
-last least left length lose lost low middle misfit_one misfit_wide miss missed_by moved n others
-named nearest off outer reached read_pose repeats result right serves sum tighten tightened values
-search served square start step straighten summit third towards valid value way why x xx xy y yy z
-zz zeros exact exactly beyond_limits choosable fan_step gap hopeless inside keep_limits over
-overshoot shortfall within begun fault seek take settle P e p s w weights tried held slope
-A add_step apart off_pose pace place settled share stay along spin part to bend rest other d u any
-next steps
+enough_beside exactness gap_between is_new known leads solves count distance found given here high i
+ik_carefully nearly residual serving_digits serving_value solve_regular enough ended inner j k last
+least left length lose lost low middle misfit_one misfit_wide miss missed_by moved n others named
+nearest off outer reached read_pose repeats result right serves sum tighten tightened values search
+served square start step straighten summit third towards valid value way why x xx xy y yy z zz zeros
+exact exactly beyond_limits choosable fan_step gap hopeless inside keep_limits over overshoot
+shortfall within begun fault seek take settle P e p s w weights tried held slope A add_step half
+half_way between most low high off_pose pace stands place settled share stay along spin part to bend
+rest other d u any next steps
 """
 
 _LANES = """

@@ -7,14 +7,15 @@ from typing import TYPE_CHECKING
 from dhgen.general.emit import c_rows, c_source
 from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.program.flatten import flatten
+from dhgen.program.limits import limit_of
 from dhgen.program.rewriting import COEFFICIENT
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
+from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
 from dhgen.targets.module import (
-    constant_texts,
     made_text,
     module_values,
     named_entries,
@@ -94,9 +95,12 @@ def _texts(module: SolverModule) -> dict[str, object]:
 
 
 def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
-    """The constants of all builds, and those that only branches in lanes need."""
-    common = constant_texts(module, flats[:1])
-    only = [each for each in constant_texts(module, flats) if each not in common]
+    """The constants of all builds, and those that only branches in lanes need; limits are told."""
+    common, all_texts = (
+        [each for each in constant_texts(module, programs) if not limit_of(each[0])]
+        for programs in (flats[:1], flats)
+    )
+    only = [each for each in all_texts if each not in common]
     return {
         "constants": _constant_lines(common),
         "lane_constants": _constant_lines(only),

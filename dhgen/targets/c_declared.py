@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import WIDTH, wrapped
@@ -27,33 +26,42 @@ class Declaration:
     value: str
 
     @property
-    def family(self) -> tuple[str, str]:
-        """What may stand in one statement: branches of a value, cosine and sine, a vector ..."""
+    def family(self) -> str:
+        """Branches of a value, cosine and sine, a vector ...; empty without a name of its own."""
         stem = self.name.partition("_")[0]
         if _NUMBERED.fullmatch(stem):
-            return self.kind, ""
+            return ""
         part = _COSINE_OR_SINE.fullmatch(stem) or _COMPONENT.fullmatch(stem)
-        return self.kind, part[1] if part else stem
+        return part[1] if part else stem
+
+    def follows(self, before: Declaration) -> bool:
+        """Whether it may share another's statement: what has no name, that of an angle too."""
+        turned = not self.family and _COSINE_OR_SINE.fullmatch(before.name)
+        return self.kind == before.kind and (self.family == before.family or bool(turned))
 
 
 def declared(declarations: Iterable[Declaration], indent: str) -> list[str]:
     """Statements, one for each family of values."""
-    return _listed(declarations, indent, lambda each: each.family)
+    return _listed(declarations, indent, Declaration.follows)
 
 
 def dense(declarations: Iterable[Declaration], indent: str) -> list[str]:
     """Statements, one for all values of one type that follow each other."""
-    return _listed(declarations, indent, lambda each: each.kind)
+    return _listed(declarations, indent, lambda each, before: each.kind == before.kind)
 
 
 def _listed(
-    declarations: Iterable[Declaration], indent: str, family_of: Callable[[Declaration], object]
+    declarations: Iterable[Declaration],
+    indent: str,
+    follows: Callable[[Declaration, Declaration], bool],
 ) -> list[str]:
-    return [
-        line
-        for _, family in groupby(declarations, family_of)
-        for line in _statement(list(family), indent)
-    ]
+    statements: list[list[Declaration]] = []
+    for each in declarations:
+        if statements and follows(each, statements[-1][-1]):
+            statements[-1].append(each)
+        else:
+            statements.append([each])
+    return [line for statement in statements for line in _statement(statement, indent)]
 
 
 def _statement(declarations: list[Declaration], indent: str) -> list[str]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
-from dhgen.program.limits import limited_joint
+from dhgen.program.limits import limit_of, limited_joint
 from dhgen.targets.c_declared import Declaration
 from dhgen.targets.c_language import C
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
@@ -81,6 +81,8 @@ class LaneText:
     def text(self, expression: Expression) -> Text:
         """An expression."""
         match expression:
+            case Variable(name) if end := limit_of(name):
+                return Text(f"{end[0]}({end[1]})", ATOM, self._lanes[name])
             case Variable(name):
                 return Text(name, ATOM, self._lanes[name])
             case Integer(value):

@@ -21,7 +21,6 @@ from dhgen.targets.walk import (
     choosable,
     chooses_again,
     finds_roots,
-    merged_constants,
     reads,
     uses,
     whole_arm,
@@ -29,7 +28,7 @@ from dhgen.targets.walk import (
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
-    from dhgen.program.ir import NamedConstant, Program
+    from dhgen.program.ir import Program
     from dhgen.program.unguarded import Regular
 
 
@@ -257,22 +256,6 @@ def made_text(module: SolverModule, template: str, indent: str) -> str:
 def plain(text: str) -> str:
     """Free text that cannot end a comment or a docstring."""
     return text.replace("*/", "* /").replace("/*", "/ *").replace('"""', "'''").replace("\\", "/")
-
-
-def constant_texts(
-    module: SolverModule, others: tuple[Program, ...] = ()
-) -> list[tuple[str, str, str]]:
-    """Name, value and comment of every constant, of all programs and others."""
-    own = [constant.name for constant in module.chain.constants]
-    constants = merged_constants([*module.programs, *others], own)
-    return [(c.name, repr(c.value), _comment(c, module.length_unit)) for c in constants]
-
-
-def _comment(constant: NamedConstant, length: str) -> str:
-    units = {0: "", 1: f" [{length}]"}
-    if not constant.meaning:
-        return ""
-    return plain(constant.meaning + units.get(constant.power, f" [{length}^{constant.power}]"))
 
 
 def _given_text(chain: Chain) -> str:

@@ -17,9 +17,9 @@ from dhgen.numerical.emit import (
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
 from dhgen.robot.robot import TaskKind
+from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
-    constant_texts,
     made_text,
     module_values,
     named_entries,

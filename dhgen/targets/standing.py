@@ -21,14 +21,18 @@ if TYPE_CHECKING:
 ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
 SLOW = 0.7  # of the miss: what leaves more leads nowhere; where n roots meet (1 - 1/n)^n is left
 FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
-MOVED = 0.1  # [rad, arm sizes] joints that move by more lead to another solution
+# Joints that move by more lead to another solution: from a seed [rad, arm sizes], where a step may
+# be longer than the whole way; and times what a joint is beyond its limit.
+MOVED = 0.15
+LED = 10.0
+NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
 def standing(module: SolverModule) -> dict[str, object]:
     """Whether joints are put on limits and follow the seed, and what a pose is missed by."""
     chain, rows = module.chain, module.position_entries
-    length = f"{1.0 / chain.size:#.4g}"  # a scale: more digits tell nothing
+    length = _scale(1.0 / chain.size)
     turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
     return {
         "stands_on_limits": stands_on_limits(module),
@@ -50,6 +54,8 @@ def standing(module: SolverModule) -> dict[str, object]:
         "damping": repr(DAMPING),
         "fine": repr(FINE),
         "most_moved": MOVED,
+        "led_by_limit": LED,
+        "told_by_nothing": max(NOTHING, BEYOND_TOLD * module.precision.tolerances.exact),
     }
 
 
@@ -57,7 +63,12 @@ def _pace(joint: ChainJoint, chain: Chain) -> str:
     """What a step of one means for a joint: 1 rad, the arm's size, or nothing if it is given."""
     if joint.number in chain.free:
         return "0.0"
-    return "1.0" if joint.kind is JointKind.REVOLUTE else f"{chain.size:#.4g}"
+    return "1.0" if joint.kind is JointKind.REVOLUTE else _scale(chain.size)
+
+
+def _scale(value: float) -> str:
+    """More digits tell nothing."""
+    return repr(float(f"{value:.4g}"))
 
 
 def stands_on_limits(module: SolverModule) -> bool:

@@ -151,10 +151,14 @@ class _Checker:
                 raise VerificationError(f"{where}: without a seed {language} holds no solution")
 
     def _may_be_moved(self, q: Array, status: NDArray[np.uint8]) -> bool:
-        """Whether a free joint may have been taken from q so that limits are kept."""
+        """Whether a free joint may have been taken from q so that limits are kept.
+
+        If that did not do, its row is out of limits.
+        """
         low, high = self._limits
         keeps = (q >= low - TOLERANCES.limit) & (q <= high + TOLERANCES.limit)
-        return bool((status == self._python.FREE_JOINT).any()) and not keeps.all()
+        free = np.isin(status, (self._python.FREE_JOINT, self._python.OUT_OF_LIMITS))
+        return bool(free.any()) and not keeps.all()
 
     def _batch(self, sample: Sample, poses: Array) -> None:
         """Batches hold the rows of single poses."""

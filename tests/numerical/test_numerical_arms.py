@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.compiler import Compilation, compile_robot
+from dhgen.compiler import Compilation, compile_robot, verified
 from dhgen.verify.native import CompiledSolver, compile_solver
 from tests.targets.made import without_numba
 
@@ -37,6 +37,7 @@ ARMS = {
     "orientation": (FOUR, "task: orientation"),
     "seven": (SKEW, ""),
     "planar": ((LINK,) * 4, "task: [x, y]"),
+    "three": ((LINK,) * 3, "task: [x, y]"),
     "given": ((*TWO, SKEW[5]), f"{ASKEW}\nfree: [3]"),
 }
 FINITE = ("two",)
@@ -88,7 +89,7 @@ def miss(name: str, rows: np.ndarray, T: np.ndarray, solver: CompiledSolver) -> 
         **dict.fromkeys(("two", "given"), (slice(0, 3, 2), slice(3, 4))),
         "pointing": (slice(0, 3), slice(2, 4)),
         "orientation": (slice(0, 3), slice(0, 3)),
-        "planar": (slice(0, 2), slice(3, 4)),
+        **dict.fromkeys(("planar", "three"), (slice(0, 2), slice(3, 4))),
     }.get(name, (slice(0, 3), slice(0, 4)))
     return float(np.abs(reached[(slice(None), *entries)]).max(initial=0.0))
 
@@ -170,3 +171,12 @@ def test_what_is_no_pose(folder: Path) -> None:
     far = np.eye(4)
     far[0, 3] = 9.0
     assert solver.ik(far, np.zeros(4))[1].tolist() == [1]
+
+
+def test_arms_of_three_joints_compile_without_a_warning(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In loops so short compilers look for values that are not set."""
+    monkeypatch.setattr("numba.config.DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.verify.COUNT", 10)
+    assert verified(made("three", folder)).poses > 10

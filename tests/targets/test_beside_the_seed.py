@@ -24,6 +24,7 @@ from tests.targets.calling import (
     OK,
     OUT_OF_LIMITS,
     Solver,
+    gap,
 )
 from tests.targets.made import ROBOTS, folder, made, poses_of, robot
 
@@ -130,3 +131,50 @@ def test_a_seed_that_is_not_finite_is_none(name: str) -> None:
     assert np.isnan(rows).all()
     with pytest.raises(ValueError, match="q_seed must be finite"):
         Solver(name, "Python").all(T, seed)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("near", [0.0, 1e-9, 1e-7, 1e-6, 1e-5])
+def test_an_elbow_that_stops_where_it_is_stretched_is_followed(near: float, language: str) -> None:
+    """The wrist is straight, too: steps that stop at the limit would turn it far away."""
+    name, source = "stretched_elbow", np.random.default_rng(3)
+    low, high = np.array([joint.limits for joint in robot(name).joints]).T
+    for _ in range(15):
+        q = 0.8 * source.uniform(low, high)
+        q[[2, 4]] = near, 0.0
+        seed = np.clip(q + source.uniform(-0.05, 0.05, 6), low, high)
+        result, found = Solver(name, language).nearest(poses_of(name, q[None])[0], seed)
+        assert result in {OK, FREE_JOINT}
+        assert np.abs(found - seed).max() < 0.15
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_limit_makes_no_copy_of_another_solution(language: str) -> None:
+    """A joint is 3e-3 beyond its limit, and the next solution inside is 0.05 away."""
+    name = "puma560"
+    q = np.array(
+        [0.2759, 1.56651243643, -1.52381841044, 4.64157581, np.radians(100), 3.57663533906]
+    )
+    (T,) = poses_of(name, q[None])
+    rows, status = Solver(name, language).all(T)
+    held = rows[np.isin(status, HELD)]
+    gaps = [gap(each, other) for k, each in enumerate(held) for other in held[:k]]
+    assert len(held) >= 2
+    assert min(gaps) > 1e-3
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_solution_far_from_the_seed_keeps_its_row(language: str) -> None:
+    """The seed's solution takes the place of one of its own family, though others are nearer."""
+    name = "spherical_wrist_general_arm"
+    q = np.array([np.pi / 2, 2.1889780068, 1.4944263499, -0.5548433741, 2.5e-12, 0.0])
+    seed = np.array([1.56093676, 2.18899657, 1.4369865, -0.55364224, 0.04766135, 0.02452448])
+    (T,) = poses_of(name, q[None])
+    rows, status = Solver(name, language).all(T)
+    followed, after = Solver(name, language).all(T, seed)
+    kept = followed[np.isin(after, HELD)]
+    assert gap(kept, seed).min() < 0.1
+    apart = rows[np.isin(status, HELD)]
+    apart = apart[gap(apart[:, :3], q[:3]) > 0.1]  # not of the straight wrist's family
+    assert len(apart) >= 2
+    assert all(gap(kept, each).min() < 1e-6 for each in apart)

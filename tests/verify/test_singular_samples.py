@@ -88,3 +88,13 @@ def test_a_hand_that_folds_back_into_the_shoulder(name: str) -> None:
     report = verified(compile_robot(robot_path(name)))
     assert report.poses > 5 * COUNT
     assert report.residual < 1e-11
+
+
+@pytest.mark.parametrize("name", ["stretched_elbow", "one_sided", "remote_centre"])
+def test_limits_at_singular_places_refuse_no_arm(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Joints that stand on their limits there, and joint values that are beyond to begin with."""
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    report = verified(compile_robot(robot_path(name)))  # with as many poses as there always are
+    assert report.residual < 1e-11

@@ -1,0 +1,51 @@
+"""The constants of a robot's programs, with comments that say what they are."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from dhgen.targets.module import plain
+from dhgen.targets.walk import merged_constants
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from dhgen.program.ir import NamedConstant, Program
+    from dhgen.targets.module import SolverModule
+
+
+def constant_texts(
+    module: SolverModule, others: tuple[Program, ...] = ()
+) -> list[tuple[str, str, str]]:
+    """Name, value and comment of every constant, of all programs and others."""
+    own = [constant.name for constant in module.chain.constants]
+    constants = _told_by_others(merged_constants([*module.programs, *others], own))
+    return [(c.name, repr(c.value), _comment(c, module.length_unit)) for c in constants]
+
+
+def _told_by_others(constants: Iterable[NamedConstant]) -> list[NamedConstant]:
+    """Constants whose meanings name those before them instead of repeating what these mean."""
+    told: list[NamedConstant] = []
+    for constant in constants:
+        meaning = constant.meaning
+        for other in told:
+            repeated = rf"(\w?)\({re.escape(other.meaning)}\)"
+            if other.meaning:
+                meaning = re.sub(repeated, partial(_named, name=other.name), meaning)
+        told.append(replace(constant, meaning=meaning))
+    return told
+
+
+def _named(found: re.Match[str], name: str) -> str:
+    """A name in place of what stood in brackets, which those of a function keep."""
+    return f"{found[1]}({name})" if found[1] else name
+
+
+def _comment(constant: NamedConstant, length: str) -> str:
+    units = {0: "", 1: f" [{length}]"}
+    if not constant.meaning:
+        return ""
+    return plain(constant.meaning + units.get(constant.power, f" [{length}^{constant.power}]"))
