@@ -36,7 +36,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-# Never -ffast-math: NaN has to mean something.
 FLAGS = (
     "-std=c99",
     "-O2",
@@ -45,6 +44,8 @@ FLAGS = (
     "-fno-trapping-math",
     "-ffp-contract=fast",
 )
+# With these NaN means nothing, which says that a row has no solution.
+FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
 
 
 class NoCompiler(RuntimeError):  # noqa: N818
@@ -70,6 +71,7 @@ def native(
         TypeError: What is given is no robot's module.
         NoCompiler: There is none.
         BuildError: The compiler refuses.
+        ValueError: With these flags NaN would mean nothing.
         FileNotFoundError: The C or its header is not there.
     """
     if not hasattr(module, "MAX_SOLUTIONS"):
@@ -80,6 +82,9 @@ def native(
         if not source.exists():
             raise FileNotFoundError(f"{source} is not there: native compiles it beside {path.name}")
     words = shlex.split(flags) if isinstance(flags, str) else flags
+    if wrong := FORGET_NAN.intersection(words):
+        told = " and ".join(sorted(wrong))
+        raise ValueError(f"flags must be without {told}: NaN says that a row has no solution")
     library = _build(path.with_suffix(".c"), _compiler(compiler), words)
     # The same text once more: its functions find those of the C where those of numba were.
     spec = importlib.util.spec_from_file_location(module.__name__, path)
@@ -148,6 +153,8 @@ class _Solver:
         if [each.shape for each in arrays] != shapes or (q.shape, status.shape) != rows:
             wanted = ", ".join(map(str, (*shapes, *rows)))
             raise ValueError(f"T{', q_free' * bool(self._given)}, q and status must be {wanted}")
+        if q.dtype.kind != "f" or status.dtype.kind not in "iuf":
+            raise ValueError("q must hold float64, status uint8")
         values = None if seed is None else self._seed(seed)
         results = _place(q, np.float64), _place(status, np.uint8)
         count = self._ik(

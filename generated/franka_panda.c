@@ -1030,7 +1030,8 @@ static double half_way(const double x[7], const double q[7], double half[7])
 {
     double most = 0.0;
     for (int i = 0; i < 7; i++) {
-        const double off = remainder(q[i] - x[i], turn);
+        double off = q[i] - x[i];
+        off -= turn * floor(off / turn + 0.5);
         most = fmax(most, fabs(off));
         half[i] = x[i] + 0.5 * off;
     }

@@ -3579,7 +3579,8 @@ static double half_way(const double x[5], const double q[5], double half[5])
 {
     double most = 0.0;
     for (int i = 0; i < 5; i++) {
-        const double off = remainder(q[i] - x[i], turn);
+        double off = q[i] - x[i];
+        off -= turn * floor(off / turn + 0.5);
         most = fmax(most, fabs(off));
         half[i] = x[i] + 0.5 * off;
     }

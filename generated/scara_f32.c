@@ -515,7 +515,8 @@ static float half_way(const float x[4], const float q[4], float half[4])
 {
     float most = 0.0f;
     for (int i = 0; i < 4; i++) {
-        const float off = revolute[i] ? remainderf(q[i] - x[i], turn) : q[i] - x[i];
+        float off = q[i] - x[i];
+        off -= revolute[i] ? turn * floorf(off / turn + 0.5f) : 0.0f;
         most = fmaxf(most, fabsf(off) * (revolute[i] ? 1.0f : 1.25f));
         half[i] = x[i] + 0.5f * off;
     }

@@ -738,7 +738,8 @@ static float half_way(const float x[6], const float q[6], float half[6])
 {
     float most = 0.0f;
     for (int i = 0; i < 6; i++) {
-        const float off = remainderf(q[i] - x[i], turn);
+        float off = q[i] - x[i];
+        off -= turn * floorf(off / turn + 0.5f);
         most = fmaxf(most, fabsf(off));
         half[i] = x[i] + 0.5f * off;
     }

@@ -479,7 +479,8 @@ static double half_way(const double x[3], const double q[3], double half[3])
 {
     double most = 0.0;
     for (int i = 0; i < 3; i++) {
-        const double off = remainder(q[i] - x[i], turn);
+        double off = q[i] - x[i];
+        off -= turn * floor(off / turn + 0.5);
         most = fmax(most, fabs(off));
         half[i] = x[i] + 0.5 * off;
     }

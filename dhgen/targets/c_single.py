@@ -28,7 +28,7 @@ _WORDS = {
         name: f"{name}f"
         for name in (
             *("acos", "asin", "atan", "atan2", "ceil", "copysign", "cos", "fabs", "floor"),
-            *("fma", "fmax", "fmin", "fmod", "hypot", "remainder", "sin", "sqrt", "tan"),
+            *("fma", "fmax", "fmin", "fmod", "hypot", "sin", "sqrt", "tan"),
         )
     },
 }

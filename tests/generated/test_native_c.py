@@ -101,6 +101,8 @@ def test_into_any_arrays_and_the_nearest(name: str) -> None:
         lambda: c.fk("home"),
         lambda: c.fk(np.zeros(python.DOF) * 1j),
         lambda: c.jacobian(np.zeros((python.DOF, 1))),
+        lambda: c.ik_into(T[0], *free, np.zeros(rows.shape, int), status),
+        lambda: c.ik_into(T[0], *free, rows, status.astype(bool)),
     ]
     for mistake in mistakes:
         with pytest.raises(ValueError, match=r"must (be|hold|have)"):
@@ -172,6 +174,11 @@ def test_what_is_no_robot_is_told_what_is_wanted(tmp_path: Path) -> None:
     alone = SimpleNamespace(MAX_SOLUTIONS=2, __file__=str(tmp_path / "alone.py"))
     with pytest.raises(FileNotFoundError, match=r"alone\.c is not there: native compiles it"):
         helper.native(alone)
+
+
+def test_flags_that_make_nothing_of_nan_are_refused() -> None:
+    with pytest.raises(ValueError, match="flags must be without -Ofast and -ffast-math: NaN says"):
+        module("dhgen_native").native(module("scara"), flags="-ffast-math -Ofast")
 
 
 def test_what_the_compiler_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
