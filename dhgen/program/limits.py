@@ -92,9 +92,8 @@ def limit_of(name: str) -> tuple[str, str] | None:
 def limited_joint(low: Expression, high: Expression) -> str:
     """The number of the joint of which these are the limits, empty if they are of none."""
     match low, high:
-        case Variable(least), Variable(most) if least.startswith(LOW):
-            joint = least.removeprefix(LOW)
-            return joint if most == f"{HIGH}{joint}" else ""
+        case Variable(least), Variable(most) if end := limit_of(least):
+            return end[1] if end[0] == LOW and limit_of(most) == (HIGH, end[1]) else ""
     return ""
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tests.targets.made import in_c, in_python, made
+from tests.targets.made import in_c, in_python, made, single_in_c
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -24,6 +24,18 @@ def gap(rows: FloatArray, q: FloatArray) -> FloatArray:
     """By how much each of some rows differs from joint values at most, whole turns aside."""
     off = rows - q
     return np.asarray(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=-1))
+
+
+def in_single(
+    name: str, T: FloatArray, seed: FloatArray
+) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
+    """All rows and their statuses by a robot's C in single precision."""
+    solver = single_in_c(name)
+    rows, status = np.empty((solver.rows, solver.dof), np.float32), np.empty(solver.rows, np.uint8)
+    arrays = (T.astype(np.float32), seed.astype(np.float32), rows, status)
+    pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)
+    solver.library[f"{solver.name}_ik"](*pointers)
+    return rows, status
 
 
 @dataclass(frozen=True, slots=True)

@@ -84,6 +84,17 @@ def in_c(name: str, build: Build = PORTABLE) -> CompiledSolver:
 
 
 @cache
+def single_in_c(name: str) -> CompiledSolver:
+    """Its C in single precision, compiled."""
+    module = made(name).single
+    assert module is not None
+    source, rows = folder() / f"{module.name}.c", module.solver.rows
+    solver = compile_solver(source, folder(), module.name, module.chain.dof, rows, 0)
+    assert solver is not None, "the tests need a C compiler"
+    return solver
+
+
+@cache
 def in_python(name: str) -> Any:
     """Its Python, run where numba is absent."""
     return without_numba(made(name).files[f"{name}.py"], name)

@@ -6,7 +6,6 @@ are. It may be beyond a limit, its lengths may be in any unit, and single precis
 
 from __future__ import annotations
 
-import ctypes
 from functools import cache
 from typing import TYPE_CHECKING
 
@@ -25,8 +24,9 @@ from tests.targets.calling import (
     OUT_OF_LIMITS,
     Solver,
     gap,
+    in_single,
 )
-from tests.targets.made import ROBOTS, folder, made, poses_of, robot
+from tests.targets.made import ROBOTS, folder, poses_of, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
@@ -100,20 +100,13 @@ def test_the_unit_of_slides_does_not_count() -> None:
 def test_single_precision_is_not_left_at_what_is_enough(near: float) -> None:
     """There a pose may be missed by 5e-5; joint values of the seed's often do."""
     name, source = "puma560", np.random.default_rng(4)
-    single = made(name).single
-    assert single is not None
-    solver = compile_solver(folder() / f"{single.name}.c", folder(), single.name, 6, 8, 0)
-    assert solver is not None, "the tests need a C compiler"
     missed: list[FloatArray] = []
     for _ in range(150):
         q = source.uniform(-1.0, 1.0, 6)
         q[4] = near
         seed = q + source.uniform(-0.08, 0.08, 6) * np.array([0, 0, 0, 1, 0, 1])
         (T,) = poses_of(name, q[None])
-        rows, status = np.empty((8, 6), np.float32), np.empty(8, np.uint8)
-        arrays = (T.astype(np.float32), seed.astype(np.float32), rows, status)
-        pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)
-        solver.library[f"{single.name}_ik"](*pointers)
+        rows, status = in_single(name, T, seed)
         held = rows[np.isin(status, HELD)].astype(float)
         missed.append(np.abs(poses_of(name, held) - T).max(axis=(1, 2)))
     assert np.quantile(np.concatenate(missed), 0.99) < 1e-6

@@ -6,7 +6,6 @@ beyond; that it may stand on the limit, and the others follow, the pose itself t
 
 from __future__ import annotations
 
-import ctypes
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,8 +13,16 @@ import pytest
 
 from dhgen.compiler import compile_robot
 from dhgen.verify.native import compile_solver
-from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, OUT_OF_LIMITS, Solver
-from tests.targets.made import apart, folder, made, poses_of, residual, robot, without_numba
+from tests.targets.calling import (
+    FREE_JOINT,
+    HELD,
+    LANGUAGES,
+    OK,
+    OUT_OF_LIMITS,
+    Solver,
+    in_single,
+)
+from tests.targets.made import apart, poses_of, residual, robot, without_numba
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -103,18 +110,10 @@ def test_a_turn_beyond_its_limit_stays_there_too(language: str) -> None:
 @pytest.mark.parametrize("name", ["hard_wrist", "scara"])
 def test_single_precision(name: str) -> None:
     """There a joint on its limit may come out beyond anywhere, not only beside singular poses."""
-    single = made(name).single
-    assert single is not None
-    rows, dof = single.solver.rows, single.chain.dof
-    solver = compile_solver(folder() / f"{single.name}.c", folder(), single.name, dof, rows, 0)
-    assert solver is not None
     for near in (0.3, 1e-3):
         q = beside(name, near)
         for values, T in zip(q, poses_of(name, q), strict=True):
-            found, status = np.empty((rows, dof), np.float32), np.empty(rows, np.uint8)
-            arrays = (T.astype(np.float32), np.zeros(dof, np.float32), found, status)
-            pointers = (each.ctypes.data_as(ctypes.c_void_p) for each in arrays)
-            solver.library[f"{single.name}_ik"](*pointers)
+            found, status = in_single(name, T, np.zeros(len(values)))
             held = found[np.isin(status, (OK, FREE_JOINT))].astype(float)
             assert len(held), (near, values.tolist(), status.tolist())
             assert inside(name, held, 3e-6)
