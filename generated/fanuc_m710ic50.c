@@ -961,6 +961,16 @@ static void add_step(
     }
 }
 
+/* How far a joint value is beyond its limits as it stands: it could be turned to the other end. */
+static double past_an_end(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (high - low < 6.283184307179586)
+        return overshoot(joint, value);
+    const double off = value - fmin(fmax(value, low), high);
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
 /* Takes joint values to some not farther than most that miss the pose by less than enough or, if
  * that is
  * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
@@ -988,7 +998,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
         for (int i = 0; i < 6; i++) {
-            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
                 held[i] = 1;
                 last = HUGE_VAL;
@@ -1001,6 +1011,15 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* How far joints are beyond their limits as they stand. */
+static double past_ends(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(past_an_end(i, values[i]));
+    return sum;
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
@@ -1009,17 +1028,24 @@ static void stay(
 {
     double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 6; i++)
-        x[i] = seed[i] - overshoot(i, seed[i]);
+    for (int i = 0; i < 6; i++) {
+        const double here = turned(i, seed[i], seed[i]);
+        x[i] = here - overshoot(i, here);
+    }
     if (!settle(T, 1e-12, 0.15, x))
         return;
-    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         double e[6] = { 0.0 }, between = 1e-06;
         if (status[row] != FANUC_M710IC50_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001)
+            if (half_way(x, q[row], half) < 0.001) {
+                for (int i = 0; i < 6; i++)
+                    half[i] += half[i] - x[i];
+                if (past_ends(half) > 0.0)
+                    take(x, q[row]); /* next to it the row is beyond */
                 return;
+            }
             between = off_pose(T, half, e, J);
         }
         if (between <= least) {
@@ -1059,6 +1085,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
     for (int row = 0; row < 8; row++) {
         if (status[row] == FANUC_M710IC50_UNREACHABLE)
             continue;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = turned(i, q[row][i], q[row][i]);
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);

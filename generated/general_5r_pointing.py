@@ -392,7 +392,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r_pointing 16d8fa18a2f7f579"
+_KEY = "general_5r_pointing d4547ca717d2510b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2220,6 +2220,16 @@ def _half_way(x, q, half):
     return most
 
 
+@_inner
+def _past_an_end(joint, value):
+    """How far a joint value is beyond its limits as it stands: it could be turned."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    if high - low < 6.283184307179586:
+        return _overshoot(joint, value)
+    off = value - min(max(value, low + 1e-09), high - 1e-09)
+    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+
+
 @_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
 def _settled(T, enough, most, q):
     """Takes joint values to some not farther than most that miss the pose by less than enough.
@@ -2245,7 +2255,7 @@ def _settled(T, enough, most, q):
             last = miss
             _add_step(A, e, miss, held, x)
         for j in range(5):
-            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
+            off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
                 held[j], last = True, math.inf
             x[j] -= off
@@ -2278,6 +2288,8 @@ def _whole(pose, seed, q, status):
     for row in range(16):
         if status[row] == UNREACHABLE:
             continue
+        for i in range(5):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
         off = _beyond_limits(q[row])
         if 0.0 < off < 0.01:
             _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])

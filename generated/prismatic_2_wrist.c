@@ -850,8 +850,7 @@ static void stay(
 {
     double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 6; i++)
-        x[i] = seed[i];
+    take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {

@@ -652,8 +652,7 @@ static void stay(
 {
     double x[4], half[4], J[24], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 4; i++)
-        x[i] = seed[i];
+    take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {

@@ -297,7 +297,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford d30343cd00697140"
+_KEY = "stanford 654acef72bc1fc46"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -807,7 +807,8 @@ def _stay(pose, seed, q, status):
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     A = np.empty((6, 6))
     for i in range(6):
-        x[i] = seed[i] - _overshoot(i, seed[i])
+        here = seed[i]
+        x[i] = here - _overshoot(i, here)
     if not _settle(pose, 1e-12, 0.15, x):
         return
     if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):

@@ -800,6 +800,16 @@ static void add_step(
     }
 }
 
+/* How far a joint value is beyond its limits as it stands: it could be turned to the other end. */
+static float past_an_end(int joint, float value)
+{
+    const float low = lowest[joint], high = highest[joint];
+    if (high - low < 6.2831845f)
+        return overshoot(joint, value);
+    const float off = value - fminf(fmaxf(value, low), high);
+    return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
+}
+
 /* Takes joint values to some not farther than most that miss the pose by less than enough or, if
  * that is
  * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
@@ -827,7 +837,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
             add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
         }
         for (int i = 0; i < 6; i++) {
-            const float off = stands && pace[i] > 0.0f ? overshoot(i, x[i]) : 0.0f;
+            const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;
             if (fabsf(off) > 0.0f) {
                 held[i] = 1;
                 last = HUGE_VALF;
@@ -840,6 +850,15 @@ static int settle(const float T[16], float enough, float most, float q[6])
     return settled;
 }
 
+/* How far joints are beyond their limits as they stand. */
+static float past_ends(const float values[6])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 6; i++)
+        sum += fabsf(past_an_end(i, values[i]));
+    return sum;
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
@@ -848,17 +867,24 @@ static void stay(
 {
     float x[6], half[6], J[36], least = HUGE_VALF;
     int place = 0;
-    for (int i = 0; i < 6; i++)
-        x[i] = seed[i] - overshoot(i, seed[i]);
+    for (int i = 0; i < 6; i++) {
+        const float here = turned(i, seed[i], seed[i]);
+        x[i] = here - overshoot(i, here);
+    }
     if (!settle(T, 5e-05f, 0.15f, x))
         return;
-    if (beyond_limits(x) > 0.0f && !settle(T, NAN, 0.15f, x))
+    if (past_ends(x) > 0.0f && !settle(T, NAN, 0.15f, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
         float e[6] = { 0.0f }, between = 0.0005f;
         if (status[row] != UR5_F32_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.03f)
+            if (half_way(x, q[row], half) < 0.03f) {
+                for (int i = 0; i < 6; i++)
+                    half[i] += half[i] - x[i];
+                if (past_ends(half) > 0.0f)
+                    take(x, q[row]); /* next to it the row is beyond */
                 return;
+            }
             between = off_pose(T, half, e, J);
         }
         if (between <= least) {
@@ -901,6 +927,8 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
     for (int row = 0; row < 8; row++) {
         if (status[row] == UR5_F32_UNREACHABLE)
             continue;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = turned(i, q[row][i], q[row][i]);
         const float off = beyond_limits(q[row]);
         if (0.0f < off && off < 0.01f)
             (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);

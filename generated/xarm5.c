@@ -985,8 +985,7 @@ static void stay(
 {
     double x[5], half[5], J[30], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 5; i++)
-        x[i] = seed[i];
+    take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {

@@ -374,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 12bee6178ae469b7"
+_KEY = "yaskawa_gp7 7f82c19665ddcf62"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -843,6 +843,16 @@ def _half_way(x, q, half):
     return most
 
 
+@_inner
+def _past_an_end(joint, value):
+    """How far a joint value is beyond its limits as it stands: it could be turned."""
+    low, high = _LOWEST[joint], _HIGHEST[joint]
+    if high - low < 6.283184307179586:
+        return _overshoot(joint, value)
+    off = value - min(max(value, low + 1e-09), high - 1e-09)
+    return 0.0 if abs(off) <= 0.5 * 1e-09 else off
+
+
 @_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
 def _settled(T, enough, most, q):
     """Takes joint values to some not farther than most that miss the pose by less than enough.
@@ -868,7 +878,7 @@ def _settled(T, enough, most, q):
             last = miss
             _add_step(A, e, miss, held, x)
         for j in range(6):
-            off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
+            off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
                 held[j], last = True, math.inf
             x[j] -= off
@@ -890,6 +900,15 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _past_ends(values):
+    """How far joints are beyond their limits as they stand."""
+    total = 0.0
+    for i in range(6):
+        total += abs(_past_an_end(i, values[i]))
+    return total
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -899,15 +918,22 @@ def _stay(pose, seed, q, status):
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     A = np.empty((6, 6))
     for i in range(6):
-        x[i] = seed[i] - _overshoot(i, seed[i])
+        here = _turned(i, seed[i], seed[i])
+        x[i] = here - _overshoot(i, here)
     if not _settle(pose, 1e-12, 0.15, x):
         return
-    if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
+    if _past_ends(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
         return
     for row in range(8 - 1, -1, -1):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
+                # next to it the row may be beyond a limit, and would be turned
+                for i in range(6):
+                    half[i] += half[i] - x[i]
+                if _past_ends(half) > 0.0:
+                    for i in range(6):
+                        q[row, i] = x[i]
                 return
             between = _miss(pose, half, A)[1]
         if between <= least:
@@ -931,6 +957,8 @@ def _whole(pose, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
+        for i in range(6):
+            q[row, i] = _turned(i, q[row, i], q[row, i])
         off = _beyond_limits(q[row])
         if 0.0 < off < 0.01:
             _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])

@@ -3812,6 +3812,16 @@ static void add_step(
     }
 }
 
+/* How far a joint value is beyond its limits as it stands: it could be turned to the other end. */
+static double past_an_end(int joint, double value)
+{
+    const double low = lowest[joint], high = highest[joint];
+    if (high - low < 6.283184307179586)
+        return overshoot(joint, value);
+    const double off = value - fmin(fmax(value, low), high);
+    return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
+}
+
 /* Takes joint values to some not farther than most that miss the pose by less than enough or, if
  * that is
  * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
@@ -3839,7 +3849,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
             add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
         }
         for (int i = 0; i < 6; i++) {
-            const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
+            const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
             if (fabs(off) > 0.0) {
                 held[i] = 1;
                 last = HUGE_VAL;
@@ -3872,6 +3882,8 @@ int yaskawa_hc10_ik(
     for (int row = 0; row < 16; row++) {
         if (status[row] == YASKAWA_HC10_UNREACHABLE)
             continue;
+        for (int i = 0; i < 6; i++)
+            q[row][i] = turned(i, q[row][i], q[row][i]);
         const double off = beyond_limits(q[row]);
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);

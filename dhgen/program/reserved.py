@@ -21,10 +21,10 @@ ik_carefully nearly residual serving_digits serving_value solve_regular enough e
 least left length lose lost low middle misfit_one misfit_wide miss missed_by moved n others named
 nearest off outer reached read_pose repeats result right serves sum tighten tightened values search
 served square start step straighten summit third towards valid value way why x xx xy y yy z zz zeros
-exact exactly beyond_limits choosable fan_step gap hopeless inside keep_limits over overshoot
+exact exactly beyond_limits choosable fan_step gap here hopeless inside keep_limits over overshoot
 shortfall within begun fault seek take settle P e p s w weights tried held slope A add_step half
 half_way between most low high off_pose pace stands place settled share stay along spin part to bend
-rest other d u any next steps
+rest other d u any next steps past_an_end past_ends
 """
 
 _LANES = """

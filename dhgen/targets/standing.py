@@ -7,6 +7,7 @@ the seed meets the pose with other joint values than the rows, the arm may as we
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import DAMPING, FINE, TOGETHER
@@ -26,6 +27,7 @@ FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
 MOVED = 0.15
 LED = 10.0
 NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
+LEAST_WHOLE = 2.0 * math.pi - 1e-6  # limits so far apart leave no gap [rad]
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
@@ -38,6 +40,10 @@ def standing(module: SolverModule) -> dict[str, object]:
         "stands_on_limits": stands_on_limits(module),
         "stays": stays(module),
         "settles": settles(module),
+        "winds": winds(module),
+        "least_whole": repr(LEAST_WHOLE),
+        "beyond_an_end": "past_an_end" if winds(module) else "overshoot",
+        "beyond_ends": "past_ends" if winds(module) else "beyond_limits",
         "given_places": given_places(chain),
         "together": repr(max(TOGETHER, BEYOND_TOLD * module.precision.tolerances.told)),
         "doubts_limits": stands_on_limits(module) and module.precision.tolerances.blur_limits,
@@ -79,6 +85,13 @@ def stands_on_limits(module: SolverModule) -> bool:
     chain = module.chain
     limited = any(joint.limits for joint in chain.joints)
     return limited and any(chain.turning) and not chain.arm_angle
+
+
+def winds(module: SolverModule) -> bool:
+    """Whether an arm stands on limits that are a whole turn apart: a joint could be turned."""
+    turning = (joint for joint in module.chain.joints if joint.kind is JointKind.REVOLUTE)
+    ranges = [joint.limits[1] - joint.limits[0] for joint in turning if joint.limits]
+    return stands_on_limits(module) and max(ranges, default=0.0) > LEAST_WHOLE
 
 
 def settles(module: SolverModule) -> bool:

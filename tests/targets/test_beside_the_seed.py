@@ -171,3 +171,25 @@ def test_a_solution_far_from_the_seed_keeps_its_row(language: str) -> None:
     apart = apart[gap(apart[:, :3], q[:3]) > 0.1]  # not of the straight wrist's family
     assert len(apart) >= 2
     assert all(gap(kept, each).min() < 1e-6 for each in apart)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("joint", [3, 5])
+@pytest.mark.parametrize("end", [0, 1])
+def test_at_an_end_of_more_than_a_turn_no_joint_is_turned(
+    joint: int, end: int, language: str
+) -> None:
+    """Beside a straight wrist rounding takes it beyond: the other end is a whole turn away."""
+    name, source = "puma560", np.random.default_rng(6)
+    limits = np.array([at.limits for at in robot(name).joints])
+    assert limits[joint, 1] - limits[joint, 0] > 2.0 * np.pi
+    for straight in (0.0, 1e-11, 1e-10, 1e-9, 1e-8):
+        for off in (0.0, 0.0, 0.0, 0.01):
+            q = 0.7 * source.uniform(*limits.T)
+            q[[joint, 4]] = limits[joint, end], straight
+            seed = np.clip(q + off * source.uniform(-1.0, 1.0, 6), *limits.T)
+            result, found = Solver(name, language).nearest(poses_of(name, q[None])[0], seed)
+            assert result in {OK, FREE_JOINT}
+            assert np.abs(found - seed).max() < 0.05
+            assert (limits[:, 0] - SLACK <= found).all()
+            assert (found <= limits[:, 1] + SLACK).all()
