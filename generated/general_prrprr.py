@@ -400,7 +400,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr cb3a75938ed7045a"
+_KEY = "general_prrprr f55646210d3ad920"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -745,9 +745,9 @@ def _solves_between(T, q, u, way, length):
     return True
 
 
-@_apart("boolean(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
-def _is_known(T, q, kept, kinds, count, u, singular):
-    """Whether a solution is one of those found before."""
+@_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
+def _known_as(T, q, kept, kinds, count, u, singular):
+    """Which of those found before a solution is; -1 for none."""
     between = np.empty(6)
     for k in range(count):
         for j in range(6):
@@ -758,10 +758,10 @@ def _is_known(T, q, kept, kinds, count, u, singular):
             gap = max(gap, abs(between[j]))
         loose = singular and kinds[k] >= 0
         if gap < (0.001 if loose else 1e-06):
-            return True
+            return k
         if loose and gap < 0.1 and _solves_between(T, q, kept[k], between, gap):
-            return True
-    return False
+            return k
+    return -1
 
 
 @_inner
@@ -787,7 +787,7 @@ def _move_inside(T, q, near, kept, kinds, count, enough, u):
     for from_seed in range(2):
         _clamped(near if from_seed else u, end)
         miss = _pulled(T, q, end, near, _LEAST_U, _MOST_U)
-        if miss <= enough and not _is_known(T, q, kept, kinds, count, end, True):
+        if miss <= enough and _known_as(T, q, kept, kinds, count, end, True) < 0:
             _take(u, end)
             return
 
@@ -795,7 +795,7 @@ def _move_inside(T, q, near, kept, kinds, count, enough, u):
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
-    if count == 8 or _is_known(T, q, kept, kinds, count, u, False):
+    if count == 8 or _known_as(T, q, kept, kinds, count, u, False) >= 0:
         return count
     enough = 1e-10
     kind = _continuum(T, q, u, enough)
@@ -806,11 +806,15 @@ def _keep(T, q, near, kept, kinds, count, u):
             _take(u, end)
         _move_inside(T, q, near, kept, kinds, count, enough, u)
     _wrap_angles(u)
-    if _is_known(T, q, kept, kinds, count, u, kind >= 0):
+    k = _known_as(T, q, kept, kinds, count, u, kind >= 0)
+    # of two that are taken for one the one inside the limits is kept
+    end = np.empty(6)
+    if k >= 0 and (_clamped(u, end) > 1e-09 or _clamped(kept[k], end) <= 1e-09):
         return count
-    kinds[count] = kind
-    _take(kept[count], u)
-    return count + 1
+    k = count if k < 0 else k
+    kinds[k] = kind
+    _take(kept[k], u)
+    return max(count, k + 1)
 
 
 @_inner

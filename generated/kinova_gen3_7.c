@@ -351,7 +351,8 @@ static int solves_between(
     return 1;
 }
 
-static int is_known(
+/* Which of those kept a solution is; -1 for none. */
+static int known_as(
     struct descent *d, const struct kept *kept, const double u[6], int singular)
 {
     static const double none[6] = { 0.0 };
@@ -363,11 +364,11 @@ static int is_known(
         const int loose = singular && kept->singular[k];
         const double length = distance_between(gap, none);
         if (length < (loose ? 0.001 : 1e-06))
-            return 1;
+            return k;
         if (loose && length < 0.1 && solves_between(d, kept->u[k], gap, length))
-            return 1;
+            return k;
     }
-    return 0;
+    return -1;
 }
 
 /* The nearest values inside the limits, whole turns aside; returns how far one was beyond. */
@@ -396,7 +397,7 @@ static void move_inside(
         return;
     for (int from_seed = 0; from_seed < 2; from_seed++) {
         (void)clamped(from_seed ? d->seed : u, end);
-        if (pulled(d, end, least_u, most_u) <= enough && !is_known(d, kept, end, 1)) {
+        if (pulled(d, end, least_u, most_u) <= enough && known_as(d, kept, end, 1) < 0) {
             copy(end, u);
             return;
         }
@@ -406,7 +407,7 @@ static void move_inside(
 /* A solution joins those found before, unless it is one of them. */
 static void keep(struct descent *d, struct kept *kept, double u[6])
 {
-    if (kept->count == 16 || is_known(d, kept, u, 0))
+    if (kept->count == 16 || known_as(d, kept, u, 0) >= 0)
         return;
     const double enough = 1e-10;
     const int kind = continuum(d, u, enough);
@@ -419,11 +420,14 @@ static void keep(struct descent *d, struct kept *kept, double u[6])
         move_inside(d, kept, enough, u);
     }
     wrap_angles(u);
-    if (is_known(d, kept, u, kind >= 0))
-        return;
-    kept->singular[kept->count] = kind >= 0;
-    kept->chosen[kept->count] = kind == 1;
-    copy(u, kept->u[kept->count++]);
+    int k = known_as(d, kept, u, kind >= 0);
+    double end[6];
+    if (k >= 0 && (clamped(u, end) > 1e-09 || clamped(kept->u[k], end) <= 1e-09))
+        return; /* of two that are taken for one the one inside the limits is kept */
+    k = k < 0 ? kept->count++ : k;
+    kept->singular[k] = kind >= 0;
+    kept->chosen[k] = kind == 1;
+    copy(u, kept->u[k]);
 }
 
 /* Whether a row of joint values stands before another. */
@@ -2442,7 +2446,7 @@ static inline kinova_gen3_7_lane kinova_gen3_7_inverse_iteration(kinova_gen3_7_l
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    const kinova_gen3_7_lane length = kinova_gen3_7_sqrt(square);
+    const kinova_gen3_7_lane length = kinova_gen3_7_sqrt(square) + 1e-300;
     for (int i = 0; i < 6; i++) {
         x[i] *= 1.0 / length;
     }

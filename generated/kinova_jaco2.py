@@ -342,7 +342,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_jaco2 4f64f1d0ec9df595"
+_KEY = "kinova_jaco2 b9cf9b0ea90fdf1b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -686,9 +686,9 @@ def _solves_between(T, q, u, way, length):
     return True
 
 
-@_apart("boolean(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
-def _is_known(T, q, kept, kinds, count, u, singular):
-    """Whether a solution is one of those found before."""
+@_apart("int64(float64[:, ::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1], boolean)")
+def _known_as(T, q, kept, kinds, count, u, singular):
+    """Which of those found before a solution is; -1 for none."""
     between = np.empty(6)
     for k in range(count):
         for j in range(6):
@@ -699,16 +699,16 @@ def _is_known(T, q, kept, kinds, count, u, singular):
             gap = max(gap, abs(between[j]))
         loose = singular and kinds[k] >= 0
         if gap < (0.001 if loose else 1e-06):
-            return True
+            return k
         if loose and gap < 0.1 and _solves_between(T, q, kept[k], between, gap):
-            return True
-    return False
+            return k
+    return -1
 
 
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
-    if count == 16 or _is_known(T, q, kept, kinds, count, u, False):
+    if count == 16 or _known_as(T, q, kept, kinds, count, u, False) >= 0:
         return count
     enough = 1e-10
     kind = _continuum(T, q, u, enough)
@@ -718,11 +718,13 @@ def _keep(T, q, near, kept, kinds, count, u):
         if _descend(T, q, end) <= enough:
             _take(u, end)
     _wrap_angles(u)
-    if _is_known(T, q, kept, kinds, count, u, kind >= 0):
+    k = _known_as(T, q, kept, kinds, count, u, kind >= 0)
+    if k >= 0:
         return count
-    kinds[count] = kind
-    _take(kept[count], u)
-    return count + 1
+    k = count if k < 0 else k
+    kinds[k] = kind
+    _take(kept[k], u)
+    return max(count, k + 1)
 
 
 @_inner
@@ -1354,7 +1356,7 @@ def _kinova_jaco2_inverse_iteration(U, x):
             x[i] -= U[i, j] * x[j]
         x[i] /= U[i, i] if abs(U[i, i]) > least else math.copysign(least, U[i, i])
         square += x[i] * x[i]
-    length = math.sqrt(square)
+    length = math.sqrt(square) + 1e-300
     for i in range(6):
         x[i] /= length
     return length

@@ -350,7 +350,8 @@ static int solves_between(
     return 1;
 }
 
-static int is_known(
+/* Which of those kept a solution is; -1 for none. */
+static int known_as(
     struct descent *d, const struct kept *kept, const double u[6], int singular)
 {
     static const double none[6] = { 0.0 };
@@ -362,17 +363,17 @@ static int is_known(
         const int loose = singular && kept->singular[k];
         const double length = distance_between(gap, none);
         if (length < (loose ? 0.001 : 1e-06))
-            return 1;
+            return k;
         if (loose && length < 0.1 && solves_between(d, kept->u[k], gap, length))
-            return 1;
+            return k;
     }
-    return 0;
+    return -1;
 }
 
 /* A solution joins those found before, unless it is one of them. */
 static void keep(struct descent *d, struct kept *kept, double u[6])
 {
-    if (kept->count == 16 || is_known(d, kept, u, 0))
+    if (kept->count == 16 || known_as(d, kept, u, 0) >= 0)
         return;
     const double enough = 1e-10;
     const int kind = continuum(d, u, enough);
@@ -384,11 +385,13 @@ static void keep(struct descent *d, struct kept *kept, double u[6])
             copy(end, u);
     }
     wrap_angles(u);
-    if (is_known(d, kept, u, kind >= 0))
+    int k = known_as(d, kept, u, kind >= 0);
+    if (k >= 0)
         return;
-    kept->singular[kept->count] = kind >= 0;
-    kept->chosen[kept->count] = kind == 1;
-    copy(u, kept->u[kept->count++]);
+    k = k < 0 ? kept->count++ : k;
+    kept->singular[k] = kind >= 0;
+    kept->chosen[k] = kind == 1;
+    copy(u, kept->u[k]);
 }
 
 /* Whether a row of joint values stands before another. */
@@ -2430,7 +2433,7 @@ static inline puma560_calibrated_lane puma560_calibrated_inverse_iteration(puma5
         x[i] *= inverse[i];
         square += x[i] * x[i];
     }
-    const puma560_calibrated_lane length = puma560_calibrated_sqrt(square);
+    const puma560_calibrated_lane length = puma560_calibrated_sqrt(square) + 1e-300;
     for (int i = 0; i < 6; i++) {
         x[i] *= 1.0 / length;
     }

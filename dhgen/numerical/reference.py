@@ -174,7 +174,7 @@ class Arm:
             return
         if before > enough:
             kept.clear()
-        if self._known(u, kept, singular=False):
+        if self._known(u, kept, singular=False) is not None:
             return
         sideways = self.sideways(u, self.directions)
         if np.linalg.norm(sideways) > constants.SINGULAR:
@@ -183,24 +183,32 @@ class Arm:
             if chosen:
                 u = self._inside(self.pulled(u, enough), kept, enough)
         u = self.wrapped(u)
-        if len(kept) < self.kernel.rows and not self._known(u, kept, singular=singular):
+        known = self._known(u, kept, singular=singular)
+        if known is None and len(kept) < self.kernel.rows:
             kept.append(_Kept(u, singular, chosen))
+        elif known is not None and self._beyond(kept[known].u) and not self._beyond(u):
+            kept[known] = _Kept(u, singular, chosen)
 
     def _enough(self, u: FloatArray) -> float:
         """What others may miss beside a solution: an exact one is left for exact ones only."""
         exact = self.miss(u[None])[1][0] <= TOLERANCES.polished
         return TOLERANCES.polished if exact else self.kernel.residual
 
-    def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> bool:
-        for each in kept:
+    def _beyond(self, u: FloatArray) -> bool:
+        """Whether a joint is beyond a limit."""
+        return self.kernel.limited and self._clamped(u)[1] > TOLERANCES.limit
+
+    def _known(self, u: FloatArray, kept: list[_Kept], *, singular: bool) -> int | None:
+        """Which of those kept a solution is."""
+        for number, each in enumerate(kept):
             loose = singular and each.singular
             way = self.wrapped(u - each.u)
             gap = float(np.abs(way).max())
             if gap < (constants.TOGETHER if loose else constants.SAME):
-                return True
+                return number
             if loose and gap < constants.NEIGHBOURS and self._solves_between(each.u, way):
-                return True
-        return False
+                return number
+        return None
 
     def _solves_between(self, u: FloatArray, way: FloatArray) -> bool:
         """Whether solutions lie all along the way from one to another.
@@ -276,11 +284,11 @@ class Arm:
 
         If the way to the seed inside the limits leads to one, from there or from the seed.
         """
-        if not self.kernel.limited or self._clamped(u)[1] <= TOLERANCES.limit:
+        if not self._beyond(u):
             return u
         for start in (u, self.seed):
             end, length = self._pull(self._clamped(start)[0], self.limits)
-            if length <= enough and not self._known(end, kept, singular=True):
+            if length <= enough and self._known(end, kept, singular=True) is None:
                 return end
         return u
 

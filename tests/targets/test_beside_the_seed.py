@@ -193,3 +193,18 @@ def test_at_an_end_of_more_than_a_turn_no_joint_is_turned(
             assert np.abs(found - seed).max() < 0.05
             assert (limits[:, 0] - SLACK <= found).all()
             assert (found <= limits[:, 1] + SLACK).all()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_of_two_solutions_that_meet_at_a_limit_the_one_inside_is_kept(language: str) -> None:
+    """They are 1e-5 apart, joint 3 stops between them, and the wrist is straight."""
+    name, source = "offset_stop", np.random.default_rng(3)
+    low, high = np.array([joint.limits for joint in robot(name).joints]).T
+    for near in (1e-6, 1e-5):
+        for _ in range(15):
+            q = 0.8 * source.uniform(low, high)
+            q[[2, 4]] = low[2] + near, 0.0
+            seed = np.clip(q + source.uniform(-0.05, 0.05, 6), low, high)
+            result, found = Solver(name, language).nearest(poses_of(name, q[None])[0], seed)
+            assert result in {OK, FREE_JOINT}
+            assert np.abs(found - seed).max() < 0.15
