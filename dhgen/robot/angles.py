@@ -6,7 +6,18 @@ import math
 from fractions import Fraction
 from typing import Literal
 
-from dhgen.robot.expression import ONE, ZERO, Binary, Call, Expression, Negate, Number, Pi, to_text
+from dhgen.robot.expression import (
+    ONE,
+    ZERO,
+    Binary,
+    Call,
+    Expression,
+    Name,
+    Negate,
+    Number,
+    Pi,
+    to_text,
+)
 from dhgen.robot.simplify import number
 from dhgen.robot.surds import Surd
 
@@ -21,6 +32,7 @@ LARGEST_ANGLE = (
 LARGEST_LENGTH = 1e9  # beyond, products of lengths leave the range where 1e-9 means anything
 ROUNDING = 1e-15  # what arithmetic with doubles loses for a value of about 1
 
+_DEG = Name("deg")
 _TWELFTH = math.pi / 12
 _QUARTER = Fraction(1, 4)
 _COSINES = (
@@ -90,7 +102,7 @@ def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
         unit: How the file says it: see `slip_notice`.
     """
     if unit == "pi":
-        return _turns_notice(value)
+        return turns_notice(value, f"{value:g} deg")
     return None if unit else _radians_notice(math.degrees(value))
 
 
@@ -126,12 +138,18 @@ def _multiple(quarters: int, unit: str) -> str:
     return to_text(exact_angle(6 * quarters)) if unit == "pi" else f"{90 * quarters} {unit}".strip()
 
 
-def _turns_notice(value: float) -> str | None:
-    """What the user is told about radians that look like degrees."""
+def turns_notice(value: float, meant: str) -> str | None:
+    """What the user is told about radians that look like degrees, and would be written so."""
     if not MOST_TURNS * 2.0 * math.pi < abs(value) < math.inf:
         return None
     turns = abs(value) / (2.0 * math.pi)
-    return f"is {turns:.3g} turns: write {value:g} deg if degrees are meant"
+    return f"is {turns:.3g} turns: write {meant} if degrees are meant"
+
+
+def degrees_text(number: Expression) -> str:
+    """So many degrees as a cell says it."""
+    written = to_text(number)
+    return f"{written} deg" if isinstance(number, Number) else to_text(Binary("*", number, _DEG))
 
 
 def _radians_notice(degrees: float) -> str | None:

@@ -11,10 +11,12 @@ from dhgen.robot.angles import (
     LARGEST_ANGLE,
     LARGEST_LENGTH,
     SNAP,
+    degrees_text,
     exact_angle,
     exact_cosine,
     slip_notice,
     snap_notice,
+    turns_notice,
     twelfths,
     unit_notice,
 )
@@ -30,6 +32,7 @@ from dhgen.robot.expression import (
     Number,
     Pi,
     evaluate,
+    to_text,
 )
 from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
@@ -72,6 +75,10 @@ class Cells:
         if self._is_in_degrees(expression):
             self._in_degrees.add(name)
         return value
+
+    def knows(self, name: str) -> bool:
+        """Whether a parameter of this name has been read."""
+        return name in self._values
 
     def value(self, expression: Expression) -> float:
         """The value of an expression that `parse` accepted; NaN for INVALID."""
@@ -132,11 +139,12 @@ class Cells:
     def note_unit(self, path: Path, text: str, angle: Expression) -> bool:
         """Whether an angle as written looks like the other unit, of which there is a notice then.
 
-        Only one that is a plain number does: what speaks of pi says its unit itself.
+        Only plain numbers do: what speaks of pi says its unit itself, but for what is added to it.
         """
         if self._speaks_of_pi(angle):
-            return False
-        notice = unit_notice(self.value(self.radians(angle)), "" if self.degrees else "pi")
+            notice = self._mixed_notice(angle)
+        else:
+            notice = unit_notice(self.value(self.radians(angle)), "" if self.degrees else "pi")
         if notice:
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return notice is not None
@@ -164,8 +172,10 @@ class Cells:
             self.report.error(path, f"the angle {value:.6g} rad is beyond {LARGEST_ANGLE:.0e}")
         elif (k := twelfths(value)) is not None:
             return self._snapped(path, text, value, exact_angle(k))
-        elif notice := slip_notice(value, self._unit(text), joint := _variable(text)):
-            part = "the offset of " if joint else ""
+        elif notice := self._mixed_notice(expression) or slip_notice(
+            value, self._unit(text), _variable(text)
+        ):
+            part = "the offset of " if _variable(text) else ""
             self.report.notice(path, f"{part}{quoted(text.strip())} {notice}")
         return expression
 
@@ -190,6 +200,31 @@ class Cells:
         if notice := snap_notice(value, self.value(exact), exact):
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return exact
+
+    def _mixed_notice(self, angle: Expression) -> str | None:
+        """What is told of a plain number that is added to what speaks of pi.
+
+        In a file of radians only where the sum looks like degrees.
+        """
+        number = self._plain_addend(angle)
+        if number is None:
+            return None
+        meant = degrees_text(number)
+        if self.degrees:
+            said = f"has {to_text(number)} in rad, as pi or deg stands beside it"
+            return f"{said}: write {meant} if degrees are meant"
+        return turns_notice(self.value(angle), meant)
+
+    def _plain_addend(self, expression: Expression) -> Expression | None:
+        """The first number but zero that is added to what speaks of pi, and does not itself."""
+        if not isinstance(expression, Binary) or not self._speaks_of_pi(expression):
+            return None
+        sides = (expression.left, expression.right)
+        plain = [side for side in sides if not self._speaks_of_pi(side) and self.value(side)]
+        if expression.operator in {"+", "-"} and plain:
+            return plain[0]
+        inner = (self._plain_addend(side) for side in sides)
+        return next((number for number in inner if number is not None), None)
 
     def _speaks_of_pi(self, expression: Expression) -> bool:
         match expression:

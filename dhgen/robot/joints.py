@@ -9,13 +9,17 @@ from dhgen.robot.angles import SNAP
 from dhgen.robot.cells import INVALID
 from dhgen.robot.frames import read_lengths
 from dhgen.robot.robot import AxisJoint, DhRow, JointKind
+from dhgen.robot.source import quoted
 from dhgen.robot.variable import VARIABLE, Split, split
+from dhgen.robot.wording import NO_STOP
 
 if TYPE_CHECKING:
     from dhgen.robot.cells import Cells
     from dhgen.robot.expression import Expression
     from dhgen.robot.reader import Path
     from dhgen.robot.schema import AxisRow, JointRow
+
+ENDLESS = (".inf", "inf", "infinity", "oo", "none", "null", "unlimited")
 
 
 def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> DhRow:
@@ -88,7 +92,10 @@ def _limits(
 ) -> tuple[float, float] | None:
     if not entry:
         return None
-    ends: list[Expression] = [cells.parse((*path, i), cell) for i, cell in enumerate(entry)]
+    if all(_is_endless(cells, cell) for cell in entry):
+        cells.report.error(path, "both ends are nowhere: leave 'limits' out")
+        return None
+    ends = [_end(cells, (*path, i), cell) for i, cell in enumerate(entry)]
     if kind is JointKind.REVOLUTE:
         # Of both ends one is told of: they are mended together.
         any(cells.note_unit((*path, i), entry[i], end) for i, end in enumerate(ends))
@@ -100,3 +107,16 @@ def _limits(
     if low >= high:
         cells.report.error(path, f"the lower limit {low:.6g} is not below the upper one {high:.6g}")
     return low, high
+
+
+def _end(cells: Cells, path: Path, text: str) -> Expression:
+    if not _is_endless(cells, text):
+        return cells.parse(path, text)
+    cells.report.error(path, f"{quoted(text.strip())} is no number: {NO_STOP}")
+    return INVALID
+
+
+def _is_endless(cells: Cells, text: str) -> bool:
+    """Whether a cell says infinity in a way that other programs have, and no parameter's name."""
+    word = text.strip().lstrip("+-")
+    return word.lower() in ENDLESS and not cells.knows(word)

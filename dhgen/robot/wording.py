@@ -12,6 +12,9 @@ if TYPE_CHECKING:
 
     from dhgen.robot.reader import Path
 
+# What stands for an end of a range that there is not.
+NO_STOP = "where nothing stops the joint write one that it never gets to"
+
 # By the kind of mistake, where every key that takes such a value takes the same.
 _KINDS = {
     "string_type": "a number or an expression",
@@ -72,6 +75,8 @@ def value_message(details: ErrorDetails) -> str:
         return f"{shown}: {reason}" if isinstance(given, str) else f"{reason}"
     if details["type"] == "string_type" and path[0] in {"name", "title", "source"}:
         return f"expected a text, not {shown}"
+    if given is None and path[-2:-1] == ("limits",):
+        return f"expected a number, not {shown}: {NO_STOP}"
     expected = context.get("expected") or _KINDS.get(details["type"]) or _form(path)
     return f"expected {expected}, not {shown}"
 

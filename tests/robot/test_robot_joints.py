@@ -13,6 +13,7 @@ from dhgen.robot.robot import (
     JointKind,
     ReferenceAxes,
 )
+from dhgen.robot.wording import NO_STOP
 from tests.robot.robot_texts import (
     axes,
     marked,
@@ -75,7 +76,10 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, limits: [0]", "[", "expected 2 values, not 1"),
         ("theta: q, limits: [1, 1]", "[", "the lower limit 1 is not below the upper one 1"),
         ("theta: q, limits: [1, -1]", "[", "the lower limit 1 is not below the upper one -1"),
-        ("theta: q, limits: [-inf, 1]", "inf", "unknown name 'inf'"),
+        ("theta: q, limits: [-.inf, 1]", "-.inf", f"'-.inf' is no number: {NO_STOP}"),
+        ("theta: q, limits: [-1, Infinity]", "Infinity", f"'Infinity' is no number: {NO_STOP}"),
+        ("d: q, limits: [null, 1]", "null", f"expected a number, not nothing: {NO_STOP}"),
+        ("d: q, limits: [-inf, inf]", "[", "both ends are nowhere: leave 'limits' out"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
         ("theta: q, a: 0,4", "4", "a decimal comma has to be a point: .4, not ,4"),
@@ -91,6 +95,10 @@ def test_refused_rows(cells: str, at: str, message: str) -> None:
     (found,) = mistakes(table(cells))
     assert found.message.startswith(message)
     assert marked(found) == at
+
+
+def test_a_parameter_may_be_called_infinity() -> None:
+    assert row("theta: q, limits: [-inf, 2*inf]", parameters="{inf: 9}").limits == (-9.0, 18.0)
 
 
 def test_all_mistakes_of_a_file_come_at_once_and_in_its_order() -> None:
@@ -225,6 +233,35 @@ def test_degrees_in_a_file_of_radians_are_told() -> None:
         "'90' is 14.3 turns: write 90 deg if degrees are meant"
     ]
     assert not robot(table("theta: q, alpha: 90 deg, limits: [-7, 7]")).notices
+
+
+@pytest.mark.parametrize(
+    ("joint", "told"),
+    [
+        ("theta: q + 90 + pi", "the offset of 'q + 90 + pi' has 90 in rad"),
+        ("theta: q, alpha: 2*(pi - w/2)", "'2*(pi - w/2)' has w/2 in rad"),
+        ("theta: q, limits: [0, 90 + 45 deg]", "'90 + 45 deg' has 90 in rad"),
+    ],
+)
+def test_a_plain_number_beside_pi_is_told_in_a_file_of_degrees(joint: str, told: str) -> None:
+    (notice,) = robot(table(joint, parameters="{w: 90}", units="{angle: deg}")).notices
+    meant = "w/2*deg" if "w" in joint else "90 deg"
+    beside = ", as pi or deg stands beside it: write"
+    assert notice.message == f"{told}{beside} {meant} if degrees are meant"
+
+
+def test_a_plain_number_beside_pi_is_told_in_a_file_of_radians_if_it_is_many_turns() -> None:
+    (notice,) = robot(table("theta: q + pi - 90")).notices
+    told = "the offset of 'q + pi - 90' is 13.8 turns: write 90 deg if degrees are meant"
+    assert notice.message == told
+    assert not robot(table("theta: q + pi - 0.02, limits: [-pi - 1, pi + 1]")).notices
+
+
+@pytest.mark.parametrize("cell", ["90*pi/200", "pi/2 - 3 deg", "v - pi/5 + 0", "w + 30*sin(pi/6)"])
+def test_what_is_multiplied_with_pi_or_adds_angles_is_no_mixture(cell: str) -> None:
+    named = "{w: 41, v: 40 deg}"
+    loaded = robot(table(f"theta: q, alpha: {cell}", parameters=named, units="{angle: deg}"))
+    assert not loaded.notices
 
 
 @pytest.mark.parametrize(
