@@ -52,6 +52,9 @@ class _Assembly:
         geometry = self._geometry()
         base, tool = self._frame("base"), self._frame("tool")
         free = self._free(self._count("joints") or self._count("axes"))
+        for name in self.cells.used.unused():
+            message = f"no cell uses the parameter '{name}': leave it out, or name it in its cell"
+            self.report.notice_at_key(("parameters", name), message)
         file = self.shape.file
         if file is None or geometry is None:
             return None

@@ -38,6 +38,7 @@ from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
 from dhgen.robot.tokens import CellError, UnknownNameError, circle_through
+from dhgen.robot.used import UsedNames
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -60,6 +61,7 @@ class Cells:
         self._in_degrees: set[str] = set()
         self._later: dict[str, str] = {}
         self._circles: set[frozenset[str]] = set()
+        self.used = UsedNames()
 
     def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""
@@ -96,7 +98,7 @@ class Cells:
         """
         known = {name: value for name, value in self._values.items() if name != INVALID.name}
         try:
-            return parse(text, {**known, **(more or {})})
+            expression = parse(text, {**known, **(more or {})})
         except CellError as error:
             message: str | None = error.message
             if isinstance(error, UnknownNameError) and error.name in self._later:
@@ -104,6 +106,8 @@ class Cells:
             if message is not None:
                 self.report.error(path, message, part=error.span)
             return INVALID
+        self.used.note(path, expression)
+        return expression
 
     def _too_early(self, path: Path, name: str) -> str | None:
         """What a cell is told that uses a parameter before it is known; of a circle once."""

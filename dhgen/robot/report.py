@@ -31,7 +31,7 @@ class Report:
 
     @property
     def notices(self) -> tuple[Diagnostic, ...]:
-        """What was snapped, or looks like a slip."""
+        """What was snapped, looks like a slip, or is of no use."""
         return tuple(sorted(dict.fromkeys(self._notices), key=_position))
 
     def error(self, path: Path, message: str, *, part: Span | None = None) -> None:
@@ -46,6 +46,11 @@ class Report:
     def notice(self, path: Path, message: str) -> None:
         """Something that the user is told; the file is used all the same."""
         self._notices.append(self._point(self.document.find(path)[1], message, None))
+
+    def notice_at_key(self, path: Path, message: str) -> None:
+        """Something that the user is told of a key."""
+        key, value = self.document.find(path)
+        self._notices.append(self._point(value if key is None else key, message, None))
 
     def _point(self, node: Node, message: str, part: Span | None) -> Diagnostic:
         span = span_of(node)

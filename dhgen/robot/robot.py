@@ -154,7 +154,7 @@ class Robot:
         numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
-        notices: What was snapped to an exact value, or looks like a slip.
+        notices: What was snapped to an exact value, looks like a slip, or is of no use.
     """
 
     name: str

@@ -150,11 +150,17 @@ def test_angles_that_mean_something_else_are_told(cell: str, alpha: str, message
     assert marked(notice) == cell
 
 
+def told_of_cells(text: str) -> list[str]:
+    """The messages about a file, in which not every cell that is tried uses the parameters."""
+    messages = [notice.message for notice in robot(text).notices]
+    return [message for message in messages if not message.startswith("no cell uses")]
+
+
 @pytest.mark.parametrize("cell", ["0.3", "0.5236", "1.5", "w"])
 def test_other_angles_are_left_alone(cell: str) -> None:
-    loaded = robot(table(f"theta: q, alpha: {cell}", parameters="{w: 0.7}"))
-    assert [to_text(getattr(joint, "alpha", ZERO)) for joint in loaded.joints] == [cell]
-    assert not loaded.notices
+    text = table(f"theta: q, alpha: {cell}", parameters="{w: 0.7}")
+    assert [to_text(getattr(joint, "alpha", ZERO)) for joint in robot(text).joints] == [cell]
+    assert not told_of_cells(text)
 
 
 def test_lengths_next_to_nothing_are_zero() -> None:
@@ -244,10 +250,10 @@ def test_degrees_in_a_file_of_radians_are_told() -> None:
     ],
 )
 def test_a_plain_number_beside_pi_is_told_in_a_file_of_degrees(joint: str, told: str) -> None:
-    (notice,) = robot(table(joint, parameters="{w: 90}", units="{angle: deg}")).notices
+    (message,) = told_of_cells(table(joint, parameters="{w: 90}", units="{angle: deg}"))
     meant = "w/2*deg" if "w" in joint else "90 deg"
     beside = ", as pi or deg stands beside it: write"
-    assert notice.message == f"{told}{beside} {meant} if degrees are meant"
+    assert message == f"{told}{beside} {meant} if degrees are meant"
 
 
 def test_a_plain_number_beside_pi_is_told_in_a_file_of_radians_if_it_is_many_turns() -> None:
@@ -260,8 +266,8 @@ def test_a_plain_number_beside_pi_is_told_in_a_file_of_radians_if_it_is_many_tur
 @pytest.mark.parametrize("cell", ["90*pi/200", "pi/2 - 3 deg", "v - pi/5 + 0", "w + 30*sin(pi/6)"])
 def test_what_is_multiplied_with_pi_or_adds_angles_is_no_mixture(cell: str) -> None:
     named = "{w: 41, v: 40 deg}"
-    loaded = robot(table(f"theta: q, alpha: {cell}", parameters=named, units="{angle: deg}"))
-    assert not loaded.notices
+    text = table(f"theta: q, alpha: {cell}", parameters=named, units="{angle: deg}")
+    assert not told_of_cells(text)
 
 
 @pytest.mark.parametrize(
@@ -272,8 +278,8 @@ def test_what_is_multiplied_with_pi_or_adds_angles_is_no_mixture(cell: str) -> N
     ],
 )
 def test_limits_of_many_turns_are_told_once_a_joint(limits: str, message: str) -> None:
-    loaded = robot(table(f"theta: q, limits: {limits}", parameters="{w: 160}"))
-    assert [notice.message for notice in loaded.notices] == [message]
+    text = table(f"theta: q, limits: {limits}", parameters="{w: 160}")
+    assert told_of_cells(text) == [message]
 
 
 @pytest.mark.parametrize(
@@ -288,7 +294,7 @@ def test_limits_of_degrees_that_look_like_radians_are_told_once_a_joint(
     limits: str, message: str
 ) -> None:
     text = table(f"theta: q, limits: {limits}", parameters="{w: 1.571}", units="{angle: deg}")
-    assert [notice.message for notice in robot(text).notices] == [message]
+    assert told_of_cells(text) == [message]
 
 
 @pytest.mark.parametrize(
@@ -306,7 +312,7 @@ def test_limits_of_degrees_that_look_like_radians_are_told_once_a_joint(
 )
 def test_limits_of_turns_that_are_meant_are_left_alone(joint: str, unit: str) -> None:
     text = table(joint, parameters="{w: 1080 deg}", units=f"{{angle: {unit}}}")
-    assert not robot(text).notices
+    assert not told_of_cells(text)
 
 
 def test_axes() -> None:

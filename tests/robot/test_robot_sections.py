@@ -22,6 +22,7 @@ from tests.robot.robot_texts import (
     JOINTS,
     MINIMAL,
     axes,
+    marked,
     mistake,
     mistakes,
     robot,
@@ -174,6 +175,15 @@ def test_parameters_may_use_those_before_them() -> None:
 )
 def test_refused_parameters(parameters: str, message: str) -> None:
     assert mistake(f"{MINIMAL}parameters: {parameters}\n").startswith(message)
+
+
+def test_parameters_that_nothing_of_the_arm_uses_are_told() -> None:
+    named = "{a1: 1, a2: 2, a3: 2*a1, a4: a3, tilt: 30 deg, w: tilt/2, hand: 0.1, b: hand}"
+    text = table("theta: q, a: a1, alpha: w", parameters=named, tool="{xyz: [0, 0, b]}")
+    told = robot(text).notices
+    assert [marked(notice) for notice in told] == ["a2", "a3", "a4"]
+    meant = "leave it out, or name it in its cell"
+    assert told[0].message == f"no cell uses the parameter 'a2': {meant}"
 
 
 @pytest.mark.parametrize("value", ["true", "True", "TRUE"])
