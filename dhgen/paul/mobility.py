@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind, TaskKind
 
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 POSITIONS = 3
 NULL = 1e-9  # a singular value, or a joint's part in a null vector, this small is zero
 SAME_LINE = 1e-9
+ROUNDING = 1e-14  # of the arm's size: what places of axes are computed to
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,18 +104,20 @@ def crowded_axes(chain: Chain) -> list[str]:
     """
     directions, points = numeric_arm(chain).axes(np.zeros(chain.dof))
     turning = [j.number for j in chain.solved if j.kind is JointKind.REVOLUTE]
-    parallel, same = [], []
+    parallel: list[tuple[int, int]] = []
+    same: dict[tuple[int, int], float] = {}
     for pair in pairwise(turning):
         first, second = (number - 1 for number in pair)
         z, between = directions[first], points[second] - points[first]
         if second == first + 1 and np.linalg.norm(np.cross(z, directions[second])) < SAME_LINE:
             parallel.append(pair)
-            if np.linalg.norm(np.cross(z, between)) < SAME_LINE * chain.size:
-                same.append(pair)
+            apart = float(np.linalg.norm(np.cross(z, between)))
+            if apart < SAME_LINE * chain.size:
+                same[pair] = apart if apart > ROUNDING * chain.size else 0.0
     meeting = [t.joints for t in axis_triples(chain) if t.miss < EXACT * chain.size]
-    lines = _runs(same)
+    lines = _runs(list(same))
     return [
-        *(f"axes {_listed(run)} are the same line" for run in lines),
+        *(_one_line(run, max(same[pair] for pair in pairwise(run))) for run in lines),
         *(
             f"axes {_listed(run)} are parallel"
             for run in _runs(parallel)
@@ -122,6 +125,13 @@ def crowded_axes(chain: Chain) -> list[str]:
         ),
         *(f"axes {_listed(run)} meet in one point" for run in _runs(meeting) if len(run) > 3),
     ]
+
+
+def _one_line(run: tuple[int, ...], apart: float) -> str:
+    if not apart:
+        return f"axes {_listed(run)} are the same line"
+    far = short_number(apart, 3)
+    return f"axes {_listed(run)} are {far} apart, which beside the arm's size counts as one line"
 
 
 def _runs(groups: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:

@@ -53,6 +53,23 @@ def test_a_joint_that_moves_nothing_is_named_alone() -> None:
     assert second == "name it under `free` to solve for the others with its value given"
 
 
+def test_joints_that_move_nothing_are_named_together() -> None:
+    rows = ("theta: q", "theta: q, d: 0.2", "d: q")
+    _, second, third, *_ = refused(*rows, task="[z]")
+    assert second == "joints 1, 2 can be moved without moving what the task names"
+    assert third == "name them under `free` to solve for the others with their values given"
+    _, second, third, *others = refused(*rows[:2], task="position")
+    assert second == "joints 1, 2 can be moved without moving what the task names"
+    assert third == "no joint is left to solve for: a `task` must name what the arm can move"
+    assert not any("free" in line for line in others)
+
+
+def test_axes_that_are_nearly_one_line_are_told_so() -> None:
+    (first, *_) = refused("theta: q, a: 1e-3", "theta: q, a: 1e6", task="[x, y]")
+    nearly = "axes 1 and 2 are 0.001 apart, which beside the arm's size counts as one line"
+    assert first == f"the arm has infinitely many solutions for every pose: {nearly}"
+
+
 def test_axes_that_leave_a_joint_too_many_are_the_reason() -> None:
     first, second, *_ = refused(*SKEW, "theta: q, d: 0.2", "theta: q")
     assert first == (
