@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.robot.cells import INVALID, Cells
 from dhgen.robot.frames import IDENTITY_FRAME, read_frame
 from dhgen.robot.joints import read_axis, read_row
+from dhgen.robot.lengths import note_spread
 from dhgen.robot.names import why_no_parameter_name
 from dhgen.robot.robot import (
     Convention,
@@ -55,6 +56,7 @@ class _Assembly:
         for name in self.cells.used.unused():
             message = f"no cell uses the parameter '{name}': leave it out, or name it in its cell"
             self.report.notice_at_key(("parameters", name), message)
+        note_spread(self.report, self.cells.lengths)
         file = self.shape.file
         if file is None or geometry is None:
             return None

@@ -34,6 +34,7 @@ from dhgen.robot.expression import (
     evaluate,
     to_text,
 )
+from dhgen.robot.lengths import Length
 from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
@@ -62,6 +63,7 @@ class Cells:
         self._later: dict[str, str] = {}
         self._circles: set[frozenset[str]] = set()
         self.used = UsedNames()
+        self.lengths: list[Length] = []
 
     def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""
@@ -167,6 +169,7 @@ class Cells:
         value = self.value(expression)
         if abs(value) > LARGEST_LENGTH:
             self.report.error(path, f"the length {value:.6g} is beyond {LARGEST_LENGTH:.0e}")
+        self.lengths.append(Length(abs(value), path, text.strip()))
         return self._snapped(path, text, value, ZERO) if abs(value) <= SNAP else expression
 
     def snap_angle(self, path: Path, text: str, expression: Expression) -> Expression:

@@ -186,6 +186,15 @@ def test_parameters_that_nothing_of_the_arm_uses_are_told() -> None:
     assert told[0].message == f"no cell uses the parameter 'a2': {meant}"
 
 
+def test_lengths_out_of_all_proportion_are_told() -> None:
+    told = robot(table("theta: q, a: 1e-3", "theta: q, d: -1e6, a: 20")).notices
+    assert [marked(notice) for notice in told] == ["1e-3"]
+    beside = "'1e-3' is 1.0e-09 of the longest length, 1e+06, and lost in rounding"
+    assert told[0].message.startswith(f"{beside}: write 0 if that is meant, and all lengths")
+    assert robot(table("theta: q, a: 0.4", tool="{xyz: [0, 0, 2e-7]}")).notices
+    assert not robot(table("theta: q, a: 0.4, d: 1e-6", base="{xyz: [3e6, 0, 0]}")).notices
+
+
 @pytest.mark.parametrize("value", ["true", "True", "TRUE"])
 def test_switches_as_yaml_writes_them(value: str) -> None:
     assert robot(f"{MINIMAL}float32: {value}\n").float32
