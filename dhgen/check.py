@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 import re
+import shlex
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
@@ -25,7 +26,8 @@ MOST_DIFFERENCES = 60  # lines of a diff that are shown
 
 SUFFIXES = {".py", ".c", ".h", ".md"}
 HEAD = 1000  # characters of a file in which it says where it comes from
-_SOURCE = re.compile(r"generated from (?:(\S+)/)?[^\s/]+\.ya?ml", re.IGNORECASE)
+_SOURCE = re.compile(r"generated from (?:([^/]+)/)?[^/]+\.ya?ml and templates/", re.IGNORECASE)
+_MADE = re.compile(r"generated from .*templates/.*\. Do not edit", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,17 +63,30 @@ def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Compari
             expected[name] = text
             makers.setdefault(name, file.path)
     problems = []
+    options = [] if out == Path("generated") else ["--out", str(out)]
+    options += ["--numerical"] * numerical
     for name, text in sorted(expected.items()):
         problem = _difference(out / name, text)
         if problem:
-            problems.append(f"{problem}\n  to mend: dhgen {makers[name]}{_out_option(out)}")
-    looked = " or ".join(sorted({f"{path.parent}/" for path in files.paths}))
-    problems += [
-        f"{out / name}: extra file, no robot file in {looked} makes it\n"
-        f"  to mend: name its robot file too, or rm {out / name}"
-        for name in _extra(files.paths, set(makers.values()), out, set(expected))
-    ]
+            command = shlex.join(["dhgen", str(makers[name]), *options])
+            problems.append(f"{problem}\n  to mend: {command}")
+    extra = _extra(files.paths, set(makers.values()), out, set(expected))
+    problems += [_extra_text(out / name, files.paths) for name in extra]
     return Comparison(tuple(problems), tuple(refusals))
+
+
+def _extra_text(path: Path, robots: tuple[Path, ...]) -> str:
+    """What is said of a file that these robot files do not make."""
+    if not _MADE.search(_head(path)):
+        return (
+            f"{path}: a file that dhgen has not written\n"
+            "  to mend: move it elsewhere: nothing else belongs to the files that --check compares"
+        )
+    looked = " or ".join(sorted({f"{robot.parent}/" for robot in robots}))
+    return (
+        f"{path}: extra file, no robot file in {looked} makes it\n"
+        f"  to mend: name its robot file too, or {shlex.join(['rm', str(path)])}"
+    )
 
 
 def _compile_all(
@@ -138,9 +153,14 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
 
 def _source_folder(path: Path) -> str | None:
     """The folder of the robot file that a generated file names, if it does; None without any."""
-    head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
-    found = _SOURCE.search(" ".join(word for word in head.split() if word != "*"))
+    found = _SOURCE.search(_head(path))
     return found.group(1) or "" if found else None
+
+
+def _head(path: Path) -> str:
+    """Where a generated file says where it comes from, in one line."""
+    head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
+    return " ".join(word for word in head.split() if word != "*")
 
 
 def _folder_of(source: str) -> str:
@@ -162,7 +182,3 @@ def _robot_name(path: Path) -> str:
         return path.stem
     found = re.search(r"^name:\s*(\w+)", text, re.MULTILINE)
     return found.group(1) if found else path.stem
-
-
-def _out_option(out: Path) -> str:
-    return "" if out == Path("generated") else f" --out {out}"

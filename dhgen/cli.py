@@ -22,8 +22,10 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 FAULT = """\
-the fault is dhgen's, not the file's; nothing is written
+{whose}; nothing is written
 a report with the robot file helps to mend it"""
+WHOSE = "the fault is dhgen's, not the file's"
+WHOSE_NOTED = "a note above may say why; if not, the fault is dhgen's"
 
 OUT = Path("generated")
 NUMERICAL = "numerical"
@@ -212,7 +214,8 @@ def _write(options: argparse.Namespace) -> int:
         except DhgenError as error:
             print(error, file=sys.stderr)
             if isinstance(error, VerificationError):
-                print(FAULT, file=sys.stderr)
+                whose = WHOSE_NOTED if file.robot.notices else WHOSE
+                print(FAULT.format(whose=whose), file=sys.stderr)
             worst = max(worst, error.exit_code)
             left.append(file.path)
     if left and len(files.paths) > 1:  # the reasons may stand far above

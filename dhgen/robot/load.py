@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import os
 import re
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,7 +35,7 @@ def load(path: str | os.PathLike[str]) -> Robot:
         with Path(path).open("rb") as file:
             content = file.read(MAX_BYTES + 1)
     except IsADirectoryError:
-        files = Path(path) / "*.yaml"
+        files = f"{shlex.quote(str(Path(path)))}/*.yaml"
         raise _refusal(
             Diagnostic(name, 0, 0, f"this is a folder; name the files in it: {files}")
         ) from None

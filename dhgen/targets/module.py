@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import shlex
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -248,7 +249,7 @@ def named_entries(chain: Chain) -> list[NamedEntry]:
 def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
     made = f"Inverse kinematics, generated from {module.source} and templates/{template}."
-    mended = f"Do not edit: run dhgen {module.source}."
+    mended = f"Do not edit: run {shlex.join(['dhgen', module.source])}."
     told = f"The formulas and where they come from: {module.robot}.md."
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
 

@@ -151,15 +151,19 @@ def test_check_sees_what_is_missing_and_what_is_extra(
 ) -> None:
     folder = copy(written, tmp_path)
     (folder / "generated" / "planar_rr.md").unlink()
-    (folder / "generated" / "old_robot.c").write_text("")
+    header = (folder / "generated" / "planar_rr.h").read_text()
+    (folder / "generated" / "old_robot.h").write_text(header)
+    (folder / "generated" / "own.c").write_text("int main(void) { return 0; }")
     (folder / "generated" / "notes.txt").write_text("not ours")
     done = run("--check", "robots/planar_rr.yaml", folder=folder)
     assert done.returncode == 1
     assert done.stderr == (
         "generated/planar_rr.md: missing\n"
         "  to mend: dhgen robots/planar_rr.yaml\n"
-        "generated/old_robot.c: extra file, no robot file in robots/ makes it\n"
-        "  to mend: name its robot file too, or rm generated/old_robot.c\n"
+        "generated/old_robot.h: extra file, no robot file in robots/ makes it\n"
+        "  to mend: name its robot file too, or rm generated/old_robot.h\n"
+        "generated/own.c: a file that dhgen has not written\n"
+        "  to mend: move it elsewhere: nothing else belongs to the files that --check compares\n"
     )
 
 
@@ -203,6 +207,23 @@ def test_check_of_another_folder_names_it(run: Run, written: Path, tmp_path: Pat
     assert done.returncode == 1
     assert f"to mend: dhgen robots/planar_rr.yaml --out {tmp_path / 'none'}\n" in done.stderr
     assert not (tmp_path / "none").exists()
+
+
+def test_commands_that_are_advised_can_be_pasted(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "my robots").mkdir()
+    shutil.copy(PLANAR, tmp_path / "my robots" / "my arm.yaml")
+    words = ["my robots/my arm.yaml", "--out", "the out"]
+    told = run("--check", "--numerical", *words, folder=tmp_path).stderr
+    command = "dhgen 'my robots/my arm.yaml' --out 'the out' --numerical"
+    assert told.endswith(f"  to mend: {command}\n")
+    assert run(*words, folder=tmp_path).returncode == 0
+    header = (tmp_path / "the out" / "planar_rr.h").read_text()
+    assert "Do not edit: run dhgen 'my robots/my arm.yaml'." in " ".join(header.split())
+    (tmp_path / "the out" / "old arm.h").write_text(header)
+    told = run("--check", *words, folder=tmp_path).stderr
+    assert told.endswith("name its robot file too, or rm 'the out/old arm.h'\n")
+    told = run("my robots", folder=tmp_path).stderr
+    assert told.endswith("name the files in it: 'my robots'/*.yaml\n")
 
 
 def test_another_working_directory_makes_the_same_bytes(
@@ -368,6 +389,21 @@ def test_what_fails_in_single_precision_only_is_told_the_way_out(
     told = "a row misses the pose\nin double precision all is well: leave float32 out meanwhile\n"
     assert capsys.readouterr().err.startswith(told)
     assert names(tmp_path) == ["coarse.yaml"]
+
+
+def test_a_note_may_be_why_verification_fails(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("dhgen.verify.verify.RESIDUAL", 1e-30)
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    Path("noted.yaml").write_text(
+        PLANAR.read_text().replace("parameters: {", "parameters: {x: 1, ")
+    )
+    assert main(["noted.yaml"]) == 1
+    told = capsys.readouterr().err
+    assert told.startswith("note: ")
+    assert "\na note above may say why; if not, the fault is dhgen's; nothing is written\n" in told
 
 
 @pytest.mark.parametrize("out", ["file", "file/below"])
