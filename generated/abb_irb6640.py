@@ -372,7 +372,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb6640 ec40ab5ef37d669f"
+_KEY = "abb_irb6640 286f3101f6568dc8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1413,7 +1413,7 @@ def ik(T, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 8) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits")
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
@@ -1848,7 +1848,7 @@ def ik_batch(T, *, cores=None, out=None):
     T = _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
-    if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
+    if cores is not None and not (_is_number(cores) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
     _share(_in_tiles if _COMPILED else _one_by_one, cores, T, q, status)
@@ -1898,8 +1898,14 @@ def _share(solve, cores, *arrays):
 
 def _span(branch):
     """The rows of a branch: the first, and the one after the last."""
-    if branch in BRANCHES:
+    if isinstance(branch, str) and branch in BRANCHES:
         branch = BRANCHES.index(branch)
-    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+    if _is_number(branch) and 0 <= branch < MAX_SOLUTIONS:
         return branch, branch + 1
-    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+    names = ", ".join(BRANCHES)
+    raise ValueError(f"no branch {branch!r}; there are {names}, by name or by row from 0")
+
+
+def _is_number(value):
+    """Whether it is a whole number; True and False are none."""
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)

@@ -46,6 +46,7 @@ FLAGS = (
 )
 # With these NaN means nothing, which says that a row has no solution.
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
+WRITABLE = "set DHGEN_CACHE_DIR to a folder that can be written to"
 
 
 class NoCompiler(RuntimeError):  # noqa: N818
@@ -68,11 +69,12 @@ def native(
         flags: For the compiler, in place of FLAGS: words, or a text that is split as a shell does.
 
     Raises:
-        TypeError: What is given is no robot's module.
+        TypeError: What is given is no robot's module, no compiler's name or no flags.
         NoCompiler: There is none.
         BuildError: The compiler refuses.
         ValueError: With these flags NaN would mean nothing.
         FileNotFoundError: The C or its header is not there.
+        OSError: No library can be kept in the folder for them.
     """
     if not hasattr(module, "MAX_SOLUTIONS"):
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
@@ -82,6 +84,8 @@ def native(
         if not source.exists():
             raise FileNotFoundError(f"{source} is not there: native compiles it beside {path.name}")
     words = shlex.split(flags) if isinstance(flags, str) else flags
+    if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):
+        raise TypeError(f"flags must be a list of words, or one text, not {flags!r}")
     if wrong := FORGET_NAN.intersection(words):
         told = " and ".join(sorted(wrong))
         raise ValueError(f"flags must be without {told}: NaN says that a row has no solution")
@@ -150,7 +154,8 @@ class _Solver:
         shapes = [(4, 4), (self._given,)] if self._given else [(4, 4)]
         arrays = [np.ascontiguousarray(each, np.float64) for each in inputs]
         rows = (self._rows, self._dof), (self._rows,)
-        if [each.shape for each in arrays] != shapes or (q.shape, status.shape) != rows:
+        filled = tuple(getattr(each, "shape", None) for each in (q, status))
+        if [each.shape for each in arrays] != shapes or filled != rows:
             wanted = ", ".join(map(str, (*shapes, *rows)))
             raise ValueError(f"T{', q_free' * bool(self._given)}, q and status must be {wanted}")
         if q.dtype.kind != "f" or status.dtype.kind not in "iuf":
@@ -211,11 +216,15 @@ def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:
 
 
 def _compiler(wanted: str | None) -> str:
+    if not isinstance(wanted, (str, type(None))):
+        raise TypeError(f"compiler must be a name or a path as a text, not {wanted!r}")
     names = (wanted,) if wanted else (os.environ.get("CC"), "cc", "gcc", "clang")
     for name in names:
         if name and (found := shutil.which(name)):
             return found
     asked = f"{wanted} is not there" if wanted else "none of $CC, cc, gcc and clang is there"
+    if wanted and len(wanted.split()) > 1:
+        asked += " (what is more than its name belongs to flags)"
     raise NoCompiler(f"no C compiler: {asked}; without one the robot's own module solves, by numba")
 
 
@@ -228,24 +237,36 @@ def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
     digest = hashlib.sha256(b"\0".join(texts)).hexdigest()[:24]
     folder = _folder()
     library = folder / f"{source.stem}-{digest}.so"
-    if not library.exists():
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=folder) as place:
+    if not os.access(library, os.R_OK):
+        with _room(folder) as place:
             made = Path(place) / library.name
             _run(compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(made), "-lm")
             made.replace(library)  # at once: nobody sees half of it
     return library
 
 
+def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
+    """A passing folder in the one where libraries are kept."""
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return tempfile.TemporaryDirectory(dir=folder)
+    except OSError as error:
+        told = f"no library can be kept there ({error.strerror}): {WRITABLE}"
+        raise OSError(error.errno, told, str(folder)) from None
+
+
 def _folder() -> Path:
     if chosen := os.environ.get("DHGEN_CACHE_DIR"):
         return Path(chosen)
     user = os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA")
-    return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+    try:
+        return (Path(user) if user else Path.home() / ".cache") / "dhgen"
+    except RuntimeError:
+        raise RuntimeError(f"the user has no home: {WRITABLE}") from None
 
 
 def _run(*command: str) -> str:
     done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
     if done.returncode:
-        raise BuildError(f"{' '.join(command)}\n{done.stderr}")
+        raise BuildError(f"{shlex.join(command)}\n{done.stderr}")
     return done.stdout

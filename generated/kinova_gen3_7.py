@@ -361,7 +361,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 ba7394a6e375de71"
+_KEY = "kinova_gen3_7 a027e559b6cecec6"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2439,7 +2439,7 @@ def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     first, last = (0, 16) if branch is None else _span(branch)
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits, or the value of a free joint not finite")
+        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
     seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
@@ -2475,7 +2475,7 @@ def ik_batch(T, q_free, *, cores=None, out=None):
     T = _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
-    if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
+    if cores is not None and not (_is_number(cores) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
     q_free = _array(q_free, (len(T), 1), "q_free")
@@ -2528,8 +2528,14 @@ def _share(solve, cores, *arrays):
 
 def _span(branch):
     """The rows of a branch: the first, and the one after the last."""
-    if branch in BRANCHES:
+    if isinstance(branch, str) and branch in BRANCHES:
         branch = BRANCHES.index(branch)
-    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+    if _is_number(branch) and 0 <= branch < MAX_SOLUTIONS:
         return branch, branch + 1
-    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+    names = ", ".join(BRANCHES)
+    raise ValueError(f"no branch {branch!r}; there are {names}, by name or by row from 0")
+
+
+def _is_number(value):
+    """Whether it is a whole number; True and False are none."""
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)

@@ -222,7 +222,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr f9fe1023e8a6c958"
+_KEY = "planar_pr dadf6398e116cdb5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -816,7 +816,7 @@ def ik_batch(T, *, cores=None, out=None):
     T = _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
         raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
-    if cores is not None and not (isinstance(cores, (int, np.integer)) and cores >= 1):
+    if cores is not None and not (_is_number(cores) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))
     _share(_in_tiles if _COMPILED else _one_by_one, cores, T, q, status)
@@ -866,8 +866,14 @@ def _share(solve, cores, *arrays):
 
 def _span(branch):
     """The rows of a branch: the first, and the one after the last."""
-    if branch in BRANCHES:
+    if isinstance(branch, str) and branch in BRANCHES:
         branch = BRANCHES.index(branch)
-    if isinstance(branch, int) and 0 <= branch < MAX_SOLUTIONS:
+    if _is_number(branch) and 0 <= branch < MAX_SOLUTIONS:
         return branch, branch + 1
-    raise ValueError(f"no branch {branch!r}; there are {', '.join(BRANCHES)}")
+    names = ", ".join(BRANCHES)
+    raise ValueError(f"no branch {branch!r}; there are {names}, by name or by row from 0")
+
+
+def _is_number(value):
+    """Whether it is a whole number; True and False are none."""
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)

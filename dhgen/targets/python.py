@@ -203,7 +203,8 @@ def _no_pose(module: SolverModule) -> str:
     what = "the arm angle" if module.chain.arm_angle else "the value of a free joint"
     free = f", or {what} not finite" if module.chain.given else ""
     if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
-        return f"not finite, or not a right-handed rotation to six digits{free}"
+        last = ", or its last row not 0, 0, 0, 1 (is it transposed?)"
+        return f"not finite, or not a right-handed rotation to six digits{last}{free}"
     if kind is TaskKind.POINTING:
         return f"not finite, or its z axis not of length one to six digits{free}"
     return f"not finite{free}"

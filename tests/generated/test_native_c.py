@@ -176,6 +176,29 @@ def test_what_is_no_robot_is_told_what_is_wanted(tmp_path: Path) -> None:
         helper.native(alone)
 
 
+def test_arguments_of_another_type_are_refused() -> None:
+    native_of = module("dhgen_native").native
+    for flags in (3, None, b"-O2", ["-O2", 3]):
+        with pytest.raises(TypeError, match="flags must be a list of words, or one text, not"):
+            native_of(module("scara"), flags=flags)
+    with pytest.raises(TypeError, match="compiler must be a name or a path as a text, not 3"):
+        native_of(module("scara"), compiler=3)
+    with pytest.raises(RuntimeError, match="what is more than its name belongs to flags"):
+        native_of(module("scara"), compiler="gcc -m32")
+    with pytest.raises(ValueError, match=r"T, q and status must be \(4, 4\), \(2, 4\), \(2,\)"):
+        native("scara").ik_into(np.eye(4), [[0.0] * 4] * 2, np.zeros(2, np.uint8))
+
+
+def test_a_folder_where_nothing_can_be_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DHGEN_CACHE_DIR", str(tmp_path / "file"))
+    (tmp_path / "file").touch()
+    remedy = r"no library can be kept there \(.+\): set DHGEN_CACHE_DIR to a folder that can be"
+    with pytest.raises(OSError, match=f"{remedy} written to: '{tmp_path}/file'"):
+        module("dhgen_native").native(module("scara"))
+
+
 def test_flags_that_make_nothing_of_nan_are_refused() -> None:
     with pytest.raises(ValueError, match="flags must be without -Ofast and -ffast-math: NaN says"):
         module("dhgen_native").native(module("scara"), flags="-ffast-math -Ofast")
@@ -186,6 +209,6 @@ def test_what_the_compiler_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     helper = module("dhgen_native")
     with pytest.raises(helper.BuildError, match="-fno-such-flag"):
         helper.native(module("scara"), flags=("-fno-such-flag",))
-    with pytest.raises(helper.BuildError, match="cc -fno-such-flag -DA=b c -dM"):
+    with pytest.raises(helper.BuildError, match="cc -fno-such-flag '-DA=b c' -dM"):
         helper.native(module("scara"), compiler="cc", flags="-fno-such-flag '-DA=b c'")
     assert not list(tmp_path.iterdir())

@@ -95,7 +95,11 @@ def test_limits_may_be_left_aside() -> None:
             lambda m, T: m.ik(T, branch="sideways"),
             "no branch 'sideways'; there are left-down-noflip,",
         ),
-        (lambda m, T: m.ik(T, branch=8), "no branch 8; there are"),
+        (lambda m, T: m.ik(T, branch=8), "no branch 8; there are .*, by name or by row from 0"),
+        (lambda m, T: m.ik(T, branch=True), "no branch True; there are"),
+        (lambda m, T: m.ik(T, branch=np.arange(2)), "no branch array"),
+        (lambda m, T: m.ik_batch(T[None], cores=True), "cores must be at least 1, or None"),
+        (lambda m, T: m.ik((T + np.outer(T[0], T[3])).T), "last row not 0, 0, 0, 1 .is it tr"),
         (lambda m, T: m.ik(T, branch=-1), "no branch -1; there are"),
         (lambda m, T: m.ik(2.0 * T), "T is no pose: not finite, or not a right-handed rotation"),
     ],
@@ -103,6 +107,15 @@ def test_limits_may_be_left_aside() -> None:
 def test_mistakes_are_told(call, message: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(ValueError, match=message):
         call(in_python("puma560"), np.eye(4))
+
+
+def test_a_branch_may_be_a_number_of_numpy() -> None:
+    module = in_python("puma560")
+    q = np.linspace(0.1, 0.6, 6)
+    rows, status = module.ik_all(module.fk(q))
+    row = np.flatnonzero(status == module.OK)[-1]
+    found = module.ik(module.fk(q), rows[row], branch=row)
+    np.testing.assert_allclose(found, rows[row], atol=1e-12)
 
 
 @pytest.mark.parametrize(("rows", "kinds"), [(np.int64, np.uint8), (np.float64, np.bool_)])
