@@ -87,7 +87,8 @@ def nearest(word: str, valid: tuple[str, ...]) -> str:
     """The end of a message about a wrong word: what was probably meant, and what is possible."""
     # Who mistypes a word mostly gets its first letter right, and so 'inf' is no 'sin'.
     alike = [name for name in valid if name[:1].casefold() == word[:1].casefold()]
-    close = difflib.get_close_matches(word[:40], alike, n=1)
+    same = [name for name in alike if name.casefold() == word.casefold()]
+    close = same or difflib.get_close_matches(word[:40], alike, n=1)
     meant = f"; did you mean '{close[0]}'?" if close else ";"
     shown = ", ".join(valid[:16]) + (", ..." if len(valid) > 16 else "")
     return f"{meant} valid: {shown}"

@@ -48,7 +48,7 @@ class _Assembly:
 
     def robot(self) -> Robot | None:
         units = self.shape.section(("units",), Units) or Units()
-        self.cells.degrees = units.angle == "deg"
+        self.cells.units.degrees = units.angle == "deg"
         parameters = self._parameters()
         geometry = self._geometry()
         base, tool = self._frame("base"), self._frame("tool")

@@ -11,34 +11,26 @@ from dhgen.robot.angles import (
     LARGEST_ANGLE,
     LARGEST_LENGTH,
     SNAP,
-    degrees_text,
     exact_angle,
     exact_cosine,
     slip_notice,
     snap_notice,
-    turns_notice,
     twelfths,
     unit_notice,
 )
 from dhgen.robot.arithmetic import parse
 from dhgen.robot.expression import (
-    DEGREE,
     ZERO,
-    Binary,
-    Call,
     Expression,
     Name,
-    Negate,
-    Number,
-    Pi,
     evaluate,
-    to_text,
 )
 from dhgen.robot.lengths import Length
 from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
 from dhgen.robot.tokens import CellError, UnknownNameError, circle_through
+from dhgen.robot.units import SaidUnits
 from dhgen.robot.used import UsedNames
 
 if TYPE_CHECKING:
@@ -56,12 +48,10 @@ class Cells:
 
     def __init__(self, report: Report) -> None:
         self.report = report
-        self.degrees = False
         self._values: dict[str, float] = {INVALID.name: math.nan}
-        self._angles: set[str] = set()
-        self._in_degrees: set[str] = set()
         self._later: dict[str, str] = {}
         self._circles: set[frozenset[str]] = set()
+        self.units = SaidUnits(self.value)
         self.used = UsedNames()
         self.lengths: list[Length] = []
 
@@ -74,10 +64,7 @@ class Cells:
         value = self.value(expression)
         if name not in RESERVED:  # has its own meaning all the same
             self._values[name] = value
-        if self._speaks_of_pi(expression):
-            self._angles.add(name)
-        if self._is_in_degrees(expression):
-            self._in_degrees.add(name)
+        self.units.define(name, expression)
         return value
 
     def knows(self, name: str) -> bool:
@@ -109,6 +96,8 @@ class Cells:
                 self.report.error(path, message, part=error.span)
             return INVALID
         self.used.note(path, expression)
+        for notice in self.units.argument_notices(expression):
+            self.report.notice(path, notice)
         return expression
 
     def _too_early(self, path: Path, name: str) -> str | None:
@@ -137,27 +126,27 @@ class Cells:
         return self.snap_ratio(path, text, self.parse(path, text))
 
     def radians(self, expression: Expression) -> Expression:
-        """A cell's angle in radians: in a file of degrees only what speaks of pi is so already."""
-        if not self.degrees or expression in (ZERO, INVALID) or self._speaks_of_pi(expression):
-            return expression
-        return Binary("*", expression, DEGREE)
+        """A cell's angle in radians, whatever the unit of the file."""
+        return expression if expression == INVALID else self.units.radians(expression)
 
     def note_unit(self, path: Path, text: str, angle: Expression) -> bool:
         """Whether an angle as written looks like the other unit, of which there is a notice then.
 
         Only plain numbers do: what speaks of pi says its unit itself, but for what is added to it.
         """
-        if self._speaks_of_pi(angle):
-            notice = self._mixed_notice(angle)
+        if self.units.speaks_of_pi(angle):
+            notice = self.units.mixed_notice(angle)
         else:
-            notice = unit_notice(self.value(self.radians(angle)), "" if self.degrees else "pi")
+            notice = unit_notice(
+                self.value(self.radians(angle)), "" if self.units.degrees else "pi"
+            )
         if notice:
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return notice is not None
 
     def refuse_degrees(self, path: Path, text: str, expression: Expression) -> None:
         """Report a length that is an angle."""
-        if self._is_in_degrees(expression):
+        if self.units.is_in_degrees(expression):
             message = (
                 "is an angle, and a length belongs here: leave out deg, or take its sin or cos"
             )
@@ -179,7 +168,7 @@ class Cells:
             self.report.error(path, f"the angle {value:.6g} rad is beyond {LARGEST_ANGLE:.0e}")
         elif (k := twelfths(value)) is not None:
             return self._snapped(path, text, value, exact_angle(k))
-        elif notice := self._mixed_notice(expression) or slip_notice(
+        elif notice := self.units.mixed_notice(expression) or slip_notice(
             value, self._unit(text), _variable(text)
         ):
             part = "the offset of " if _variable(text) else ""
@@ -201,67 +190,12 @@ class Cells:
     def _unit(self, text: str) -> Literal["pi", "deg", ""]:
         if re.search(r"\bdeg\b", text):
             return "deg"
-        return "" if self.degrees and not re.search(r"\bpi\b", text) else "pi"
+        return "" if self.units.degrees and not re.search(r"\bpi\b", text) else "pi"
 
     def _snapped(self, path: Path, text: str, value: float, exact: Expression) -> Expression:
         if notice := snap_notice(value, self.value(exact), exact):
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return exact
-
-    def _mixed_notice(self, angle: Expression) -> str | None:
-        """What is told of a plain number that is added to what speaks of pi.
-
-        In a file of radians only where the sum looks like degrees.
-        """
-        number = self._plain_addend(angle)
-        if number is None:
-            return None
-        meant = degrees_text(number)
-        if self.degrees:
-            said = f"has {to_text(number)} in rad, as pi or deg stands beside it"
-            return f"{said}: write {meant} if degrees are meant"
-        return turns_notice(self.value(angle), meant)
-
-    def _plain_addend(self, expression: Expression) -> Expression | None:
-        """The first number but zero that is added to what speaks of pi, and does not itself."""
-        if not isinstance(expression, Binary) or not self._speaks_of_pi(expression):
-            return None
-        sides = (expression.left, expression.right)
-        plain = [side for side in sides if not self._speaks_of_pi(side) and self.value(side)]
-        if expression.operator in {"+", "-"} and plain:
-            return plain[0]
-        inner = (self._plain_addend(side) for side in sides)
-        return next((number for number in inner if number is not None), None)
-
-    def _speaks_of_pi(self, expression: Expression) -> bool:
-        match expression:
-            case Pi():
-                return True
-            case Name(name):
-                return name in self._angles
-            case Negate(operand) | Call("sqrt", operand):
-                return self._speaks_of_pi(operand)
-            case Binary(_, left, right):
-                return self._speaks_of_pi(left) or self._speaks_of_pi(right)
-            case _:
-                return False  # the argument of a sine says nothing about what the sine measures
-
-    def _is_in_degrees(self, expression: Expression) -> bool:
-        """Whether it is so many degrees, or a sum with some.
-
-        Products of more than that may be lengths of arcs, and quotients of two angles are ratios.
-        """
-        match expression:
-            case Name(name):
-                return name in self._in_degrees
-            case Negate(operand):
-                return self._is_in_degrees(operand)
-            case Binary("+" | "-", left, right):
-                return self._is_in_degrees(left) or self._is_in_degrees(right)
-            case Binary("*", Number() | Negate(Number()), factor):
-                return factor == DEGREE
-            case _:
-                return expression == DEGREE
 
 
 def _variable(text: str) -> str:

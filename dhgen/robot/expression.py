@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
 Operator = Literal["+", "-", "*", "/", "**"]
 Function = Literal["sqrt", "sin", "cos"]
@@ -62,6 +62,17 @@ Expression = Number | Pi | Name | Negate | Binary | Call
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 DEGREE = Binary("/", Pi(), Number(Fraction(180)))
+
+
+def parts(expression: Expression) -> Iterator[Expression]:
+    """The expression and everything that it is made of."""
+    yield expression
+    match expression:
+        case Negate(operand) | Call(_, operand):
+            yield from parts(operand)
+        case Binary(_, left, right):
+            yield from parts(left)
+            yield from parts(right)
 
 
 def evaluate(expression: Expression, parameters: Mapping[str, float]) -> float:

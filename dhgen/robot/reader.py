@@ -224,7 +224,7 @@ def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diag
             pending.append(value)
             if not isinstance(key, ScalarNode):
                 mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
-            elif key.value[:1].isdecimal() and _is_null(value):  # {a: 0,4} is a pair and a key
+            elif _is_behind_comma(key.value) and _is_null(value):  # {a: 0,4} is a pair and a key
                 message = f"a decimal comma has to be a point: .{key.value}, not ,{key.value}"
                 mistakes.append(source.point(span_of(key), message))
             elif key.value in known:
@@ -234,6 +234,11 @@ def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diag
             else:
                 known[key.value] = (key, value)
     return pairs, mistakes
+
+
+def _is_behind_comma(key: str) -> bool:
+    """Whether a key may be what stands behind a decimal comma, and no end of a tuple."""
+    return key[:1].isdecimal() and key.count("(") == key.count(")")
 
 
 def _is_null(node: Node) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -78,7 +79,8 @@ def _report(report: Report, details: ErrorDetails) -> None:
     path = details["loc"]
     if details["type"] == "extra_forbidden":
         key = str(path[-1])
-        report.error_at_key(path, f"unknown key {quoted(key)}{nearest(key, _valid_keys(path))}")
+        hint = _glued(key, path) or nearest(key, _valid_keys(path))
+        report.error_at_key(path, f"unknown key {quoted(key)}{hint}")
     elif details["type"] == "missing":
         report.error(path, f"the key '{path[-1]}' is missing")
     elif details["type"] in {"too_long", "too_short"}:
@@ -87,6 +89,14 @@ def _report(report: Report, details: ErrorDetails) -> None:
         report.error_at_key(path, value_message(details))  # what isn't there can't be pointed at
     else:
         report.error(path, value_message(details))
+
+
+def _glued(key: str, path: Path) -> str:
+    """The end of a message about a key that holds its value, for want of a blank or a colon."""
+    found = re.fullmatch(r"(\w+)\s*(:|=|\s)\s*(\S.*)", key)
+    if not found or found[1] not in _valid_keys(path):
+        return ""
+    return f": write '{found[1]}: {found[3]}', with a colon and a blank"
 
 
 def _valid_keys(path: Path) -> tuple[str, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.expression import Binary, Call, Expression, Name, Negate
+from dhgen.robot.expression import Expression, Name, parts
 
 if TYPE_CHECKING:
     from dhgen.robot.reader import Path
@@ -38,12 +38,4 @@ class UsedNames:
 
 def names(expression: Expression) -> set[str]:
     """The names that occur."""
-    match expression:
-        case Name(name):
-            return {name}
-        case Negate(operand) | Call(_, operand):
-            return names(operand)
-        case Binary(_, left, right):
-            return names(left) | names(right)
-        case _:
-            return set()
+    return {part.name for part in parts(expression) if isinstance(part, Name)}

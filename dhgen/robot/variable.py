@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dhgen.robot.expression import ZERO, Binary, Call, Expression, Name, Negate
+from dhgen.robot.expression import ZERO, Binary, Expression, Name, Negate, parts
 from dhgen.robot.simplify import add, negate, subtract
 
 VARIABLE = Name("q")
@@ -41,12 +41,4 @@ def split(expression: Expression) -> Split | None:
 
 def contains_variable(expression: Expression) -> bool:
     """Whether q occurs."""
-    match expression:
-        case Name():
-            return expression == VARIABLE
-        case Negate(operand) | Call(_, operand):
-            return contains_variable(operand)
-        case Binary(_, left, right):
-            return contains_variable(left) or contains_variable(right)
-        case _:
-            return False
+    return VARIABLE in parts(expression)

@@ -83,6 +83,11 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
         ("theta: q, a: 0,4", "4", "a decimal comma has to be a point: .4, not ,4"),
+        ("theta: q, a:1", "a:1", "unknown key 'a:1': write 'a: 1', with a colon and a blank"),
+        ("theta = q + pi", "theta = q + pi", "unknown key 'theta = q + pi': write 'theta: q + pi'"),
+        ("theta: q, a 1", "a 1", "unknown key 'a 1': write 'a: 1', with a colon"),
+        ("theta: q, b:1", "b:1", "unknown key 'b:1'; valid: theta, d"),
+        ("theta: q, alpha: PI", "PI", "unknown name 'PI'; did you mean 'pi'? valid: pi, deg"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
         ("theta: q, a: 30 deg", "30 deg", "'30 deg' is an angle, and a length belongs here: leave"),
@@ -95,6 +100,12 @@ def test_refused_rows(cells: str, at: str, message: str) -> None:
     (found,) = mistakes(table(cells))
     assert found.message.startswith(message)
     assert marked(found) == at
+
+
+def test_the_end_of_a_tuple_is_no_decimal() -> None:
+    told = [found.message for found in mistakes(table("theta: q, limits: (-1, 1)"))]
+    assert told[0] == "expected a list [lowest, highest], not '(-1'"
+    assert told[1].startswith("unknown key '1)'; valid: theta")
 
 
 def test_a_parameter_may_be_called_infinity() -> None:
@@ -254,6 +265,22 @@ def test_a_plain_number_beside_pi_is_told_in_a_file_of_degrees(joint: str, told:
     meant = "w/2*deg" if "w" in joint else "90 deg"
     beside = ", as pi or deg stands beside it: write"
     assert message == f"{told}{beside} {meant} if degrees are meant"
+
+
+@pytest.mark.parametrize("unit", ["rad", "deg"])
+def test_degrees_that_sin_and_cos_do_not_take_are_told(unit: str) -> None:
+    cells = "a: 0.4*cos(30), d: sin(tilt - 60)"
+    text = table(f"theta: q, {cells}", parameters="{tilt: 15}", units=f"{{angle: {unit}}}")
+    assert told_of_cells(text) == [
+        "'cos(30)' takes rad: write cos(30 deg) if degrees are meant",
+        "'sin(tilt - 60)' takes rad: write sin((tilt - 60)*deg) if degrees are meant",
+    ]
+    fine = "theta: q, a: sin(w) + cos(30 deg), d: cos(0)*sqrt(90)"
+    text = table(fine, parameters="{w: pi/7}", units=f"{{angle: {unit}}}")
+    assert not told_of_cells(text)
+    assert bool(told_of_cells(table("theta: q, a: sin(1.5)", units=f"{{angle: {unit}}}"))) == (
+        unit == "deg"
+    )
 
 
 def test_a_plain_number_beside_pi_is_told_in_a_file_of_radians_if_it_is_many_turns() -> None:
