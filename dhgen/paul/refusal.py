@@ -55,14 +55,13 @@ def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
     if spare.count == len(spare.joints):  # none of them matters at all
         given, which = ("it", "joint") if spare.count == 1 else ("them", "joints")
         moved = f"{which} {names} can be moved without moving what the task names"
-    advice = f"name {given} under `free` to solve for the others with {values} given"
-    if spare.count == len(chain.solved):
-        advice = "no joint is left to solve for: a `task` must name what the arm can move"
     first, *others = [*crowded_axes(chain), moved]
-    lines = [
-        f"the arm has infinitely many solutions for every pose: {first}",
-        *others,
-        advice,
+    lines = [f"the arm has infinitely many solutions for every pose: {first}", *others]
+    if spare.count == len(chain.solved):
+        lines.append("no joint is left to solve for: a `task` must name what the arm can move")
+        return "\n".join(lines)
+    lines += [
+        f"name {given} under `free` to solve for the others with {values} given",
         *choices_text(choices, spare),
         *_elbow_choice(chain),
         "--numerical would give the solution near to a seed, by damped least squares",
