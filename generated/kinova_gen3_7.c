@@ -617,10 +617,11 @@ typedef struct {
     double sign;
 } kinova_gen3_7_formulation;
 
-static const kinova_gen3_7_formulation kinova_gen3_7_formulations[3] = {
+static const kinova_gen3_7_formulation kinova_gen3_7_formulations[4] = {
     { { 3, 4, 5, 0, 1, 2 }, 1.0 },
     { { 0, 5, 4, 3, 2, 1 }, -1.0 },
     { { 4, 3, 2, 1, 0, 5 }, -1.0 },
+    { { 1, 2, 3, 4, 5, 0 }, 1.0 },
 };
 
 /* The constants K0 ... K4 of the loop, L and R, three rows of four; for those with joints inside
@@ -3118,7 +3119,7 @@ static int kinova_gen3_7_attempt(const kinova_gen3_7_formulation *form, const ki
 static int kinova_gen3_7_try(const kinova_gen3_7_loop *loop, kinova_gen3_7_found *found)
 {
     int complete = 0;
-    for (int i = 0; i < 3 && !complete; i++) {
+    for (int i = 0; i < 4 && !complete; i++) {
         complete = kinova_gen3_7_attempt(&kinova_gen3_7_formulations[i], loop, found);
     }
     return complete;

@@ -361,7 +361,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 a027e559b6cecec6"
+_KEY = "kinova_gen3_7 5a5fa756a45efd93"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -844,8 +844,9 @@ _KINOVA_GEN3_7_JOINTS = np.array([
     [3, 4, 5, 0, 1, 2],
     [0, 5, 4, 3, 2, 1],
     [4, 3, 2, 1, 0, 5],
+    [1, 2, 3, 4, 5, 0],
 ])
-_KINOVA_GEN3_7_SIGNS = np.array([1.0, -1.0, -1.0, ])
+_KINOVA_GEN3_7_SIGNS = np.array([1.0, -1.0, -1.0, 1.0, ])
 
 # cosines and sines of the 24 angles at which the determinant is sampled
 _KINOVA_GEN3_7_SAMPLE_C = np.array([1.0, 0.9659258262890682, 0.8660254037844386, 0.7071067811865476, 0.5, 0.2588190451025207, -0.0, -0.2588190451025207, -0.5, -0.7071067811865476, -0.8660254037844386, -0.9659258262890682, -1.0, -0.9659258262890682, -0.8660254037844386, -0.7071067811865476, -0.5, -0.2588190451025207, 0.0, 0.2588190451025207, 0.5, 0.7071067811865476, 0.8660254037844386, 0.9659258262890682])
@@ -1885,7 +1886,7 @@ def _kinova_gen3_7_try(loop, q, residual, singular, doubles_met):
     for i in range(16):
         singular[i] = 0
     complete, count = False, np.int64(0)
-    for form in range(3):
+    for form in range(4):
         if not complete:
             complete, count = _kinova_gen3_7_attempt(form, loop, q, residual, singular, doubles_met, count)
     return complete, count

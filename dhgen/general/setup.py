@@ -2,7 +2,7 @@
 
 An arm whose other joints are held has more structure at some of their values, where formulations
 vanish that serve at all others: with the third joint of an xArm 7 at zero, three axes are parallel.
-Those that never do are preferred, and at every such value one of those that are chosen serves.
+Those that never do are preferred, and at every such value two of those that are chosen serve.
 """
 
 from __future__ import annotations
@@ -96,9 +96,9 @@ def _chosen(loop: Loop, every: Sequence[Formulation]) -> GeneralKernel | None:
     others = [i for _, i in ranked if every[i].joints[0] != every[first].joints[0]]
     chosen = [first, *others[:1]]
     for some in special:
-        serving = [i for i, score in enumerate(some) if not score.fails]
-        if serving and not set(serving) & set(chosen):
-            chosen.append(min(serving, key=lambda i: (_rank(some[i]), i)))
+        serving = sorted((_rank(score), i) for i, score in enumerate(some) if not score.fails)
+        left = [i for _, i in serving if i not in chosen]
+        chosen += left[: max(0, 2 - sum(i in chosen for _, i in serving))]
     return GeneralKernel(
         loop,
         tuple(every[i] for i in chosen),

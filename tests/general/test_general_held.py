@@ -143,3 +143,12 @@ def test_more_structure_at_a_value_of_the_joint_that_is_given(name: str, value: 
         assert np.abs(turns).max(axis=1).min() < 1e-5
         certain += found.complete
     assert certain >= 7
+
+
+def test_a_second_formulation_serves_where_the_first_ones_vanish() -> None:
+    """Of 60 poses one is not certain by what serves best there, and took ten times longer."""
+    arm = build_chain(robot("kinova_gen3_7"))
+    kernel, forward = known(arm), numeric_arm(arm)
+    joints = np.random.default_rng(12).uniform(-np.pi, np.pi, (60, 7))
+    joints[:, 2] = 0.0
+    assert all(solve(forward.pose(q), kernel, [0.0]).complete for q in joints)
