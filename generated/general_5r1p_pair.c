@@ -3513,7 +3513,8 @@ static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+    if (!(isfinite(T[3] * T[3] * T[3]) && isfinite(T[7] * T[7] * T[7]) && isfinite(T[11] * T[11] *
+        T[11])))
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;

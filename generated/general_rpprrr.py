@@ -366,7 +366,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 6785b6f46bdde9a7"
+_KEY = "general_rpprrr fea3bcd620fd79c3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1964,7 +1964,7 @@ def _read(T):
     x0, x1, x2, px = T[0, 0], T[0, 1], T[0, 2], T[0, 3]
     y0, y1, y2, py = T[1, 0], T[1, 1], T[1, 2], T[1, 3]
     z0, z1, z2, pz = T[2, 0], T[2, 1], T[2, 2], T[2, 3]
-    valid = math.isfinite(px) and math.isfinite(py) and math.isfinite(pz)
+    valid = math.isfinite(px * px * px) and math.isfinite(py * py * py) and math.isfinite(pz * pz * pz)
     rest = abs(T[3, 0]) + abs(T[3, 1]) + abs(T[3, 2]) + abs(T[3, 3] - 1.0)
     valid = valid and rest <= 1e-09
     xx = x0 * x0 + x1 * x1 + x2 * x2 - 1.0

@@ -150,7 +150,8 @@ MISFIT(wide, wide)
 HELPER wide irregularity_wide(const wide T[16])
 {
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0 * (T[3] * T[3] * T[3] + T[7]
+        * T[7] * T[7] + T[11] * T[11] * T[11]);
 }
 
 #if LANES > 1
@@ -587,7 +588,8 @@ static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+    if (!(isfinite(T[3] * T[3] * T[3]) && isfinite(T[7] * T[7] * T[7]) && isfinite(T[11] * T[11] *
+        T[11])))
         return 0;
     if (!(fabs(T[12]) + fabs(T[13]) + fabs(T[14]) + fabs(T[15] - 1.0) <= 1e-09))
         return 0;

@@ -130,7 +130,7 @@ ARCTANGENT(wide)
 /* How far T is from a pose in full precision, as a sum of squares; NaN if it is not finite. */
 HELPER wide irregularity_wide(const wide T[16])
 {
-    return 0.0 * (T[3] + T[7] + T[11]);
+    return 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] * T[11]);
 }
 
 #if LANES > 1
@@ -171,7 +171,7 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    return all_four(0.0 * (T[3] + T[7] + T[11]));
+    return all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] * T[11]));
 }
 
 /* Rows to columns. */
@@ -269,7 +269,8 @@ static int read_pose(const double given[16], double T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+    if (!(isfinite(T[3] * T[3] * T[3]) && isfinite(T[7] * T[7] * T[7]) && isfinite(T[11] * T[11] *
+        T[11])))
         return 0;
     return 1;
 }

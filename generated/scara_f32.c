@@ -106,7 +106,9 @@ MISFIT(wide, wide)
 HELPER wide irregularity_wide(const wide T[16])
 {
     const wide w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0f;
-    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] + T[7] + T[11]);
+    return misfit_wide(T) + w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3 + 0.0f * (T[3] * T[3] * T[3] +
+        T[7]
+        * T[7] * T[7] + T[11] * T[11] * T[11]);
 }
 
 #define low(joint) (lowest[joint - 1] - 2e-06f)
@@ -214,7 +216,8 @@ static int read_pose(const float given[16], float T[16])
 {
     for (int i = 0; i < 16; i++)
         T[i] = given[i];
-    if (!(isfinite(T[3]) && isfinite(T[7]) && isfinite(T[11])))
+    if (!(isfinite(T[3] * T[3] * T[3]) && isfinite(T[7] * T[7] * T[7]) && isfinite(T[11] * T[11] *
+        T[11])))
         return 0;
     if (!(fabsf(T[12]) + fabsf(T[13]) + fabsf(T[14]) + fabsf(T[15] - 1.0f) <= 1e-06f))
         return 0;

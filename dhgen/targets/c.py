@@ -16,6 +16,7 @@ from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
 from dhgen.targets.module import (
+    has_to_be_finite,
     made_text,
     module_values,
     named_entries,
@@ -64,8 +65,10 @@ def _texts(module: SolverModule) -> dict[str, object]:
     flags = ["1" if kind == "R" else "0" for kind in module.joint_types]
     dof = module.chain.dof
     frames = "Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in "
-    finite = [f"isfinite(T[{4 * row + 3}])" for row in module.position_entries]
-    given = [f"isfinite(free_joints[{place}])" for place in range(module.chain.given)]
+    finite = has_to_be_finite(module, (f"T[{4 * row + 3}]" for row in module.position_entries))
+    given = has_to_be_finite(
+        module, (f"free_joints[{place}]" for place in range(module.chain.given))
+    )
     values = module_values(module)
     named = [str(entry.place) for entry in named_entries(module.chain)]
     single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""
@@ -83,8 +86,8 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "revolute": c_array(f"static const int revolute[{dof}]", flags),
         "weight": c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
         "fan_step": c_array(f"static const double fan_step[{dof}]", map(repr, module.fan_steps)),
-        "finite": " && ".join(finite),
-        "given_finite": " && ".join(given),
+        "finite": " && ".join(f"isfinite({each})" for each in finite),
+        "given_finite": " && ".join(f"isfinite({each})" for each in given),
         "named_places": c_array(f"static const int named[{len(named)}]", named),
         "named_count": len(named),
         "per_length": repr(1.0 / module.chain.size),

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.layout import WIDTH, wrapped
+from dhgen.targets.module import has_to_be_finite
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -36,7 +37,8 @@ def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> 
 def _finite(module: SolverModule) -> list[str]:
     """What has to be finite besides the rotation."""
     positions = [f"T[{4 * row + 3}]" for row in module.position_entries]
-    return positions + [f"free_joints[{place}]" for place in range(module.chain.given)]
+    given = [f"free_joints[{place}]" for place in range(module.chain.given)]
+    return has_to_be_finite(module, positions + given)
 
 
 def _plain(module: SolverModule, number: str, result: str) -> list[str]:

@@ -28,6 +28,8 @@ from dhgen.targets.walk import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.kinematics.chain import Chain
     from dhgen.program.ir import Program
     from dhgen.program.unguarded import Regular
@@ -177,6 +179,16 @@ def module_values(module: SolverModule) -> dict[str, object]:
         **_searches(module),
         **standing(module),
     }
+
+
+def has_to_be_finite(module: SolverModule, entries: Iterable[str]) -> list[str]:
+    """What is finite where entries of the pose and given values serve.
+
+    A slide follows the pose wherever it is; then sums of squares have to be finite, too, and are
+    where cubes are.
+    """
+    slides = "P" in module.joint_types
+    return [" * ".join([each] * 3) if slides else each for each in entries]
 
 
 def _searches(module: SolverModule) -> dict[str, object]:

@@ -20,6 +20,7 @@ from dhgen.robot.robot import TaskKind
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
+    has_to_be_finite,
     made_text,
     module_values,
     named_entries,
@@ -72,9 +73,10 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "Poses are 4 x 4 matrices of the tool in the base frame, lengths in "
         f"{module.length_unit}, angles in rad. {values['task']}"
     )
-    finite = [f"math.isfinite(p{'xyz'[row]})" for row in module.position_entries]
     count = module.chain.given
-    given = [f"math.isfinite(q_free[{place}])" for place in range(count)]
+    entries = [f"p{'xyz'[row]}" for row in module.position_entries]
+    entries += [f"q_free[{place}]" for place in range(count)]
+    finite = [f"math.isfinite({each})" for each in has_to_be_finite(module, entries)]
     return {
         "about": paragraph(f"{module.name}: {str(values['title']).rstrip('.')}.", ""),
         "made": made_text(module, "python/solver.py.jinja", ""),
@@ -84,7 +86,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
         "fan_steps": python_array("_FAN_STEP = np.array", map(repr, module.fan_steps)),
         "free_tuple": _free_tuple(module),
-        "finite": " and ".join([*finite, *given]) or "True",
+        "finite": " and ".join(finite) or "True",
         "no_pose": _no_pose(module),
         "free_parameter": ", q_free" if count else "",
         "free_batch": ", q_free[k]" if count else "",

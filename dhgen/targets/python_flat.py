@@ -14,6 +14,7 @@ from dhgen.program.ir import Apply, Joint, Let, Pose, Variable
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import INDENT
+from dhgen.targets.module import has_to_be_finite
 from dhgen.targets.python_language import Python
 from dhgen.targets.python_single import assigned, single, status_text
 from dhgen.targets.stages import staged
@@ -247,7 +248,7 @@ def _exact(module: SolverModule) -> list[str]:
         terms.append(f"rest + abs({last[3]} - 1.0)")
     given = [TILE * (4 * row + 3) for row in module.position_entries]
     given += [TILE * (16 + place) for place in range(module.chain.given)]
-    finite = [f"work[{place} + k]" for place in given]
+    finite = has_to_be_finite(module, (f"work[{place} + k]" for place in given))
     terms += [f"0.0 * ({' + '.join(finite)})"] if finite else []  # NaN where one is not finite
     exact = f"exact = miss <= {module.precision.tolerances.orthonormal!r}"
     return [*lines, *assigned("miss", " + ".join(terms) or "0.0", LOOP), exact]

@@ -18,7 +18,7 @@ from tests.targets.calling import (
     UNREACHABLE,
     Solver,
 )
-from tests.targets.made import MADE_UP_NAMES, NAMES, entries, given, poses_of, residual, robot
+from tests.targets.made import MADE_UP_NAMES, NAMES, entries, given, in_c, poses_of, residual, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
@@ -226,3 +226,18 @@ def test_nearest_never_leaves_the_limits(
     if abs(nearest[1] - q[1]) < 1e-9:  # else another branch was nearer
         assert others["near"] == pytest.approx(wanted, abs=1e-9)
     assert abs(nearest[0]) <= np.radians(350) + 1e-9
+
+
+@pytest.mark.parametrize("far", [1e80, 1e120, 1e155, 1e200, 1e300])
+@pytest.mark.parametrize("name", ["cylindrical_wrist", "rrprrr"])
+def test_no_slide_follows_poses_whose_squares_are_infinite(name: str, far: float) -> None:
+    """Rows were OK with NaN in them; the tiles of a batch say the same as one pose."""
+    (T,) = poses_of(name, np.array([[0.3, 0.2, 0.4, -0.5, 0.6, 0.7]]))
+    T[:3, 3] *= far
+    rows, status = Solver(name, "C").all(T)
+    assert np.isfinite(rows[np.isin(status, HELD)]).all()
+    assert (status == INVALID_POSE).all() == (far > 1e100)
+    _, statuses = in_c(name).batch(np.repeat(T[None], 17, axis=0))
+    assert (statuses == status).all()
+    with np.errstate(over="ignore"):
+        assert (Solver(name, "Python").all(T)[1] == status).all()
