@@ -77,9 +77,9 @@ def _side_by_side(module: SolverModule) -> list[str]:
         lines.append("const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };")
         # of the fourth column only this is left: that it is finite
         total = f"({total}) * (four){{ 1.0, 1.0, 1.0, 0.0 }} + last * last"
-        free = [each for each in _finite(module) if each.startswith("free")]
-        total += f" + 0.0 * ({' + '.join(free)})" if free else ""
     else:
         lines += wrapped(f"const four sum = {total};", "", width=WIDTH - 4)
         total = "shuffle(sum, all_four(0.0), 0, 1, 2, 7)"
+    given = [each for each in _finite(module) if each.startswith("free")]
+    total += f" + 0.0 * ({' + '.join(given)})" if given else ""
     return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]

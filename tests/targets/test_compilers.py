@@ -44,6 +44,14 @@ def test_no_warnings(name: str, compiler: str) -> None:
         assert compiled(compiler, *flags) == ""
 
 
+@pytest.mark.parametrize("name", EVERY)
+def test_no_warnings_in_lanes(name: str) -> None:
+    """What only this machine's vectors are for is read too."""
+    made(name)
+    flags = ("-std=c99", "-march=native", "-fsyntax-only", *WARNINGS, *MORE, f"{name}.c")
+    assert compiled(COMPILERS[0], *flags) == ""
+
+
 @pytest.mark.parametrize("compiler", [name for name in ("g++", "clang++") if shutil.which(name)])
 def test_headers_are_read_by_cpp_too(compiler: str) -> None:
     names = [*sorted(path.stem for path in ROBOTS.glob("*.yaml")), *MADE_UP_NAMES]
