@@ -252,7 +252,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "adept_cobra600 632d7bc4a3d0d14d"
+_KEY = "adept_cobra600 a27b8e4dc07f890d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -528,7 +528,7 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(4)
     held, A, x, settled = np.zeros(4, np.bool_), np.empty((6, 4)), q.copy(), False
-    last = math.inf
+    last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x, A)
         if math.isnan(enough):
@@ -538,8 +538,12 @@ def _settled(T, enough, most, q):
                 q[:] = x
                 settled = True
                 enough = 0.5 * miss
-            elif settled or miss > max(0.7 * last, 100.0 * enough):
-                return settled
+            elif settled:
+                return True
+            elif miss > max(0.7 * last, 100.0 * enough):
+                lost += 1
+                if lost == 4:
+                    return False
             last = miss
             _add_step(A, e, miss, held, x)
         if not _half_way(x, q, half) <= most:

@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot 2f8a3426fc78604b"
+_KEY = "kuka_youbot 2fa5a85427d6e704"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -826,7 +826,7 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(5)
     held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
-    last = math.inf
+    last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x, A)
         if math.isnan(enough):
@@ -836,8 +836,12 @@ def _settled(T, enough, most, q):
                 q[:] = x
                 settled = True
                 enough = 0.5 * miss
-            elif settled or miss > max(0.7 * last, 100.0 * enough):
-                return settled
+            elif settled:
+                return True
+            elif miss > max(0.7 * last, 100.0 * enough):
+                lost += 1
+                if lost == 4:
+                    return False
             last = miss
             _add_step(A, e, miss, held, x)
         if not _half_way(x, q, half) <= most:

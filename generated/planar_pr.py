@@ -222,7 +222,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_pr 3f51e3356d2ae21d"
+_KEY = "planar_pr 432bc4be80bd28ac"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -412,7 +412,7 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(2)
     held, A, x, settled = np.zeros(2, np.bool_), np.empty((6, 2)), q.copy(), False
-    last = math.inf
+    last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x, A)
         if math.isnan(enough):
@@ -422,8 +422,12 @@ def _settled(T, enough, most, q):
                 q[:] = x
                 settled = True
                 enough = 0.5 * miss
-            elif settled or miss > max(0.7 * last, 100.0 * enough):
-                return settled
+            elif settled:
+                return True
+            elif miss > max(0.7 * last, 100.0 * enough):
+                lost += 1
+                if lost == 4:
+                    return False
             last = miss
             _add_step(A, e, miss, held, x)
         if not _half_way(x, q, half) <= most:

@@ -798,7 +798,7 @@ static void add_step(
 static int settle(const double T[16], double enough, double most, double q[3])
 {
     double x[3], half[3], J[18], last = HUGE_VAL;
-    int settled = 0, held[3] = { 0 };
+    int settled = 0, lost = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
@@ -810,7 +810,9 @@ static int settle(const double T[16], double enough, double most, double q[3])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+            } else if (settled) {
+                break;
+            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
                 break;
             }
             last = miss;

@@ -702,7 +702,7 @@ static int settle(const float T[16], float enough, float most, float q[6])
 {
     float x[6], half[6], J[36], last = HUGE_VALF;
     const int stands = isnan(enough);
-    int settled = 0, held[6] = { 0 };
+    int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
@@ -714,11 +714,13 @@ static int settle(const float T[16], float enough, float most, float q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5f * miss;
-            } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
+            } else if (settled) {
+                break;
+            } else if (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4) {
                 break;
             }
             last = miss;
-            add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
+            add_step(sqrtf(0.1f * miss * miss + 1e-09f), held, J, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;

@@ -598,7 +598,7 @@ static int settle(const float T[16], float enough, float most, float q[4])
 {
     float x[4], half[4], J[24], last = HUGE_VALF;
     const int stands = isnan(enough);
-    int settled = 0, held[4] = { 0 };
+    int settled = 0, lost = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         float e[6] = { 0.0f };
@@ -610,11 +610,13 @@ static int settle(const float T[16], float enough, float most, float q[4])
                 take(x, q);
                 settled = 1;
                 enough = 0.5f * miss;
-            } else if (settled || miss > fmaxf(0.7f * last, 100.0f * enough)) {
+            } else if (settled) {
+                break;
+            } else if (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4) {
                 break;
             }
             last = miss;
-            add_step(sqrtf(0.1f * miss * miss + 1e-26f), held, J, e, x);
+            add_step(sqrtf(0.1f * miss * miss + 1e-09f), held, J, e, x);
         }
         for (int i = 0; i < 4; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;

@@ -231,7 +231,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scara_rrp 19ba894c1e95cfab"
+_KEY = "scara_rrp 016b6e76f6ad4a8b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -439,7 +439,7 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(3)
     held, A, x, settled = np.zeros(3, np.bool_), np.empty((6, 3)), q.copy(), False
-    last = math.inf
+    last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x, A)
         if math.isnan(enough):
@@ -449,8 +449,12 @@ def _settled(T, enough, most, q):
                 q[:] = x
                 settled = True
                 enough = 0.5 * miss
-            elif settled or miss > max(0.7 * last, 100.0 * enough):
-                return settled
+            elif settled:
+                return True
+            elif miss > max(0.7 * last, 100.0 * enough):
+                lost += 1
+                if lost == 4:
+                    return False
             last = miss
             _add_step(A, e, miss, held, x)
         if not _half_way(x, q, half) <= most:

@@ -1053,7 +1053,7 @@ static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], J[36], last = HUGE_VAL;
     const int stands = isnan(enough);
-    int settled = 0, held[6] = { 0 };
+    int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
         double e[6] = { 0.0 };
@@ -1065,7 +1065,9 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled || miss > fmax(0.7 * last, 100.0 * enough)) {
+            } else if (settled) {
+                break;
+            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
                 break;
             }
             last = miss;

@@ -374,7 +374,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "yaskawa_gp7 febcda9cc5ddff07"
+_KEY = "yaskawa_gp7 79ae8b845b440887"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -863,7 +863,7 @@ def _settled(T, enough, most, q):
     half = np.empty(6)
     stands = math.isnan(enough)
     held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
-    last = math.inf
+    last, lost = math.inf, 0
     for _ in range(20):
         e, miss = _miss(T, x, A)
         if math.isnan(enough):
@@ -873,8 +873,12 @@ def _settled(T, enough, most, q):
                 q[:] = x
                 settled = True
                 enough = 0.5 * miss
-            elif settled or miss > max(0.7 * last, 100.0 * enough):
-                return settled
+            elif settled:
+                return True
+            elif miss > max(0.7 * last, 100.0 * enough):
+                lost += 1
+                if lost == 4:
+                    return False
             last = miss
             _add_step(A, e, miss, held, x)
         for j in range(6):

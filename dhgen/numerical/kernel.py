@@ -23,7 +23,7 @@ FLOOR = 1e-13
 # Where steps get slow at a miss below this less is added: what always is keeps them from going on
 # where joints hardly move the tool. Beside singular places the last digits count.
 NEARLY = 1e-6
-FINE = 1e-26
+FINE = TOLERANCES.fine
 LONGEST = 2.0  # of a step's components [rad, arm sizes]
 STEPS = 40  # from a start; 7 to 16 are usual
 SAME = 1e-6  # solutions closer than this are one [rad, arm sizes]

@@ -54,6 +54,8 @@ class Tolerances:
             keeps its digits: it is not moved there.
         polished: A candidate that was polished on the whole pose is a solution if it misses that
             by no more [arm sizes, rad]: far above rounding, far below where a near miss ends.
+        fine: Always added to the damping of steps to a solution next to joint values, a square: its
+            root is above rounding of the miss by so much that this moves no joint by over 1e-3 rad.
         double: An extremum of a polynomial this near to zero, relative to its coefficients, is a
             double root: rounding of the coefficients may move it either way.
         simple: Where the slope is above this, relative to the coefficients, a Newton step
@@ -80,6 +82,7 @@ class Tolerances:
     told: float = 1e-6
     far: float = 1e5
     polished: float = 1e-10
+    fine: float = 1e-26
     double: float = 1e-13
     simple: float = 1e-4
 
@@ -132,6 +135,7 @@ SINGLE = Precision(
         exact=5e-5,
         limit=2e-6,
         standing=1e-6,
+        fine=1e-9,
         told=3e-3,
         far=1e2,
     ),

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.numerical.kernel import DAMPING, FINE, TOGETHER
+from dhgen.numerical.kernel import DAMPING, TOGETHER
 from dhgen.numerical.texts import given_places, position_rows
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.walk import whole_arm
@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
-SLOW = 0.7  # of the miss: what leaves more leads nowhere; where n roots meet (1 - 1/n)^n is left
+# A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
+# places where two things are singular some make it worse before it gets better.
+SLOW = 0.7
+IN_VAIN = 4  # such steps lead nowhere
 FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
 # Joints that move by more lead to another solution: from a seed [rad, arm sizes], where a step may
 # be longer than the whole way; and times what a joint is beyond its limit.
@@ -56,9 +59,10 @@ def standing(module: SolverModule) -> dict[str, object]:
         "rounds": ROUNDS,
         "slow": SLOW,
         "far": FAR,
+        "in_vain": IN_VAIN,
         "settle_width": 6 + chain.dof,
         "damping": repr(DAMPING),
-        "fine": repr(FINE),
+        "fine": repr(module.precision.tolerances.fine),
         "most_moved": MOVED,
         "led_by_limit": LED,
         "told_by_nothing": max(NOTHING, BEYOND_TOLD * module.precision.tolerances.exact),
