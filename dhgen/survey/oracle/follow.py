@@ -30,8 +30,11 @@ EASED, RAISED = 8.0, 5.0  # damping after a step that gained, and after one that
 
 
 def _compiled(function: F) -> F:
-    """A function as machine code, kept for other processes."""
-    return cast("F", njit(cache=True)(function))
+    """A function as machine code, kept for other processes where there is a folder for it."""
+    try:
+        return cast("F", njit(cache=True)(function))
+    except RuntimeError:  # neither beside this file nor in the user's cache folder
+        return cast("F", njit(function))
 
 
 @_compiled
