@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
+from dhgen.robot_files import led_to
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -115,6 +116,8 @@ def _difference(path: Path, text: str) -> str | None:
         present = path.read_bytes().decode("utf-8", "replace")
     except (FileNotFoundError, NotADirectoryError):
         return f"{path}: missing"
+    except OSError as error:  # a folder, or links that lead in a circle
+        return f"{path}: can't be read ({error.strerror})"
     if present == text:
         return None
     diff = difflib.unified_diff(
@@ -134,7 +137,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     share is among what any of them makes). Files that say they are made from another folder are
     not looked at.
     """
-    folders = {path.resolve().parent for path in files}
+    folders = {led_to(path).parent for path in files}
     told = {_folder_of(source_name(path, out)) for path in files}
     around = (each for folder in folders for each in folder.glob("*.yaml"))
     neighbours = _stems([*files, *around])

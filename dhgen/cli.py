@@ -52,6 +52,7 @@ exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the comma
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
+    _open_closed()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):  # a terminal that can't show a letter shows ?
             stream.reconfigure(errors="replace")
@@ -74,6 +75,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         print(f"dhgen: {error.strerror or error}: {error.filename or 'output'}", file=sys.stderr)
         return 1
+
+
+def _open_closed() -> None:
+    """Gives the streams that the caller has closed back: what is written there is lost.
+
+    In the order of their numbers: each gets its own, which the next file would get else.
+    """
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, mode, encoding="utf-8"))  # noqa: PTH123, SIM115
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -115,7 +126,7 @@ def _refuse_misspelt(first: Path) -> None:
 
 def _refuse_unwritable(out: Path) -> None:
     """Tries whether files can be written to a folder, before seconds of work; leaves no trace."""
-    present = next(folder for folder in (out, *out.absolute().parents) if folder.exists())
+    present = next(folder for folder in (out, *out.absolute().parents) if os.path.lexists(folder))
     try:
         with tempfile.TemporaryFile(dir=present):
             pass

@@ -27,7 +27,7 @@ from dhgen.program.arm_plane import arm_angle_program
 from dhgen.program.forward import forward_program, jacobian_program
 from dhgen.program.lower import lower
 from dhgen.program.tolerances import DOUBLE, SINGLE
-from dhgen.robot_files import RobotFile
+from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
 from dhgen.verify.single import verify_single
@@ -173,7 +173,7 @@ def source_name(path: Path, out: Path | None = None) -> str:
     By its folder and name; by its name alone where it lies in the folder that the files are for, or
     above: that may be the project's, which has another name in every checkout.
     """
-    folder, name = path.resolve().parent, path.name
-    if out is not None and out.resolve().is_relative_to(folder):
+    folder, name = led_to(path).parent, path.name
+    if out is not None and led_to(out).is_relative_to(folder):
         return name
     return f"{folder.name}/{name}".lstrip("/")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.errors import Diagnostic, RobotFileError
@@ -11,7 +13,6 @@ from dhgen.robot.load import load
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from pathlib import Path
 
     from dhgen.robot.robot import Robot
 
@@ -70,10 +71,15 @@ def load_all(paths: Iterable[Path]) -> RobotFiles:
     return RobotFiles(once, tuple(loaded), tuple(refusals))
 
 
+def led_to(path: Path) -> Path:
+    """Where a path leads, links followed; Path.resolve stops at those that lead in a circle."""
+    return Path(os.path.realpath(path))
+
+
 def _each_once(paths: Iterable[Path]) -> tuple[Path, ...]:
     first: dict[Path, Path] = {}
     for path in paths:
-        first.setdefault(path.resolve(), path)
+        first.setdefault(led_to(path), path)
     return tuple(first.values())
 
 

@@ -406,16 +406,50 @@ def test_a_note_may_be_why_verification_fails(
     assert "\na note above may say why; if not, the fault is dhgen's; nothing is written\n" in told
 
 
-@pytest.mark.parametrize("out", ["file", "file/below"])
+@pytest.mark.parametrize("out", ["file", "file/below", "nowhere", "loop", "loop/below"])
 def test_a_folder_that_cannot_be_written_is_found_out_before_the_work(
     out: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("dhgen.cli._compile", lambda *_: pytest.fail("the work has begun"))
     Path("file").touch()
+    Path("nowhere").symlink_to("not there")
+    Path("loop").symlink_to("loop")
     assert main([str(PLANAR), "--out", out]) == 2
     assert capsys.readouterr().err.startswith(f"dhgen: can't write to the folder {out} (")
     assert names(tmp_path) == ["file"]
+
+
+def test_links_that_lead_in_a_circle(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "loop").symlink_to("loop")
+    for words in (["loop"], ["--check", "loop"], ["explain", "loop"]):
+        done = run(*words, folder=tmp_path)
+        told = "loop: the file can't be read: Too many levels of symbolic links\n"
+        assert (done.returncode, done.stderr) == (2, told)
+    done = run("--check", PLANAR, "--out", "loop", folder=tmp_path)
+    assert done.returncode == 1
+    assert "loop/planar_rr.c: can't be read (Too many levels of symbolic links)" in done.stderr
+
+
+@pytest.mark.parametrize("closed", ["2>&-", "<&- >&- 2>&-"])
+def test_streams_that_are_closed_change_nothing_but_what_is_told(
+    closed: str, tmp_path: Path
+) -> None:
+    """As services and cron jobs may start it."""
+    (tmp_path / "wrong.yaml").write_text(WRONG)
+    for words, code in (("--out x {arm}", 0), ("explain {arm}", 0), ("explain wrong.yaml", 2)):
+        command = f"{sys.executable} -m dhgen {words.format(arm=PLANAR)} {closed}"
+        done = subprocess.run(
+            ["/bin/sh", "-c", command],
+            cwd=tmp_path,
+            env=os.environ | {"PYTHONPATH": str(ROOT)},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert (done.returncode, done.stderr) == (code, "")
+        assert (not done.stdout) == (code == 2 or closed != "2>&-")
+    assert names(tmp_path / "x") == FILES
 
 
 @pytest.mark.parametrize(

@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 from dhgen.survey.oracle.follow import _compiled
 from tests.targets.made import folder, made
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 IMPORTED = """
 import warnings
