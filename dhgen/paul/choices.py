@@ -43,7 +43,7 @@ class Choice:
     Attributes:
         rank: 0 for a closed form, 1 for a quartic, 2 for the rest.
         rows: How many solutions the remaining arm has at most.
-        free: The joints, from 1.
+        free: All free joints then, from 1.
         method: How the remaining arm is solved.
     """
 
@@ -66,20 +66,20 @@ def good_choices(
         derive: Solves an arm, or raises UnsolvedError.
     """
     sets = list(combinations(spare.joints, spare.count))
-    found = []
+    found: list[Choice] = []
     for chosen in sets[:: -(-len(sets) // MOST_CHOICES)]:
         remaining = replace(chain, free=tuple(sorted((*chain.free, *chosen))))
         if surplus(remaining).count:
             continue
         if not _has_structure(remaining):
-            found += _general(remaining, chosen)
+            found += _general(remaining)
             continue
         try:
             derivation = derive(remaining)
         except UnsolvedError:
             continue
         rank, method = _method(derivation)
-        found.append(Choice(rank, derivation.branches, chosen, method))
+        found.append(Choice(rank, derivation.branches, remaining.free, method))
     return tuple(sorted(found))
 
 
@@ -103,12 +103,12 @@ def _method(derivation: Derivation) -> tuple[int, str]:
     return (1, "quartic") if quartic else (0, "closed form")
 
 
-def _general(chain: Chain, chosen: tuple[int, ...]) -> list[Choice]:
+def _general(chain: Chain) -> list[Choice]:
     """An arm without structure as a choice, if the general algorithm is for it."""
     if not is_general(chain):
         return []
     slides = len(slides_of(chain))
-    return [Choice(GENERAL, most_solutions(slides), chosen, method_name(slides))]
+    return [Choice(GENERAL, most_solutions(slides), chain.free, method_name(slides))]
 
 
 def _has_structure(chain: Chain) -> bool:

@@ -13,10 +13,11 @@ from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.arm_plane import with_arm_plane
 from dhgen.paul.choices import good_choices
 from dhgen.paul.inverse_forms import with_inverse_forms
-from dhgen.paul.mobility import surplus
+from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.refusal import redundant, refusal
+from dhgen.paul.redundant import redundant
+from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
 from dhgen.paul.second import with_second_equations
 from dhgen.paul.types import CLOSED, QUARTIC
@@ -82,7 +83,8 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
             return Derivation(
                 Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True)
             )
-        raise UnsolvedError(redundant(chain, spare, good_choices(chain, spare, derive)))
+        choices = good_choices(*open_from_the_start(chain, spare), derive)
+        raise UnsolvedError(redundant(chain, spare, choices))
     pool = build_pool(problem)
     if chain.arm_angle:
         pool = with_arm_plane(pool)

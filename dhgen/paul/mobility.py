@@ -8,7 +8,7 @@ concurrent).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -66,6 +66,33 @@ def surplus(chain: Chain) -> Surplus:
         max(count - chain.arm_angle, 0),
         tuple(j for j, moves in zip(solved, moving, strict=True) if moves),
     )
+
+
+def open_from_the_start(chain: Chain, spare: Surplus) -> tuple[Chain, Surplus]:
+    """The arm from which free joints are to be chosen, and what its task leaves open.
+
+    Those that the file names are kept, if each of them leaves one joint less open. Otherwise one
+    stands in the way: its value is among what the task fixes.
+    """
+    bare = replace(chain, free=())
+    whole = surplus(bare)
+    serve = whole.count == spare.count + len(chain.free)
+    return (chain, spare) if serve else (bare, whole)
+
+
+def still_coordinates(chain: Chain) -> tuple[str, ...]:
+    """Those of x, y, z that the task names and no joint moves, if others of them move."""
+    named = {TaskKind.POSITION: "xyz", TaskKind.COORDINATES: chain.task.coordinates}
+    moves = moving_coordinates(chain)
+    still = tuple(name for name in named.get(chain.task.kind, ()) if name not in moves)
+    return () if len(still) == len(named.get(chain.task.kind, ())) else still
+
+
+def moving_coordinates(chain: Chain) -> tuple[str, ...]:
+    """Those of the tool's x, y, z that some joint moves."""
+    q = np.random.default_rng(3).uniform(-2.0, 2.0, (POSITIONS, chain.dof))
+    most = np.abs(numeric_arm(chain).jacobian(q)[..., :3, :]).max(axis=(0, 2))
+    return tuple(n for n, rate in zip("xyz", most, strict=True) if rate > NULL * chain.size)
 
 
 def task_jacobian(arm: NumericArm, q: Array) -> Array:

@@ -6,11 +6,8 @@ import math
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.arm_angle import why_no_arm_angle
 from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point, short_number
-from dhgen.paul.choices import choices_text
 from dhgen.paul.forms import unknown_name
-from dhgen.paul.mobility import crowded_axes
 from dhgen.paul.types import CLOSED
 
 if TYPE_CHECKING:
@@ -18,10 +15,8 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.neighbours import Triple
-    from dhgen.paul.choices import Choice
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
-    from dhgen.paul.mobility import Surplus
     from dhgen.paul.search import Search
     from dhgen.paul.step import EquationType, View
 
@@ -44,36 +39,6 @@ def refusal(search: Search, chain: Chain) -> str:
         "--numerical would give the solutions that damped least squares find from many starts",
     ]
     return "\n".join(lines)
-
-
-def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
-    """Why an arm with more joints than its task fixes is not solved, and what can be done."""
-    names = ", ".join(map(str, spare.joints))
-    values = "its value" if spare.count == 1 else "their values"
-    given = "one of them" if spare.count == 1 else f"{spare.count} of them"
-    moved = f"joints {names} can be moved against each other without moving what the task names"
-    if spare.count == len(spare.joints):  # none of them matters at all
-        given, which = ("it", "joint") if spare.count == 1 else ("them", "joints")
-        moved = f"{which} {names} can be moved without moving what the task names"
-    first, *others = [*crowded_axes(chain), moved]
-    lines = [f"the arm has infinitely many solutions for every pose: {first}", *others]
-    if spare.count == len(chain.solved):
-        lines.append("no joint is left to solve for: a `task` must name what the arm can move")
-        return "\n".join(lines)
-    lines += [
-        f"name {given} under `free` to solve for the others with {values} given",
-        *choices_text(choices, spare),
-        *_elbow_choice(chain),
-        "--numerical would give the solution near to a seed, by damped least squares",
-    ]
-    return "\n".join(lines)
-
-
-def _elbow_choice(chain: Chain) -> list[str]:
-    """The arm angle, where there is one and nothing else is given."""
-    if chain.free or why_no_arm_angle(chain):
-        return []
-    return ["  free: arm_angle gives the elbow's place on its circle instead"]
 
 
 def _nearest(search: Search, state: Knowledge) -> list[str]:

@@ -12,7 +12,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
 from dhgen.paul.mobility import surplus
-from dhgen.paul.refusal import redundant
+from dhgen.paul.redundant import redundant
 from dhgen.paul.step import Kind
 from dhgen.program.interpret import interpret
 from dhgen.program.lower import lower

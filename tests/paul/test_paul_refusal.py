@@ -63,6 +63,51 @@ def test_joints_that_move_nothing_are_named_together() -> None:
     assert third == "no joint is left to solve for: a `task` must name what the arm can move"
 
 
+@pytest.mark.parametrize(
+    ("rows", "task", "serving"), [(2, "[x, z]", "[x, y]"), (3, "position", "pose")]
+)
+def test_a_coordinate_that_no_joint_moves_is_told(rows: int, task: str, serving: str) -> None:
+    first, second, third, *_ = refused(*["theta: q, a: 0.3"] * rows, task=task)
+    assert first.endswith(": no joint moves z, which the task names")
+    assert "can be moved against each other" in second
+    assert third == f"`task: {serving}` leaves no joint open"
+
+
+def test_where_no_other_task_serves_none_is_named() -> None:
+    first, *lines = refused(*["theta: q, a: 0.3"] * 4, task="[x, z]")
+    assert first.endswith(": no joint moves z, which the task names")
+    assert not any("task:" in line for line in lines)
+
+
+SLIDES = ("d: q, alpha: pi/2", "theta: pi/2, d: q, alpha: pi/2", "theta: pi/2, d: q")
+
+
+@pytest.mark.parametrize(
+    ("free", "said"),
+    [
+        ("[3, 4, 5]", "name joints 1, 4, 5 under `free` in place of joints 3, 4, 5 to solve"),
+        ("[3]", "name joints 1, 4, 5 under `free` in place of joint 3 to solve for the others"),
+        ("[5]", "name them under `free`, too, to solve for the others with their values given"),
+    ],
+)
+def test_where_some_joints_are_free_the_whole_list_is_named(free: str, said: str) -> None:
+    rows = (*SLIDES, "theta: q, alpha: pi/2", "theta: q")
+    first, second, third, *_ = refused(*rows, task="[x, y]", free=free)
+    assert f": with joint{'s' * (len(free) > 3)} {free[1:-1]} given, joint" in first
+    assert second.startswith(said)
+    assert third == "  free: [1, 4, 5] leaves a closed form with one row"
+
+
+def test_one_more_free_joint_is_named_with_those_that_are_there() -> None:
+    lines = refused(*["theta: q, a: 0.3"] * 4, task="[x, y]", free="[2]")
+    assert lines[0].endswith(
+        "with joint 2 given, joints 1, 3, 4 can be moved against each other"
+        " without moving what the task names"
+    )
+    assert lines[1].startswith("name one of them under `free`, too, to solve for the others")
+    assert lines[2].startswith("  free: [1, 2] or [2, 3] or [2, 4] leaves a closed form")
+
+
 def test_axes_that_are_nearly_one_line_are_told_so() -> None:
     (first, *_) = refused("theta: q, a: 1e-3", "theta: q, a: 1e6", task="[x, y]")
     nearly = "axes 1 and 2 are 0.001 apart, which beside the arm's size counts as one line"

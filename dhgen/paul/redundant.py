@@ -1,0 +1,94 @@
+"""What is said of an arm with more joints than its task fixes: which they are, and what serves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.arm_angle import why_no_arm_angle
+from dhgen.paul.choices import choices_text
+from dhgen.paul.mobility import (
+    crowded_axes,
+    moving_coordinates,
+    open_from_the_start,
+    still_coordinates,
+    surplus,
+)
+from dhgen.robot.robot import Task, TaskKind
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.paul.choices import Choice
+    from dhgen.paul.mobility import Surplus
+
+
+def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
+    """Why an arm with more joints than its task fixes is not solved, and what can be done."""
+    first, *others = [*_still(chain), *crowded_axes(chain), _moved(chain, spare)]
+    lines = [f"the arm has infinitely many solutions for every pose: {first}", *others]
+    start, whole = open_from_the_start(chain, spare)
+    if whole.count == len(start.solved):
+        lines.append("no joint is left to solve for: a `task` must name what the arm can move")
+        return "\n".join(lines)
+    values = "its value" if whole.count == 1 else "their values"
+    which = _which(whole, chain.free, kept=start.free == chain.free)
+    lines += [
+        *_other_task(chain),
+        f"name {which} to solve for the others with {values} given",
+        *choices_text(choices, whole),
+        *_elbow_choice(chain),
+        "--numerical would give the solution near to a seed, by damped least squares",
+    ]
+    return "\n".join(lines)
+
+
+def _moved(chain: Chain, spare: Surplus) -> str:
+    """Which joints move without moving what the task names, the free ones held."""
+    held = f"with {_joints(chain.free)} given, " if chain.free else ""
+    names = _joints(spare.joints)
+    if spare.count == len(spare.joints):  # none of them matters at all
+        return f"{held}{names} can be moved without moving what the task names"
+    return f"{held}{names} can be moved against each other without moving what the task names"
+
+
+def _which(whole: Surplus, free: tuple[int, ...], *, kept: bool) -> str:
+    """What is to be named under `free`: besides what is there already, or in its place."""
+    one, all_of_them = whole.count == 1, whole.count == len(whole.joints)
+    if kept:
+        them = "it" if one else "them"
+        what = them if all_of_them else "one of them" if one else f"{whole.count} of them"
+        return f"{what} under `free`" + ", too," * bool(free)
+    names = _joints(whole.joints)
+    what = names if all_of_them else f"{'one' if one else whole.count} of {names}"
+    return f"{what} under `free` in place of {_joints(free)}"
+
+
+def _joints(numbers: tuple[int, ...]) -> str:
+    return f"joint{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))}"
+
+
+def _still(chain: Chain) -> list[str]:
+    """What the task names in vain."""
+    still = still_coordinates(chain)
+    return [f"no joint moves {' or '.join(still)}, which the task names"] if still else []
+
+
+def _other_task(chain: Chain) -> list[str]:
+    """A task that fixes every joint, where the one that is given names what does not move."""
+    if not still_coordinates(chain):
+        return []
+    moving = moving_coordinates(chain)
+    tasks = {
+        f"[{', '.join(moving)}]": Task(TaskKind.COORDINATES, moving),
+        "pose": Task(TaskKind.POSE),
+    }
+    serving = (t for t, task in tasks.items() if not surplus(replace(chain, task=task)).count)
+    return [f"`task: {text}` leaves no joint open" for text in islice(serving, 1)]
+
+
+def _elbow_choice(chain: Chain) -> list[str]:
+    """The arm angle, where there is one and nothing else is given."""
+    if chain.free or why_no_arm_angle(chain):
+        return []
+    return ["  free: arm_angle gives the elbow's place on its circle instead"]
