@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import difflib
 import math
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, get_args
@@ -34,6 +35,8 @@ MAX_EXPONENT = 8
 MAX_DEGREE = 64
 
 FUNCTIONS: tuple[Function, ...] = get_args(Function)
+
+_VARIABLE = re.compile(r"\bq(?:_?\d+)?\b", re.ASCII)  # of some joint, as textbooks number them
 
 _OPERATORS: dict[type[ast.operator], Operator] = {
     ast.Add: "+",
@@ -135,8 +138,20 @@ class _Parser:
         if name == "q":
             raise self._error(node, "the variable q stands in theta or in d of a joint only")
         valid = (*self.values, "pi", "deg", *FUNCTIONS)
-        error = self._error(node, f"unknown name {quoted(name)}{nearest(name, valid)}")
+        end = nearest(name, valid)
+        if "q" in self.values and _VARIABLE.fullmatch(name):
+            end = self._variable()
+        error = self._error(node, f"unknown name {quoted(name)}{end}")
         raise UnknownNameError(name, error.message, error.span)
+
+    def _variable(self) -> str:
+        """The end of a message about a joint variable with a number."""
+        if len(set(_VARIABLE.findall(self.body))) == 1:
+            return ": in every row the joint's own variable is called q"
+        return (
+            ": a table can't couple joints; write q for all that this joint turns or slides, and "
+            "convert what the drives do in the program that calls the solver"
+        )
 
     def _binary(self, node: ast.BinOp, operator: Operator, depth: int) -> _Part:
         left = self.part(node.left, depth + 1)
