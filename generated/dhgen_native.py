@@ -46,6 +46,7 @@ FLAGS = (
 )
 # With these NaN means nothing, which says that a row has no solution.
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
+FLAGS_APART = "what is more than its name belongs to flags"
 WRITABLE = "set DHGEN_CACHE_DIR to a folder that can be written to"
 
 
@@ -217,14 +218,14 @@ def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:
 
 def _compiler(wanted: str | None) -> str:
     if not isinstance(wanted, (str, type(None))):
-        raise TypeError(f"compiler must be a name or a path as a text, not {wanted!r}")
+        raise TypeError(f"compiler must be a name or a path as a text, not {wanted!r}: {FLAGS_APART}")
     names = (wanted,) if wanted else (os.environ.get("CC"), "cc", "gcc", "clang")
     for name in names:
         if name and (found := shutil.which(name)):
             return found
     asked = f"{wanted} is not there" if wanted else "none of $CC, cc, gcc and clang is there"
     if wanted and len(wanted.split()) > 1:
-        asked += " (what is more than its name belongs to flags)"
+        asked += f" ({FLAGS_APART})"
     raise NoCompiler(f"no C compiler: {asked}; without one the robot's own module solves, by numba")
 
 
@@ -266,7 +267,11 @@ def _folder() -> Path:
 
 
 def _run(*command: str) -> str:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    # Without a PATH it was found where the system keeps commands; it looks for its own in PATH.
+    place = {"PATH": os.environ.get("PATH", os.defpath)}
+    done = subprocess.run(  # noqa: S603
+        command, env=os.environ | place, capture_output=True, text=True, check=False
+    )
     if done.returncode:
         raise BuildError(f"{shlex.join(command)}\n{done.stderr}")
     return done.stdout

@@ -22,6 +22,7 @@ notations; what is taken from it stands here in full.
 from __future__ import annotations
 
 import math
+import warnings
 from functools import wraps
 from inspect import signature
 from typing import TYPE_CHECKING
@@ -46,6 +47,18 @@ except ImportError:
 
     njit = overload = _plain_python
 
+_KEEPS = True
+try:
+    njit(cache=True)(lambda: None)
+except RuntimeError:
+    _KEEPS = False
+    warnings.warn(
+        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's cache "
+        "folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder that can "
+        "be written to",
+        stacklevel=2,
+    )
+
 
 def _shape(name: str) -> tuple[int, ...]:
     """What an argument of this name holds."""
@@ -56,7 +69,7 @@ def _shape(name: str) -> tuple[int, ...]:
 
 def _of_numbers(function: Any) -> Any:  # noqa: ANN401  as numba types it
     """Compile a function that takes arrays, and make arrays of what Python calls it with."""
-    compiled, arguments = njit(cache=True)(function), signature(function)
+    compiled, arguments = njit(cache=_KEEPS)(function), signature(function)
     shapes = {name: _shape(name) for name in arguments.parameters}
 
     @wraps(function)
@@ -377,7 +390,7 @@ def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
     return P[:3, 3].copy(), np.array([a, _angle(sb, P[2, 2]), c])
 
 
-@njit(cache=True)
+@njit(cache=_KEEPS)
 def _angle(sine: float, cosine: float) -> float:
     """The angle of a sine and a cosine with any common factor; -0.0 counts as 0.0.
 
@@ -386,7 +399,7 @@ def _angle(sine: float, cosine: float) -> float:
     return math.atan2(sine + 0.0, cosine)
 
 
-@njit(cache=True)
+@njit(cache=_KEEPS)
 def _vector(numbers: Array, length: int) -> Array:
     """A float64 copy of `length` finite numbers: numba checks no index and computes in float32."""
     if numbers.shape != (length,):
@@ -399,7 +412,7 @@ def _vector(numbers: Array, length: int) -> Array:
     return copy
 
 
-@njit(cache=True)
+@njit(cache=_KEEPS)
 def _pose_at(xyz: Array) -> Array:
     """The pose without rotation at a position."""
     T = np.eye(4)
@@ -407,7 +420,7 @@ def _pose_at(xyz: Array) -> Array:
     return T
 
 
-@njit(cache=True)
+@njit(cache=_KEEPS)
 def _rigid(T: Array) -> Array:
     """A float64 copy of T, which must be a rotation and a translation.
 
@@ -437,7 +450,7 @@ def _rigid(T: Array) -> Array:
     return P
 
 
-@njit(cache=True)
+@njit(cache=_KEEPS)
 def _quaternion_xyzw(P: Array) -> Array:
     """The unit quaternion x, y, z, w of a pose (Shepperd 1978): w >= 0.
 

@@ -166,6 +166,14 @@ def test_without_a_compiler(tmp_path: Path) -> None:
         module("dhgen_native").native(module("scara"), compiler="tcc-0")
 
 
+def test_without_a_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The compiler is found where the system has it, and is to find its linker there."""
+    monkeypatch.setenv("DHGEN_CACHE_DIR", str(tmp_path))
+    monkeypatch.delenv("PATH")
+    solved = module("dhgen_native").native(module("scara"))
+    np.testing.assert_array_equal(solved.fk(np.zeros(4)), module("scara").fk(np.zeros(4)))
+
+
 def test_what_is_no_robot_is_told_what_is_wanted(tmp_path: Path) -> None:
     helper = module("dhgen_native")
     for given_in_its_place in ("scara", np):
@@ -183,6 +191,8 @@ def test_arguments_of_another_type_are_refused() -> None:
             native_of(module("scara"), flags=flags)
     with pytest.raises(TypeError, match="compiler must be a name or a path as a text, not 3"):
         native_of(module("scara"), compiler=3)
+    with pytest.raises(TypeError, match=r"'-m64'\]: what is more than its name belongs to flags"):
+        native_of(module("scara"), compiler=["gcc", "-m64"])
     with pytest.raises(RuntimeError, match="what is more than its name belongs to flags"):
         native_of(module("scara"), compiler="gcc -m32")
     with pytest.raises(ValueError, match=r"T, q and status must be \(4, 4\), \(2, 4\), \(2,\)"):

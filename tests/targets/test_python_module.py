@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from typing import Any
 
 import numpy as np
 import pytest
@@ -82,6 +83,13 @@ def test_limits_may_be_left_aside() -> None:
         module.ik(far, q)
 
 
+def read_only(module: Any, which: int) -> Any:
+    """Results of an earlier call, of which one can't be written to any more."""
+    out = module.ik_batch(np.eye(4)[None])
+    out[which].flags.writeable = False
+    return out
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -100,6 +108,10 @@ def test_limits_may_be_left_aside() -> None:
         (lambda m, T: m.ik(T, branch=np.arange(2)), "no branch array"),
         (lambda m, T: m.ik_batch(T[None], cores=True), "cores must be at least 1, or None"),
         (lambda m, T: m.ik((T + np.outer(T[0], T[3])).T), "last row not 0, 0, 0, 1 .is it tr"),
+        (lambda m, T: m.ik_all(T.size * [None]), "T must hold real numbers, in shape"),
+        (lambda m, T: m.ik_all(T, [None] * 6), "q_seed must hold real numbers, in shape"),
+        (lambda m, T: m.ik_batch(T[None], out=read_only(m, 0)), "q in out .* it is read-only"),
+        (lambda m, T: m.ik_batch(T[None], out=read_only(m, 1)), "status in out .* it is read-only"),
         (lambda m, T: m.ik(T, branch=-1), "no branch -1; there are"),
         (lambda m, T: m.ik(2.0 * T), "T is no pose: not finite, or not a right-handed rotation"),
     ],
