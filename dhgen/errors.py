@@ -80,6 +80,10 @@ class PrecisionError(DhgenError):
     """An arm that cannot be solved in the precision that its file asks for."""
 
 
+class CompilerError(DhgenError):
+    """The C compiler can't build anything: a fault of what is installed."""
+
+
 class VerificationError(DhgenError):
     """The written files do not do what they promise: a fault of the compiler, never the user's."""
 

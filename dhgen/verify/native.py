@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.errors import VerificationError
+from dhgen.errors import CompilerError, VerificationError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -24,6 +24,11 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 C_FLAGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+NOTHING = """\
+#include <math.h>
+double nothing(double x);
+double nothing(double x) { return sin(x); }
+"""
 FAST_FLAGS = ("-fno-math-errno", "-fno-trapping-math", "-ffp-contract=fast")
 
 
@@ -154,17 +159,39 @@ def compile_solver(
 
     Raises:
         VerificationError: The compiler refuses the file.
+        CompilerError: It refuses any file.
     """
     compiler = build.compiler or c_compiler()
     if compiler is None:
         return None
     library = folder / f"{name}-{build.name}.so"
-    flags = [*C_FLAGS, *build.flags]
-    command = [compiler, *flags, "-shared", "-fPIC", str(source), "-o", str(library), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
-    if done.returncode != 0:
-        raise VerificationError(f"{source.name} does not compile:\n{done.stderr}")
+    told = _compiled(compiler, build.flags, source, library)
+    if told:
+        _demand_compiler(compiler, folder)
+        raise VerificationError(f"{source.name} does not compile:\n{told}")
     return CompiledSolver(ctypes.CDLL(str(library)), name, dof, rows, free)
+
+
+def _compiled(compiler: str, flags: tuple[str, ...], source: Path, library: Path) -> str:
+    """Compiles a file; what the compiler says against it, nothing where it did."""
+    command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", str(source), "-o", str(library)]
+    # Without a PATH it was found where the system keeps commands; it looks for its own in PATH.
+    place = {"PATH": os.environ.get("PATH", os.defpath)}
+    done = subprocess.run(  # noqa: S603
+        [*command, "-lm"], env=os.environ | place, capture_output=True, text=True, check=False
+    )
+    return done.stderr.strip() or "it does not say why" if done.returncode else ""
+
+
+def _demand_compiler(compiler: str, folder: Path) -> None:
+    """CompilerError where it refuses a file of which it takes nothing but a library to refuse."""
+    source = folder / "dhgen_nothing.c"
+    source.write_text(NOTHING, encoding="utf-8")
+    if told := _compiled(compiler, (), source, source.with_suffix(".so")):
+        raise CompilerError(
+            f"the C compiler {compiler} can't build anything here:\n{told}\n"
+            "mend it, or name another one in $CC"
+        )
 
 
 def _pointer(array: NDArray[Any]) -> Any:  # noqa: ANN401 - ctypes has no type for it
