@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 FRAMES = ("base", "tool")
+MATRIX = "matrix"  # who writes a list may leave it out
 NOTES = ("class", "confidence")  # of a table in a list, for its readers
 
 
@@ -34,7 +35,21 @@ class Source:
         """A remark and its place; of a list the user never saw the file."""
         if not self.place:
             return str(remark)
-        return ": ".join(filter(None, [self.place, remark.message, remark.source.strip(" ,[{")]))
+        shown = remark.source.strip(" ,[{")
+        keys = "" if '":' in shown else ", ".join(self._keys(remark.line))
+        return ": ".join(filter(None, [self.place, keys, remark.message, shown]))
+
+    def _keys(self, line: int) -> list[str]:
+        """The keys that a line of the file stands below, but for those that no list has."""
+        keys: list[str] = []
+        lines = self.path.read_text(encoding="utf-8").splitlines()[:line]
+        depth = len(lines[-1]) - len(lines[-1].lstrip()) if lines else 0
+        for text in reversed(lines):
+            rest = text.lstrip()
+            if len(text) - len(rest) < depth:
+                depth = len(text) - len(rest)
+                keys += [rest.split('"')[1]] if rest.startswith('"') else []
+        return [key for key in reversed(keys) if key != MATRIX]
 
 
 def robot_files(given: Sequence[Path], folder: Path) -> tuple[Source, ...]:
@@ -62,7 +77,7 @@ def robot_files(given: Sequence[Path], folder: Path) -> tuple[Source, ...]:
 
 def _files(path: Path, folder: Path, before: int) -> list[Source]:
     if path.is_dir():
-        files = [Source(each, each.stem) for each in sorted(path.glob("*.yaml"))]
+        files = [Source(each, each.stem) for each in _robots_in(path)]
     elif path.suffix == ".json":
         files = _unpacked(path, folder, before)
     elif path.exists():
@@ -74,6 +89,13 @@ def _files(path: Path, folder: Path, before: int) -> list[Source]:
     return files
 
 
+def _robots_in(folder: Path) -> list[Path]:
+    try:  # Path.glob finds nothing where it may not look
+        return sorted(each for each in folder.iterdir() if each.name.endswith(".yaml"))
+    except OSError as error:
+        raise _refusal(folder, f"the folder can't be read: {error.strerror}") from None
+
+
 def _unpacked(path: Path, folder: Path, before: int) -> list[Source]:
     """JSON is YAML: a table needs only its matrices called so."""
     files: list[Source] = []
@@ -82,7 +104,7 @@ def _unpacked(path: Path, folder: Path, before: int) -> list[Source]:
         robot.setdefault("title", str(table.get("class", table.get("name"))))
         for key in FRAMES:
             if isinstance(robot.get(key), list):
-                robot[key] = {"matrix": robot[key]}
+                robot[key] = {MATRIX: robot[key]}
         file = folder / f"{before + number}.yaml"
         file.write_text(json.dumps(robot, indent=1), encoding="utf-8")
         place = f"table {number}"
@@ -100,8 +122,13 @@ def _tables(path: Path) -> list[dict[str, Any]]:
         raise _refusal(path, "the list can't be read: it is nested too deeply") from None
     except ValueError as error:
         raise _refusal(path, f"the list can't be read: {error}") from None
-    if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
+    if not isinstance(tables, list):
         raise _refusal(path, "a list of tables is meant: [{...}, ...]")
+    wrong = [str(n) for n, table in enumerate(tables, start=1) if not isinstance(table, dict)]
+    if wrong:
+        none = f"entr{'y' if len(wrong) == 1 else 'ies'} {', '.join(wrong)} of it"
+        is_none = "is none" if len(wrong) == 1 else "are none"
+        raise _refusal(path, f"a list of tables is meant, [{{...}}, ...]: {none} {is_none}")
     return tables
 
 

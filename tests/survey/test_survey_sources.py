@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 import pytest
@@ -44,7 +45,8 @@ def test_a_list_of_tables_becomes_robot_files(tmp_path: Path) -> None:
     ("text", "said"),
     [
         ("{}", "a list of tables is meant"),
-        ("[1]", "a list"),
+        ("[1]", "a list of tables is meant, .*: entry 1 of it is none"),
+        ('[{}, 1, {}, "x"]', "a list of tables is meant, .*: entries 2, 4 of it are none"),
         ("[", "can't be read: Expecting value"),
         ("[" * 100_000, "nested too deeply"),
         ('[{"free": [1], "free": [2]}]', "the key 'free' stands twice"),
@@ -55,6 +57,17 @@ def test_what_is_no_list(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "x.json").write_text(text)
     with pytest.raises(RobotFileError, match=said):
         robot_files([tmp_path / "x.json"], tmp_path)
+
+
+def test_a_folder_that_may_not_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: Path) -> NoReturn:
+        raise PermissionError(13, "Permission denied")
+
+    # as both list a folder, so that root can ask, too
+    monkeypatch.setattr("os.scandir", refuse)
+    monkeypatch.setattr("os.listdir", refuse)
+    with pytest.raises(RobotFileError, match="the folder can't be read: Permission denied"):
+        robot_files([tmp_path], tmp_path)
 
 
 def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
@@ -73,6 +86,8 @@ def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
     [
         ("arm", "fre", [3], "table 2: unknown key 'fre'; did you mean 'free'.*: \"fre\":$"),
         ("arm", "joints", [{"theta": "q", "d": "x"}], 'table 2: unknown name \'x\'; .*: "d": "x"$'),
+        ("arm", "base", [[1, 0], [0, 1]], "table 2: base: expected 4 values, not 2: a row of four"),
+        ("arm", "tool", {"xyz": [0, "z", 0]}, "table 2: tool, xyz: unknown name 'z'; .*: \"z\"$"),
         ("../arm", "joints", [], "table 2: '../arm': the robot can't be called so"),
         ("\x1b[31m", "joints", [], "table 2: .*can't be called so"),
     ],
