@@ -94,11 +94,11 @@ def _parser() -> argparse.ArgumentParser:
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="robot files (YAML)")
+    parser.add_argument("files", nargs="+", type=_path, metavar="FILE", help="robot files (YAML)")
     parser.add_argument("--check", action="store_true", help="only compare, write nothing")
     parser.add_argument(
         "--out",
-        type=Path,
+        type=_path,
         default=OUT,
         metavar="DIR",
         help="where to write, or with --check what to compare (default: generated)",
@@ -135,6 +135,15 @@ def _refuse_unwritable(out: Path) -> None:
         raise CommandError(f"dhgen: can't write to the folder {out} ({reason})") from None
 
 
+def _refuse_occupied(paths: Sequence[Path]) -> None:
+    """Stops before anything is written, where something that is there can't be written over."""
+    for path in paths:
+        if path.is_dir():
+            raise CommandError(f"dhgen: can't write {path}: a folder of that name is there")
+        if path.exists() and not os.access(path, os.W_OK):
+            raise CommandError(f"dhgen: can't write {path}: the file there is read-only")
+
+
 def _add_numerical(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--numerical",
@@ -148,7 +157,7 @@ def _explain_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="dhgen explain", description="Prints the derivation of a robot in the terminal."
     )
-    parser.add_argument("file", type=Path, metavar="FILE", help="a robot file (YAML)")
+    parser.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML)")
     parser.add_argument(
         "--alternatives", action="store_true", help="the other valid equations of each step"
     )
@@ -167,7 +176,7 @@ def _survey_parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "paths",
         nargs="+",
-        type=Path,
+        type=_path,
         metavar="PATH",
         help="robot files, folders of them, or lists of tables in JSON",
     )
@@ -179,6 +188,12 @@ def _survey_parser() -> argparse.ArgumentParser:
         help="random poses of each arm, and a quarter as many of each singular kind (default: 200)",
     )
     return parser
+
+
+def _path(word: str) -> Path:
+    if not word:  # of which Path makes the folder one is in
+        raise argparse.ArgumentTypeError("an empty text is no path")
+    return Path(word)
 
 
 def _positive(word: str) -> int:
@@ -246,6 +261,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
         print("note: --numerical is not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
+    _refuse_occupied([options.out / name for name in compilation.files])
     report = verified(compilation, _tell)
     options.out.mkdir(parents=True, exist_ok=True)
     for name, text in compilation.files.items():

@@ -12,6 +12,7 @@ import functools
 import math
 import os
 import sys
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from types import ModuleType
 
@@ -42,12 +43,22 @@ except ImportError:  # plain Python, only slower
 
 # What is not said to be inlined by force would be, in those that are.
 _OPTIONS = {"cache": True, "error_model": "numpy", "forceinline": False}
+try:
+    # Roots of negative numbers stop plain Python.
+    _COMPILED = hasattr(njit(**_OPTIONS)(lambda: None), "py_func")
+except RuntimeError:
+    _COMPILED, _OPTIONS["cache"] = True, False
+    warnings.warn(
+        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's cache "
+        "folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder that can "
+        "be written to",
+        stacklevel=2,
+    )
 _jit = njit(**_OPTIONS)
 # Only compiled code may call these: what Python would need is not made, which is much of the work.
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, **_OPTIONS}
 _inner = njit(**_INNER)
 _merged = njit(**{**_INNER, "forceinline": True})
-_COMPILED = hasattr(_jit(lambda: None), "py_func")  # roots of negative numbers stop plain Python
 
 
 @intrinsic(prefer_literal=True)
@@ -151,7 +162,8 @@ def _numbers(values, shape, name):
     try:
         values = np.ascontiguousarray(values)
         if values.dtype != _FLOAT:
-            if values.dtype.kind == "c":  # numpy would drop the imaginary parts
+            # numpy would drop imaginary parts, and make NaN of None
+            if values.dtype.kind == "c" or (values.dtype.kind == "O" and None in values.ravel()):
                 raise TypeError
             values = values.astype(_FLOAT)
     except (TypeError, ValueError):
@@ -404,7 +416,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r1p 483c7ec3ecc4e007"
+_KEY = "general_5r1p 8df0436c71512876"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2564,6 +2576,8 @@ def _results(out, count):
     q, status = out
     for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
         ready = isinstance(array, np.ndarray) and array.flags.carray
+        if not ready and isinstance(array, np.ndarray) and not array.flags.writeable:
+            raise ValueError(f"{name} in out can't be written to: it is read-only")
         if not ready or array.shape != shape or array.dtype != kind:
             raise ValueError(f"{name} in out must be a contiguous array of {kind}, {shape}")
     return q, status

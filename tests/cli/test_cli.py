@@ -420,6 +420,54 @@ def test_a_folder_that_cannot_be_written_is_found_out_before_the_work(
     assert names(tmp_path) == ["file"]
 
 
+def test_what_can_not_be_written_over_is_told_before_anything_is(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "x" / "planar_rr.h").mkdir(parents=True)
+    done = run(PLANAR, "--out", "x", folder=tmp_path)
+    told = "dhgen: can't write x/planar_rr.h: a folder of that name is there\n"
+    assert (done.returncode, done.stderr) == (2, told)
+    assert names(tmp_path / "x") == []
+    (tmp_path / "x" / "planar_rr.h").rmdir()
+    (tmp_path / "x" / "planar_rr.h").touch()
+    monkeypatch.setattr("os.access", lambda path, _: Path(path).suffix != ".h")
+    done = run(PLANAR, "--out", "x", folder=tmp_path)
+    told = "dhgen: can't write x/planar_rr.h: the file there is read-only\n"
+    assert (done.returncode, done.stderr) == (2, told)
+    assert names(tmp_path / "x") == ["planar_rr.h"]
+
+
+@pytest.mark.parametrize("words", [[""], ["explain", ""], ["survey", ""], ["--out", "", "x"]])
+def test_an_empty_text_is_no_path(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(words)
+    assert stopped.value.code == 2
+    assert "an empty text is no path" in capsys.readouterr().err
+
+
+def test_a_compiler_that_builds_nothing_is_not_the_file_s_fault(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "broken"
+    broken.write_text("#!/bin/sh\necho cannot find ld >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("CC", str(broken))
+    done = run(PLANAR, folder=tmp_path)
+    told = f"the C compiler {broken} can't build anything here:\ncannot find ld\nmend it, or name"
+    assert (done.returncode, done.stderr) == (1, f"{told} another one in $CC\n")
+    assert not (tmp_path / "generated").exists()
+
+
+def test_without_a_path_the_compiler_finds_its_linker(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("PATH")
+    monkeypatch.delenv("CC", raising=False)
+    done = run(PLANAR, folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Python and C agree" in done.stdout
+
+
 def test_links_that_lead_in_a_circle(run: Run, tmp_path: Path) -> None:
     (tmp_path / "loop").symlink_to("loop")
     for words in (["loop"], ["--check", "loop"], ["explain", "loop"]):
