@@ -45,9 +45,9 @@ try:
 except RuntimeError:
     _COMPILED, _OPTIONS["cache"] = True, False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's cache "
-        "folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder that can "
-        "be written to",
+        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
+        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
+        "that can be written to",
         stacklevel=2,
     )
 _jit = njit(**_OPTIONS)

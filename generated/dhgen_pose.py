@@ -53,9 +53,9 @@ try:
 except RuntimeError:
     _KEEPS = False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's cache "
-        "folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder that can "
-        "be written to",
+        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
+        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
+        "that can be written to",
         stacklevel=2,
     )
 

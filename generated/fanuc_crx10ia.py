@@ -49,9 +49,9 @@ try:
 except RuntimeError:
     _COMPILED, _OPTIONS["cache"] = True, False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's cache "
-        "folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder that can "
-        "be written to",
+        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
+        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
+        "that can be written to",
         stacklevel=2,
     )
 _jit = njit(**_OPTIONS)
@@ -334,7 +334,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_crx10ia fb04eed3ee942810"
+_KEY = "fanuc_crx10ia 1089dad0fce87103"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

@@ -48,9 +48,9 @@ try:
 except RuntimeError:
     _COMPILED, _OPTIONS["cache"] = True, False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's cache "
-        "folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder that can "
-        "be written to",
+        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
+        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
+        "that can be written to",
         stacklevel=2,
     )
 _jit = njit(**_OPTIONS)
@@ -238,7 +238,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rr 8baecb669d2a0688"
+_KEY = "planar_rr 22fdd2e51d1b6387"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
