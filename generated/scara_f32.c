@@ -616,7 +616,7 @@ static int settle(const float T[16], float enough, float most, float q[4])
                 break;
             }
             last = miss;
-            add_step(sqrtf(0.1f * miss * miss + 1e-09f), held, J, e, x);
+            add_step(sqrtf(0.1f * miss * miss + 1e-10f), held, J, e, x);
         }
         for (int i = 0; i < 4; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;

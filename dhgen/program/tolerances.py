@@ -55,7 +55,8 @@ class Tolerances:
         polished: A candidate that was polished on the whole pose is a solution if it misses that
             by no more [arm sizes, rad]: far above rounding, far below where a near miss ends.
         fine: Always added to the damping of steps to a solution next to joint values, a square: its
-            root is above rounding of the miss by so much that this moves no joint by over 1e-3 rad.
+            root is so far above rounding of the miss that this moves joints by 1e-3 rad at most, in
+            single precision by 3e-3.
         double: An extremum of a polynomial this near to zero, relative to its coefficients, is a
             double root: rounding of the coefficients may move it either way.
         simple: Where the slope is above this, relative to the coefficients, a Newton step
@@ -135,7 +136,7 @@ SINGLE = Precision(
         exact=5e-5,
         limit=2e-6,
         standing=1e-6,
-        fine=1e-9,
+        fine=1e-10,
         told=3e-3,
         far=1e2,
     ),
