@@ -1073,11 +1073,12 @@ static void stay(
             if (half_way(x, q[row], half) < 0.001) {
                 for (int i = 0; i < 6; i++)
                     half[i] += half[i] - x[i];
-                if (past_ends(half) > 0.0)
-                    take(x, q[row]); /* next to it the row is beyond */
-                return;
+                if (!(past_ends(half) > 0.0))
+                    return;
+                between = -1.0; /* the same but for a joint that would be turned */
+            } else {
+                between = off_pose(T, half, e, J);
             }
-            between = off_pose(T, half, e, J);
         }
         if (between <= least) {
             least = between;

@@ -379,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n cfa6d018b6533aa7"
+_KEY = "kawasaki_rs007n ddcc7ea374dfd6fe"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -946,14 +946,13 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
-                # next to it the row may be beyond a limit, and would be turned
                 for i in range(6):
                     half[i] += half[i] - x[i]
-                if _past_ends(half) > 0.0:
-                    for i in range(6):
-                        q[row, i] = x[i]
-                return
-            between = _miss(pose, half, A)[1]
+                if not _past_ends(half) > 0.0:
+                    return
+                between = -1.0  # the same but for a joint that would be turned
+            else:
+                between = _miss(pose, half, A)[1]
         if between <= least:
             place, least = row, between
     status[place] = FREE_JOINT

@@ -663,11 +663,12 @@ static void stay(
             if (half_way(x, q[row], half) < 0.03f) {
                 for (int i = 0; i < 4; i++)
                     half[i] += half[i] - x[i];
-                if (past_ends(half) > 0.0f)
-                    take(x, q[row]); /* next to it the row is beyond */
-                return;
+                if (!(past_ends(half) > 0.0f))
+                    return;
+                between = -1.0f; /* the same but for a joint that would be turned */
+            } else {
+                between = off_pose(T, half, e, J);
             }
-            between = off_pose(T, half, e, J);
         }
         if (between <= least) {
             least = between;

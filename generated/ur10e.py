@@ -369,7 +369,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur10e 7d6cfd2986dfd884"
+_KEY = "ur10e 178ed54388543d63"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1012,14 +1012,13 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
-                # next to it the row may be beyond a limit, and would be turned
                 for i in range(6):
                     half[i] += half[i] - x[i]
-                if _past_ends(half) > 0.0:
-                    for i in range(6):
-                        q[row, i] = x[i]
-                return
-            between = _miss(pose, half, A)[1]
+                if not _past_ends(half) > 0.0:
+                    return
+                between = -1.0  # the same but for a joint that would be turned
+            else:
+                between = _miss(pose, half, A)[1]
         if between <= least:
             place, least = row, between
     status[place] = FREE_JOINT

@@ -116,7 +116,7 @@ def test_every_fifth_sign_of_c(
             "valid = valid and rest <= ",
             "valid = valid and rest <= 1e9 + ",
         ),  # the last row is not looked at
-        ("math.isfinite(px)", "True"),
+        ("math.isfinite(px * px * px)", "True"),
         ("valid = valid and miss <= ", "valid = valid and miss <= 1e9 + "),
         ("status[row] = OUT_OF_LIMITS", "pass"),
         ("value += _TURN * math.floor((t", "value -= _TURN * math.floor((t"),
