@@ -11,7 +11,7 @@ import numba
 import pytest
 
 from dhgen.compiler import Compilation, compile_robot, verified
-from dhgen.errors import VerificationError
+from dhgen.errors import CompilerError, VerificationError
 from dhgen.verify.verify import verify
 from tests.targets.made import ROBOTS
 
@@ -175,5 +175,5 @@ def test_cc_names_the_compiler(
     refusing.write_text("#!/bin/sh\necho no thanks >&2\nexit 1\n")
     refusing.chmod(0o755)
     monkeypatch.setenv("CC", str(refusing))
-    with pytest.raises(VerificationError, match="no thanks"):
+    with pytest.raises(CompilerError, match="no thanks"):
         verified(compilation)
