@@ -332,7 +332,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_gofa_5 067dafbed83a1c9f"
+_KEY = "abb_gofa_5 411b5f852339e699"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -731,6 +731,17 @@ def _move_inside(T, q, near, kept, kinds, count, enough, u):
             return
 
 
+@_inner
+def _takes_place(T, q, u, known):
+    """Of two solutions that are taken for one that inside the limits is kept if it is as
+    exact as a row has to be."""
+    end = np.empty(6)
+    if _clamped(known, end) <= 1e-09 or _clamped(u, end) > 1e-09:
+        return False
+    e, A = np.empty(6), np.empty((6, 6))
+    return _look(T, q, u, e, A) <= 1e-11
+
+
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
@@ -746,9 +757,7 @@ def _keep(T, q, near, kept, kinds, count, u):
         _move_inside(T, q, near, kept, kinds, count, enough, u)
     _wrap_angles(u)
     k = _known_as(T, q, kept, kinds, count, u, kind >= 0)
-    # of two that are taken for one the one inside the limits is kept
-    end = np.empty(6)
-    if k >= 0 and (_clamped(u, end) > 1e-09 or _clamped(kept[k], end) <= 1e-09):
+    if k >= 0 and not _takes_place(T, q, u, kept[k]):
         return count
     k = count if k < 0 else k
     kinds[k] = kind
@@ -2305,15 +2314,6 @@ def _overshoot(joint, value):
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
 
-@_inner
-def _beyond_limits(values):
-    """The same of a row."""
-    total = 0.0
-    for i in range(6):
-        total += abs(_overshoot(i, values[i]))
-    return total
-
-
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
@@ -2393,6 +2393,26 @@ def _past_an_end(joint, value):
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
 
+@_inner
+def _past_ends(values):
+    """How far joints are beyond their limits as they stand."""
+    total = 0.0
+    for i in range(6):
+        total += abs(_past_an_end(i, values[i]))
+    return total
+
+
+@_inner
+def _at_an_end(joint, value, seed):
+    """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
+    beyond an end there."""
+    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
+        if abs(near - seed) < 0.15:
+            return near
+    return _turned(joint, value, value)
+
+
 @_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
 def _settled(T, enough, most, q):
     """Takes joint values to some not farther than most that miss the pose by less than enough.
@@ -2456,8 +2476,8 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
-            q[row, i] = _turned(i, q[row, i], q[row, i])
-        off = _beyond_limits(q[row])
+            q[row, i] = _at_an_end(i, q[row, i], seed[i])
+        off = _past_ends(q[row])
         if 0.0 < off < 0.01:
             _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):

@@ -413,7 +413,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 0bc8591ee7e0456f"
+_KEY = "franka_panda 30f2c3b89c4446e3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1010,8 +1010,7 @@ def _stay(pose, q_free, seed, q, status):
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
     A = np.empty((6, 7))
     for i in range(7):
-        here = seed[i]
-        x[i] = here - _overshoot(i, here)
+        x[i] = seed[i] - _overshoot(i, seed[i])
     x[6] = q_free[0]
     if not _settle(pose, 1e-12, 0.15, x):
         return

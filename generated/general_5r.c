@@ -416,6 +416,17 @@ static void move_inside(
     }
 }
 
+/* Of two solutions that are taken for one that inside the limits is kept if it is as exact
+ * as a row has to be. */
+static int takes_place(struct descent *d, const double u[5], const double known[5])
+{
+    double end[5];
+    if (clamped(known, end) <= 1e-09 || clamped(u, end) > 1e-09)
+        return 0;
+    look(d, u);
+    return d->length <= 1e-11;
+}
+
 /* A solution joins those found before, unless it is one of them. Where one is exact the pose has
  * not
  * been rounded: then all have to be exact. */
@@ -440,9 +451,8 @@ static void keep(struct descent *d, struct kept *kept, double u[5])
     }
     wrap_angles(u);
     int k = known_as(d, kept, u, kind >= 0);
-    double end[5];
-    if (k >= 0 && (clamped(u, end) > 1e-09 || clamped(kept->u[k], end) <= 1e-09))
-        return; /* of two that are taken for one the one inside the limits is kept */
+    if (k >= 0 && !takes_place(d, u, kept->u[k]))
+        return;
     k = k < 0 ? kept->count++ : k;
     kept->singular[k] = kind >= 0;
     kept->chosen[k] = kind == 1;
@@ -3474,14 +3484,6 @@ static double overshoot(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
-/* The same of a row. */
-static double beyond_limits(const double values[5])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 5; i++)
-        sum += fabs(overshoot(i, values[i]));
-    return sum;
-}
 
 /* Fills the rows of the branches that have a solution, and no others. */
 static void solve(
@@ -3605,6 +3607,27 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
+/* How far joints are beyond their limits as they stand. */
+static double past_ends(const double values[5])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 5; i++)
+        sum += fabs(past_an_end(i, values[i]));
+    return sum;
+}
+
+/* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
+ * an
+ * end there. */
+static double at_an_end(int joint, double value, double seed)
+{
+    const double near = value + turn * floor((seed - value) / turn + 0.5);
+    const double past = fabs(past_an_end(joint, near));
+    if (0.0 < past && past < 0.01 && fabs(near - seed) < 0.15)
+        return near;
+    return turned(joint, value, value);
+}
+
 /* Takes joint values to some not farther than most that miss the pose by less than enough or, if
  * that is
  * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
@@ -3668,8 +3691,8 @@ int general_5r_ik(
         if (status[row] == GENERAL_5R_UNREACHABLE)
             continue;
         for (int i = 0; i < 5; i++)
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-        const double off = beyond_limits(q[row]);
+            q[row][i] = at_an_end(i, q[row][i], seed[i]);
+        const double off = past_ends(q[row]);
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 5; i++) {

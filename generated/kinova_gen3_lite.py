@@ -338,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_lite 01cd7a1586dac540"
+_KEY = "kinova_gen3_lite a34a3ef64ff05e7b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -725,6 +725,17 @@ def _move_inside(T, q, near, kept, kinds, count, enough, u):
             return
 
 
+@_inner
+def _takes_place(T, q, u, known):
+    """Of two solutions that are taken for one that inside the limits is kept if it is as
+    exact as a row has to be."""
+    end = np.empty(6)
+    if _clamped(known, end) <= 1e-09 or _clamped(u, end) > 1e-09:
+        return False
+    e, A = np.empty(6), np.empty((6, 6))
+    return _look(T, q, u, e, A) <= 1e-11
+
+
 @_apart("int64(float64[:, ::1], float64[::1], float64[::1], float64[:, ::1], int64[::1], int64, float64[::1])")
 def _keep(T, q, near, kept, kinds, count, u):
     """A solution joins those found before, unless it is one of them; how many there are then."""
@@ -740,9 +751,7 @@ def _keep(T, q, near, kept, kinds, count, u):
         _move_inside(T, q, near, kept, kinds, count, enough, u)
     _wrap_angles(u)
     k = _known_as(T, q, kept, kinds, count, u, kind >= 0)
-    # of two that are taken for one the one inside the limits is kept
-    end = np.empty(6)
-    if k >= 0 and (_clamped(u, end) > 1e-09 or _clamped(kept[k], end) <= 1e-09):
+    if k >= 0 and not _takes_place(T, q, u, kept[k]):
         return count
     k = count if k < 0 else k
     kinds[k] = kind

@@ -1146,8 +1146,7 @@ static void stay(
     double x[7], half[7], J[42], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 7; i++) {
-        const double here = seed[i];
-        x[i] = here - overshoot(i, here);
+        x[i] = seed[i] - overshoot(i, seed[i]);
     }
     x[2] = free_joints[0];
     if (!settle(T, 1e-12, 0.15, x))

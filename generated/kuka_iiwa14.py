@@ -406,7 +406,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 98eb1a73c71bf6bd"
+_KEY = "kuka_iiwa14 23785e9e9a3e5d71"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -997,8 +997,7 @@ def _stay(pose, q_free, seed, q, status):
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
     A = np.empty((6, 7))
     for i in range(7):
-        here = seed[i]
-        x[i] = here - _overshoot(i, here)
+        x[i] = seed[i] - _overshoot(i, seed[i])
     x[2] = q_free[0]
     if not _settle(pose, 1e-12, 0.15, x):
         return

@@ -658,8 +658,7 @@ static void stay(
     double x[2], half[2], J[12], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 2; i++) {
-        const double here = seed[i];
-        x[i] = here - overshoot(i, here);
+        x[i] = seed[i] - overshoot(i, seed[i]);
     }
     if (!settle(T, 1e-12, 0.15, x))
         return;

@@ -231,7 +231,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 796de305e9acf237"
+_KEY = "planar_rp 7870427d5ad8ecd8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -638,8 +638,7 @@ def _stay(pose, seed, q, status):
     x, half, place, least = np.empty(2), np.empty(2), 0, math.inf
     A = np.empty((6, 2))
     for i in range(2):
-        here = seed[i]
-        x[i] = here - _overshoot(i, here)
+        x[i] = seed[i] - _overshoot(i, seed[i])
     if not _settle(pose, 1e-12, 0.15, x):
         return
     if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):

@@ -590,6 +590,29 @@ static float past_an_end(int joint, float value)
     return fabsf(off) <= 0.5f * 2e-06f ? 0.0f : off;
 }
 
+/* How far joints are beyond their limits as they stand. */
+static float past_ends(const float values[4])
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 4; i++)
+        sum += fabsf(past_an_end(i, values[i]));
+    return sum;
+}
+
+/* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
+ * an
+ * end there. */
+static float at_an_end(int joint, float value, float seed)
+{
+    const float near = value + turn * floorf((seed - value) / turn + 0.5f);
+    const float past = fabsf(past_an_end(joint, near));
+    if (!revolute[joint])
+        return value;
+    if (0.0f < past && past < 0.01f && fabsf(near - seed) < 0.15f)
+        return near;
+    return turned(joint, value, value);
+}
+
 /* Takes joint values to some not farther than most that miss the pose by less than enough or, if
  * that is
  * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
@@ -632,15 +655,6 @@ static int settle(const float T[16], float enough, float most, float q[4])
     return settled;
 }
 
-/* How far joints are beyond their limits as they stand. */
-static float past_ends(const float values[4])
-{
-    float sum = 0.0f;
-    for (int i = 0; i < 4; i++)
-        sum += fabsf(past_an_end(i, values[i]));
-    return sum;
-}
-
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
@@ -650,8 +664,9 @@ static void stay(
     float x[4], half[4], J[24], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 4; i++) {
-        const float here = turned(i, seed[i], seed[i]);
-        x[i] = here - overshoot(i, here);
+        const float seen = seed[i], beside = fabsf(past_an_end(i, seen)) <= 0.15f;
+        const float here = beside ? seen : turned(i, seen, seen);
+        x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 5e-05f, 0.15f, x))
         return;
@@ -660,15 +675,9 @@ static void stay(
     for (int row = 2 - 1; row >= 0; row--) {
         float e[6] = { 0.0f }, between = 0.0005f;
         if (status[row] != SCARA_F32_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.03f) {
-                for (int i = 0; i < 4; i++)
-                    half[i] += half[i] - x[i];
-                if (!(past_ends(half) > 0.0f))
-                    return;
-                between = -1.0f; /* the same but for a joint that would be turned */
-            } else {
-                between = off_pose(T, half, e, J);
-            }
+            if (half_way(x, q[row], half) < 0.03f)
+                return;
+            between = off_pose(T, half, e, J);
         }
         if (between <= least) {
             least = between;
@@ -708,8 +717,8 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
         if (status[row] == SCARA_F32_UNREACHABLE)
             continue;
         for (int i = 0; i < 4; i++)
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-        const float off = beyond_limits(q[row]);
+            q[row][i] = at_an_end(i, q[row][i], seed[i]);
+        const float off = past_ends(q[row]);
         if (0.0f < off && off < 0.01f)
             (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);
         for (int i = 0; i < 4; i++) {

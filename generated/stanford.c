@@ -925,8 +925,7 @@ static void stay(
     double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
-        const double here = seed[i];
-        x[i] = here - overshoot(i, here);
+        x[i] = seed[i] - overshoot(i, seed[i]);
     }
     if (!settle(T, 1e-12, 0.15, x))
         return;

@@ -309,7 +309,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "stanford 43d61f24a7da74a2"
+_KEY = "stanford 7633c58f9547b016"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -823,8 +823,7 @@ def _stay(pose, seed, q, status):
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     A = np.empty((6, 6))
     for i in range(6):
-        here = seed[i]
-        x[i] = here - _overshoot(i, here)
+        x[i] = seed[i] - _overshoot(i, seed[i])
     if not _settle(pose, 1e-12, 0.15, x):
         return
     if _beyond_limits(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):

@@ -379,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 744e25a54c910829"
+_KEY = "techman_tm5_900 60f8c5c199566eb2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -950,6 +950,26 @@ def _past_an_end(joint, value):
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
 
+@_inner
+def _past_ends(values):
+    """How far joints are beyond their limits as they stand."""
+    total = 0.0
+    for i in range(6):
+        total += abs(_past_an_end(i, values[i]))
+    return total
+
+
+@_inner
+def _at_an_end(joint, value, seed):
+    """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
+    beyond an end there."""
+    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
+        if abs(near - seed) < 0.15:
+            return near
+    return _turned(joint, value, value)
+
+
 @_apart("boolean(UniTuple(float64, 12), float64, float64, float64[::1])")
 def _settled(T, enough, most, q):
     """Takes joint values to some not farther than most that miss the pose by less than enough.
@@ -1001,15 +1021,6 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
-def _past_ends(values):
-    """How far joints are beyond their limits as they stand."""
-    total = 0.0
-    for i in range(6):
-        total += abs(_past_an_end(i, values[i]))
-    return total
-
-
-@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -1019,8 +1030,10 @@ def _stay(pose, seed, q, status):
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
     A = np.empty((6, 6))
     for i in range(6):
-        here = _turned(i, seed[i], seed[i])
-        x[i] = here - _overshoot(i, here)
+        here = seed[i]
+        if abs(_past_an_end(i, here)) > 0.15:
+            here = _turned(i, here, here)
+        x[i] = here - _past_an_end(i, here)
     if not _settle(pose, 1e-12, 0.15, x):
         return
     if _past_ends(x) > 0.0 and not _settle(pose, math.nan, 0.15, x):
@@ -1029,13 +1042,8 @@ def _stay(pose, seed, q, status):
         between = 1e-06
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
-                for i in range(6):
-                    half[i] += half[i] - x[i]
-                if not _past_ends(half) > 0.0:
-                    return
-                between = -1.0  # the same but for a joint that would be turned
-            else:
-                between = _miss(pose, half, A)[1]
+                return
+            between = _miss(pose, half, A)[1]
         if between <= least:
             place, least = row, between
     status[place] = FREE_JOINT
@@ -1058,8 +1066,8 @@ def _whole(pose, seed, q, status):
         if status[row] == UNREACHABLE:
             continue
         for i in range(6):
-            q[row, i] = _turned(i, q[row, i], q[row, i])
-        off = _beyond_limits(q[row])
+            q[row, i] = _at_an_end(i, q[row, i], seed[i])
+        off = _past_ends(q[row])
         if 0.0 < off < 0.01:
             _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
         for i in range(6):

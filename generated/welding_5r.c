@@ -385,6 +385,17 @@ static void move_inside(
     }
 }
 
+/* Of two solutions that are taken for one that inside the limits is kept if it is as exact
+ * as a row has to be. */
+static int takes_place(struct descent *d, const double u[5], const double known[5])
+{
+    double end[5];
+    if (clamped(known, end) <= 1e-09 || clamped(u, end) > 1e-09)
+        return 0;
+    look(d, u);
+    return d->length <= 1e-11;
+}
+
 /* A solution joins those found before, unless it is one of them. */
 static void keep(struct descent *d, struct kept *kept, double u[5])
 {
@@ -402,9 +413,8 @@ static void keep(struct descent *d, struct kept *kept, double u[5])
     }
     wrap_angles(u);
     int k = known_as(d, kept, u, kind >= 0);
-    double end[5];
-    if (k >= 0 && (clamped(u, end) > 1e-09 || clamped(kept->u[k], end) <= 1e-09))
-        return; /* of two that are taken for one the one inside the limits is kept */
+    if (k >= 0 && !takes_place(d, u, kept->u[k]))
+        return;
     k = k < 0 ? kept->count++ : k;
     kept->singular[k] = kind >= 0;
     kept->chosen[k] = kind == 1;

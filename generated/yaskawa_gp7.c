@@ -980,6 +980,27 @@ static double past_an_end(int joint, double value)
     return fabs(off) <= 0.5 * 1e-09 ? 0.0 : off;
 }
 
+/* How far joints are beyond their limits as they stand. */
+static double past_ends(const double values[6])
+{
+    double sum = 0.0;
+    for (int i = 0; i < 6; i++)
+        sum += fabs(past_an_end(i, values[i]));
+    return sum;
+}
+
+/* A joint value moved by whole turns inside its limits, or next to the seed's if it is just beyond
+ * an
+ * end there. */
+static double at_an_end(int joint, double value, double seed)
+{
+    const double near = value + turn * floor((seed - value) / turn + 0.5);
+    const double past = fabs(past_an_end(joint, near));
+    if (0.0 < past && past < 0.01 && fabs(near - seed) < 0.15)
+        return near;
+    return turned(joint, value, value);
+}
+
 /* Takes joint values to some not farther than most that miss the pose by less than enough or, if
  * that is
  * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
@@ -1022,15 +1043,6 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
-/* How far joints are beyond their limits as they stand. */
-static double past_ends(const double values[6])
-{
-    double sum = 0.0;
-    for (int i = 0; i < 6; i++)
-        sum += fabs(past_an_end(i, values[i]));
-    return sum;
-}
-
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
@@ -1040,8 +1052,9 @@ static void stay(
     double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
-        const double here = turned(i, seed[i], seed[i]);
-        x[i] = here - overshoot(i, here);
+        const double seen = seed[i], beside = fabs(past_an_end(i, seen)) <= 0.15;
+        const double here = beside ? seen : turned(i, seen, seen);
+        x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 1e-12, 0.15, x))
         return;
@@ -1050,15 +1063,9 @@ static void stay(
     for (int row = 8 - 1; row >= 0; row--) {
         double e[6] = { 0.0 }, between = 1e-06;
         if (status[row] != YASKAWA_GP7_UNREACHABLE) {
-            if (half_way(x, q[row], half) < 0.001) {
-                for (int i = 0; i < 6; i++)
-                    half[i] += half[i] - x[i];
-                if (!(past_ends(half) > 0.0))
-                    return;
-                between = -1.0; /* the same but for a joint that would be turned */
-            } else {
-                between = off_pose(T, half, e, J);
-            }
+            if (half_way(x, q[row], half) < 0.001)
+                return;
+            between = off_pose(T, half, e, J);
         }
         if (between <= least) {
             least = between;
@@ -1098,8 +1105,8 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
         if (status[row] == YASKAWA_GP7_UNREACHABLE)
             continue;
         for (int i = 0; i < 6; i++)
-            q[row][i] = turned(i, q[row][i], q[row][i]);
-        const double off = beyond_limits(q[row]);
+            q[row][i] = at_an_end(i, q[row][i], seed[i]);
+        const double off = past_ends(q[row]);
         if (0.0 < off && off < 0.01)
             (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
         for (int i = 0; i < 6; i++) {

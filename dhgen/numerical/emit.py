@@ -185,6 +185,7 @@ def _method(kernel: NumericalKernel) -> dict[str, object]:
         "steps": constants.STEPS,
         "solution": repr(TOLERANCES.polished),
         "exact": repr(TOLERANCES.exact),
+        "promised": repr(TOLERANCES.promised),
         "limit": repr(TOLERANCES.limit),
         "tightenings": constants.TIGHTENINGS,
         "spare": repr(constants.SPARE),

@@ -186,8 +186,16 @@ class Arm:
         known = self._known(u, kept, singular=singular)
         if known is None and len(kept) < self.kernel.rows:
             kept.append(_Kept(u, singular, chosen))
-        elif known is not None and self._beyond(kept[known].u) and not self._beyond(u):
+        elif known is not None and self._takes_place(u, kept[known].u):
             kept[known] = _Kept(u, singular, chosen)
+
+    def _takes_place(self, u: FloatArray, known: FloatArray) -> bool:
+        """Of two solutions that are taken for one that inside the limits is kept.
+
+        If it is as exact as a row has to be.
+        """
+        inside = self._beyond(known) and not self._beyond(u)
+        return bool(inside and self.miss(u[None])[1][0] <= TOLERANCES.promised)
 
     def _enough(self, u: FloatArray) -> float:
         """What others may miss beside a solution: an exact one is left for exact ones only."""

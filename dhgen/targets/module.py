@@ -16,7 +16,7 @@ from dhgen.program.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.layout import paragraph
-from dhgen.targets.standing import settles, standing, stands_on_limits
+from dhgen.targets.standing import settles, standing, stands_on_limits, winds
 from dhgen.targets.walk import (
     checks_again,
     choosable,
@@ -200,6 +200,10 @@ def _searches(module: SolverModule) -> dict[str, object]:
         "chooses_again": again,
         "keeps_limits": within,
         "measures_limits": within or stands_on_limits(module),
+        # by how much a row is beyond; where limits are wide only searches ask for it
+        "sums_limits": (
+            within or not winds(module) or bool(module.solver.tightened) or tolerances.blur_limits
+        ),
         "both_searches": again and within,
         "searches_slides": searches(module) and "P" in module.joint_types,
         "choosable": ", ".join(str(joint - 1) for joint in choosable(module.solver)),

@@ -26,7 +26,7 @@ from tests.targets.calling import (
     gap,
     in_single,
 )
-from tests.targets.made import ROBOTS, folder, poses_of, robot
+from tests.targets.made import ROBOTS, folder, in_c, poses_of, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
@@ -193,6 +193,49 @@ def test_at_an_end_of_more_than_a_turn_no_joint_is_turned(
             assert np.abs(found - seed).max() < 0.05
             assert (limits[:, 0] - SLACK <= found).all()
             assert (found <= limits[:, 1] + SLACK).all()
+        beyond = q.copy()
+        beyond[joint] += (-1.0, 1.0)[end] * 10.0 ** source.uniform(-9.0, -2.2)
+        result, found = Solver(name, language).nearest(poses_of(name, q[None])[0], beyond)
+        assert result in {OK, FREE_JOINT}
+        assert np.abs(found - beyond).max() < 0.05
+
+
+@pytest.mark.parametrize("joint", [0, 3, 5])
+def test_nor_is_one_of_an_arm_that_is_solved_whole(joint: int) -> None:
+    """Where the Jacobian's determinant has a root in joint 3."""
+    name, source = "fanuc_crx10ia", np.random.default_rng(8)
+    limits, solver = np.array([at.limits for at in robot(name).joints]), in_c(name)
+    tried = 0
+    while tried < 40:
+        q = 0.9 * source.uniform(*limits.T)
+        q[joint] = limits[joint, source.integers(2)]
+        angles = np.linspace(0.95 * limits[2, 0], 0.95 * limits[2, 1], 60)
+        values = [_determinant(solver, np.where(np.arange(6) == 2, angle, q)) for angle in angles]
+        places = np.flatnonzero(np.diff(np.sign(values)))
+        if not len(places):
+            continue
+        tried += 1
+        q[2] = _root(solver, q, angles[places[0]], angles[places[0] + 1])
+        q[2] += 10.0 ** -source.integers(5, 11)
+        seed = np.clip(q + source.uniform(-0.02, 0.02, 6), *limits.T)
+        result, found = Solver(name, "C").nearest(solver.fk(q), seed)
+        assert result in {OK, FREE_JOINT}
+        assert np.abs(found - seed).max() < 0.15
+
+
+def _determinant(solver: CompiledSolver, q: FloatArray) -> float:
+    return float(np.linalg.det(solver.jacobian(q)))
+
+
+def _root(solver: CompiledSolver, q: FloatArray, low: float, high: float) -> float:
+    """Joint 3 between two values at which the determinant has unlike signs, by bisection."""
+    third = np.arange(6) == 2
+    rising = _determinant(solver, np.where(third, low, q)) < 0.0
+    for _ in range(50):
+        middle = 0.5 * (low + high)
+        below = (_determinant(solver, np.where(third, middle, q)) < 0.0) == rising
+        low, high = (middle, high) if below else (low, middle)
+    return low
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
