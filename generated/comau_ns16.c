@@ -1072,8 +1072,8 @@ static void stay(
     double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
-        const double seen = seed[i], beside = fabs(past_an_end(i, seen)) <= 0.15;
-        const double here = beside ? seen : turned(i, seen, seen);
+        const double seen = seed[i], past = fabs(past_an_end(i, seen));
+        const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 1e-12, 0.15, x))

@@ -600,7 +600,7 @@ static void solve(
         const int apart5 = v8 < D5;
         if (!(-(reach_slack1 * (v7 + reach_slack1)) <= D5)) {
             if (near3) lose(NEARLY + 3, D5, q[2 * i1], &status[2 * i1]);
-            if (near3) q[2 * i1][1] = q3;
+            if (near3) q[2 * i1][1] = atan2(-v2, v1);
             if (free3) lose(LOST + 3, D5, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }

@@ -304,7 +304,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "olson_pprrrr c1f594b907088eaf"
+_KEY = "olson_pprrrr f303f56182c3d134"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -427,7 +427,7 @@ def _solve(pose, seed, q, status):
             if near3:
                 status[2 * i1] = _NEARLY + 3
                 q[2 * i1, 0] = D5
-                q[2 * i1, 1] = q3
+                q[2 * i1, 1] = _atan2(-v2, v1)
             if free3:
                 status[2 * i1] = _LOST + 3
                 q[2 * i1, 0] = D5

@@ -766,8 +766,8 @@ static void stay(
     float x[6], half[6], J[36], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 6; i++) {
-        const float seen = seed[i], beside = fabsf(past_an_end(i, seen)) <= 0.15f;
-        const float here = beside ? seen : turned(i, seen, seen);
+        const float seen = seed[i], past = fabsf(past_an_end(i, seen));
+        const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 5e-05f, 0.15f, x))

@@ -379,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 60f8c5c199566eb2"
+_KEY = "techman_tm5_900 f5b44184c39b4c39"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -528,7 +528,7 @@ def _solve(pose, seed, q, status):
                 if near6:
                     status[4 * i1 + 2 * i2] = _NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
-                    q[4 * i1 + 2 * i2, 1] = q6
+                    q[4 * i1 + 2 * i2, 1] = _atan2(v5, -v4)
                 if free1:
                     status[4 * i1 + 2 * i2] = _LOST + 1
                     q[4 * i1 + 2 * i2, 0] = D3

@@ -742,7 +742,7 @@ static void solve(
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
                 if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
-                if (near6) q[4 * i1 + 2 * i2][1] = q6;
+                if (near6) q[4 * i1 + 2 * i2][1] = atan2(v4, -v3);
                 if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
@@ -1116,8 +1116,8 @@ static void stay(
     double x[6], half[6], J[36], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
-        const double seen = seed[i], beside = fabs(past_an_end(i, seen)) <= 0.15;
-        const double here = beside ? seen : turned(i, seen, seen);
+        const double seen = seed[i], past = fabs(past_an_end(i, seen));
+        const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 1e-12, 0.15, x))

@@ -369,7 +369,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur10e bb9a209f75e67f52"
+_KEY = "ur10e c375d72a9017680d"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -512,7 +512,7 @@ def _solve(pose, seed, q, status):
                 if near6:
                     status[4 * i1 + 2 * i2] = _NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
-                    q[4 * i1 + 2 * i2, 1] = q6
+                    q[4 * i1 + 2 * i2, 1] = _atan2(v4, -v3)
                 if free1:
                     status[4 * i1 + 2 * i2] = _LOST + 1
                     q[4 * i1 + 2 * i2, 0] = D3

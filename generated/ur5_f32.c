@@ -508,7 +508,7 @@ static void solve(
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
             if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
                 if (near6) lose(NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
-                if (near6) q[4 * i1 + 2 * i2][1] = q6;
+                if (near6) q[4 * i1 + 2 * i2][1] = atan2f(v4, -v3);
                 if (free1) lose(LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 if (free6) lose(LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 * i2]);
                 continue; /* out of reach */
@@ -882,8 +882,8 @@ static void stay(
     float x[6], half[6], J[36], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 6; i++) {
-        const float seen = seed[i], beside = fabsf(past_an_end(i, seen)) <= 0.15f;
-        const float here = beside ? seen : turned(i, seen, seen);
+        const float seen = seed[i], past = fabsf(past_an_end(i, seen));
+        const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
     if (!settle(T, 5e-05f, 0.15f, x))

@@ -233,8 +233,8 @@ def _finish_near(
     context.angles.chosen(angle, free)
     c, s = _seed_direction(context, angle)
     cosine, sine = direction
-    cosine, sine = builder.select(held, c, cosine), builder.select(held, s, sine)
-    context.angles.solved(angle, cosine, sine)
+    context.angles.solved(angle, builder.select(held, c, cosine), builder.select(held, s, sine))
+    # other values are looked for beside its own: the seed's may be far off, and yet be rounding
     ((joint, _),) = angle.terms
     context.angles.nearly_chosen(joint, near, builder.apply("atan2", sine, cosine))
 

@@ -83,3 +83,16 @@ def test_a_solution_is_found_and_it_is_the_nearest(language: str) -> None:
             assert move <= nearest_move(T, row[0], row[4], seed[5]) + 1e-6
             moved += move > 1e-6
     assert moved > COUNT[language] / 10
+
+
+@pytest.mark.parametrize("name", ["ur5", "ur10e"])
+@pytest.mark.parametrize("straight", [0.0, 1e-13, 1e-12, 1e-11, 1e-10])
+def test_a_stretched_arm_whose_wrist_is_just_not_straight(name: str, straight: float) -> None:
+    """q6 is known to three digits there; any seed within a right angle agrees up to rounding."""
+    q = random_joints(robot(name), 300, seed=42)
+    q[:, 2], q[:, 4] = 0.0, straight
+    for T in poses_of(name, q):
+        rows, status = Solver(name, "C").all(T)
+        held = rows[np.isin(status, HELD)]
+        assert len(held)
+        assert residual(name, held, T) < 1e-11
