@@ -83,8 +83,8 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
             return Derivation(
                 Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True)
             )
-        choices = good_choices(*open_from_the_start(chain, spare), derive)
-        raise UnsolvedError(redundant(chain, spare, choices))
+        start = open_from_the_start(chain, spare)
+        raise UnsolvedError(redundant(chain, spare, start, good_choices(*start, derive)))
     pool = build_pool(problem)
     if chain.arm_angle:
         pool = with_arm_plane(pool)

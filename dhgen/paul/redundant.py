@@ -11,7 +11,6 @@ from dhgen.paul.choices import choices_text
 from dhgen.paul.mobility import (
     crowded_axes,
     moving_coordinates,
-    open_from_the_start,
     still_coordinates,
     surplus,
 )
@@ -23,18 +22,28 @@ if TYPE_CHECKING:
     from dhgen.paul.mobility import Surplus
 
 
-def redundant(chain: Chain, spare: Surplus, choices: tuple[Choice, ...]) -> str:
-    """Why an arm with more joints than its task fixes is not solved, and what can be done."""
-    first, *others = [*_still(chain), *crowded_axes(chain), _moved(chain, spare)]
+def redundant(
+    chain: Chain, spare: Surplus, before: tuple[Chain, Surplus], choices: tuple[Choice, ...]
+) -> str:
+    """Why an arm with more joints than its task fixes is not solved, and what can be done.
+
+    Args:
+        chain: The arm.
+        spare: What its task leaves open.
+        before: Both without the free joints that stand in the way (`open_from_the_start`).
+        choices: Joints that would make good free ones.
+    """
+    still = still_coordinates(chain)
+    first, *others = [*_in_vain(still), *crowded_axes(chain), _moved(chain, spare)]
     lines = [f"the arm has infinitely many solutions for every pose: {first}", *others]
-    start, whole = open_from_the_start(chain, spare)
+    start, whole = before
     if whole.count == len(start.solved):
         lines.append("no joint is left to solve for: a `task` must name what the arm can move")
         return "\n".join(lines)
     values = "its value" if whole.count == 1 else "their values"
     which = _which(whole, chain.free, kept=start.free == chain.free)
     lines += [
-        *_other_task(chain),
+        *(_other_task(chain) if still else ()),
         f"name {which} to solve for the others with {values} given",
         *choices_text(choices, whole),
         *_elbow_choice(chain),
@@ -68,16 +77,13 @@ def _joints(numbers: tuple[int, ...]) -> str:
     return f"joint{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))}"
 
 
-def _still(chain: Chain) -> list[str]:
-    """What the task names in vain."""
-    still = still_coordinates(chain)
+def _in_vain(still: tuple[str, ...]) -> list[str]:
+    """That the task names coordinates which no joint moves."""
     return [f"no joint moves {' or '.join(still)}, which the task names"] if still else []
 
 
 def _other_task(chain: Chain) -> list[str]:
     """A task that fixes every joint, where the one that is given names what does not move."""
-    if not still_coordinates(chain):
-        return []
     moving = moving_coordinates(chain)
     tasks = {
         f"[{', '.join(moving)}]": Task(TaskKind.COORDINATES, moving),

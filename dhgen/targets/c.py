@@ -10,13 +10,13 @@ from dhgen.program.flatten import flatten
 from dhgen.program.limits import limit_of
 from dhgen.program.rewriting import COEFFICIENT
 from dhgen.program.tolerances import SINGLE
+from dhgen.targets.c_irregular import finite_entries, finite_given
 from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
 from dhgen.targets.module import (
-    has_to_be_finite,
     made_text,
     module_values,
     named_entries,
@@ -65,10 +65,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
     flags = ["1" if kind == "R" else "0" for kind in module.joint_types]
     dof = module.chain.dof
     frames = "Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in "
-    finite = has_to_be_finite(module, (f"T[{4 * row + 3}]" for row in module.position_entries))
-    given = has_to_be_finite(
-        module, (f"free_joints[{place}]" for place in range(module.chain.given))
-    )
+    finite, given = finite_entries(module), finite_given(module)
     values = module_values(module)
     named = [str(entry.place) for entry in named_entries(module.chain)]
     single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""

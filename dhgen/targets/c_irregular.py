@@ -34,17 +34,20 @@ def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> 
     return {"head": f"HELPER {result} irregularity_{result}({given})", "lines": lines}
 
 
-def _finite(module: SolverModule) -> list[str]:
-    """What has to be finite besides the rotation."""
-    positions = [f"T[{4 * row + 3}]" for row in module.position_entries]
-    given = [f"free_joints[{place}]" for place in range(module.chain.given)]
-    return has_to_be_finite(module, positions + given)
+def finite_entries(module: SolverModule) -> list[str]:
+    """What has to be finite of a pose besides its rotation."""
+    return has_to_be_finite(module, (f"T[{4 * row + 3}]" for row in module.position_entries))
+
+
+def finite_given(module: SolverModule) -> list[str]:
+    """What has to be finite of the values that the caller gives."""
+    return has_to_be_finite(module, (f"free_joints[{k}]" for k in range(module.chain.given)))
 
 
 def _plain(module: SolverModule, number: str, result: str) -> list[str]:
     """Statements without lanes of their own; the result has {} in place of the sum."""
     kind = module.chain.task.kind
-    finite = _finite(module)
+    finite = finite_entries(module) + finite_given(module)
     lines, terms = [], []
     if kind in ROTATIONS:
         terms.append(f"misfit_{number}(T)")
@@ -80,6 +83,6 @@ def _side_by_side(module: SolverModule) -> list[str]:
     else:
         lines += wrapped(f"const four sum = {total};", "", width=WIDTH - 4)
         total = "shuffle(sum, all_four(0.0), 0, 1, 2, 7)"
-    given = [each for each in _finite(module) if each.startswith("free")]
-    total += f" + 0.0 * ({' + '.join(given)})" if given else ""
+    if given := finite_given(module):
+        total += f" + 0.0 * ({' + '.join(given)})"
     return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]

@@ -36,17 +36,17 @@ BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more tha
 
 def standing(module: SolverModule) -> dict[str, object]:
     """Whether joints are put on limits and follow the seed, and what a pose is missed by."""
-    chain, rows = module.chain, module.position_entries
+    chain, rows, winding = module.chain, module.position_entries, winds(module)
     length = _scale(1.0 / chain.size)
     turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
     return {
         "stands_on_limits": stands_on_limits(module),
         "stays": stays(module),
         "settles": settles(module),
-        "winds": winds(module),
+        "winds": winding,
         "least_whole": repr(LEAST_WHOLE),
-        "beyond_an_end": "past_an_end" if winds(module) else "overshoot",
-        "beyond_ends": "past_ends" if winds(module) else "beyond_limits",
+        "beyond_an_end": "past_an_end" if winding else "overshoot",
+        "beyond_ends": "past_ends" if winding else "beyond_limits",
         "given_places": given_places(chain),
         "together": repr(max(TOGETHER, BEYOND_TOLD * module.precision.tolerances.told)),
         "doubts_limits": stands_on_limits(module) and module.precision.tolerances.blur_limits,

@@ -11,7 +11,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
-from dhgen.paul.mobility import surplus
+from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.redundant import redundant
 from dhgen.paul.step import Kind
 from dhgen.program.interpret import interpret
@@ -150,5 +150,6 @@ def test_arms_without_an_arm_angle_are_refused_with_the_reason(reason: str) -> N
 def test_a_redundant_arm_is_told_of_it() -> None:
     """Seven joints without anything given: the arm angle is named where there is one."""
     chain = build_chain(table(*PLAIN))
-    told = redundant(chain, surplus(chain), ()).splitlines()
+    spare = surplus(chain)
+    told = redundant(chain, spare, open_from_the_start(chain, spare), ()).splitlines()
     assert "  free: arm_angle gives the elbow's place on its circle instead" in told
