@@ -9,7 +9,6 @@ import shlex
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
@@ -18,7 +17,8 @@ from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot_files import led_to
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
+    from pathlib import Path
 
     from dhgen.compiler import Compilation
     from dhgen.robot_files import RobotFile, RobotFiles
@@ -49,12 +49,18 @@ class Comparison:
         return max(bool(self.problems), *(each.exit_code for each in self.refusals), 0)
 
 
-def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Comparison:
-    """The folder against what the compiler makes; a file that is refused hides no other."""
+def compare(files: RobotFiles, out: Path, options: Sequence[str] = ()) -> Comparison:
+    """The folder against what the compiler makes; a file that is refused hides no other.
+
+    Args:
+        files: The robot files.
+        out: The folder.
+        options: What the command that mends it has to say besides a robot file.
+    """
     expected: dict[str, str] = {}
     makers: dict[str, Path] = {}
     refusals: list[DhgenError] = []
-    compiler = partial(compile_loaded, numerical=numerical, out=out)
+    compiler = partial(compile_loaded, out=out)
     compiled = _compile_all(files.loaded, compiler)
     for file, made in zip(files.loaded, compiled, strict=True):
         if isinstance(made, DhgenError):
@@ -64,8 +70,6 @@ def compare(files: RobotFiles, out: Path, *, numerical: bool = False) -> Compari
             expected[name] = text
             makers.setdefault(name, file.path)
     problems = []
-    options = [] if out == Path("generated") else ["--out", str(out)]
-    options += ["--numerical"] * numerical
     for name, text in sorted(expected.items()):
         problem = _difference(out / name, text)
         if problem:
@@ -106,7 +110,7 @@ def _files_of(
 ) -> dict[str, str] | DhgenError:
     try:
         with about(file.path):
-            return compiler(file).files
+            return dict(compiler(file).files)
     except DhgenError as refusal:
         return refusal
 

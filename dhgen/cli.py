@@ -8,6 +8,7 @@ import io
 import os
 import sys
 import tempfile
+from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -208,12 +209,12 @@ def _tell(text: str) -> None:
         print(f"  {text} ...", file=sys.stderr, flush=True)
 
 
-def _compile(file: RobotFile, *, numerical: bool, out: Path | None = None) -> Compilation:
+def _compile(file: RobotFile, *, out: Path | None = None) -> Compilation:
     from dhgen.compiler import compile_loaded  # noqa: PLC0415 - errors and --help need no sympy
 
     _tell_notes(file)
     with about(file.path):
-        return compile_loaded(file, _tell, numerical=numerical, out=out)
+        return compile_loaded(file, _tell, out=out)
 
 
 def _tell_notes(file: RobotFile) -> None:
@@ -228,6 +229,8 @@ def _read(options: argparse.Namespace) -> tuple[RobotFiles, int]:
     files = load_all(options.files)
     for refusal in files.refusals:
         print(refusal, file=sys.stderr)
+    if options.numerical:
+        files = replace(files, loaded=tuple(file.with_numerical() for file in files.loaded))
     return files, max((refusal.exit_code for refusal in files.refusals), default=0)
 
 
@@ -255,7 +258,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     from dhgen.compiler import verified  # noqa: PLC0415
     from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
 
-    compilation = _compile(file, numerical=options.numerical, out=options.out)
+    compilation = _compile(file, out=options.out)
     module = compilation.module
     if options.numerical and module.method != NUMERICAL:
         print("note: --numerical is not needed", file=sys.stderr)
@@ -293,7 +296,7 @@ def _check(options: argparse.Namespace) -> int:
     files, refused = _read(options)
     for file in files.loaded:
         _tell_notes(file)
-    found = compare(files, options.out, numerical=options.numerical)
+    found = compare(files, options.out, _repeated(options))
     for told in (*found.refusals, *found.problems):
         print(told, file=sys.stderr)
     worst = max(refused, found.exit_code)
@@ -303,12 +306,19 @@ def _check(options: argparse.Namespace) -> int:
     return worst
 
 
+def _repeated(options: argparse.Namespace) -> list[str]:
+    """What of a command another one has to say, too, to make the same files in the same place."""
+    place = [] if options.out == OUT else ["--out", str(options.out)]
+    return place + ["--numerical"] * options.numerical
+
+
 def _explain(options: argparse.Namespace) -> int:
     from dhgen.program.text import program_text  # noqa: PLC0415
     from dhgen.robot_files import RobotFile  # noqa: PLC0415
     from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
 
-    compilation = _compile(RobotFile.read(options.file), numerical=options.numerical)
+    file = RobotFile.read(options.file)
+    compilation = _compile(file.with_numerical() if options.numerical else file)
     derivation, program = compilation.derivation, compilation.module.solver
     if options.alternatives:
         print(alternatives_text(derivation))

@@ -17,6 +17,7 @@ from __future__ import annotations
 import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from dhgen.errors import PrecisionError, VerificationError
@@ -34,7 +35,7 @@ from dhgen.verify.single import verify_single
 from dhgen.verify.verify import verify
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from dhgen.paul.derivation import Derivation
     from dhgen.program.tolerances import Precision
@@ -58,33 +59,18 @@ class Compilation:
     derivation: Derivation
     module: SolverModule
     single: SolverModule | None
-    files: dict[str, str]
+    files: Mapping[str, str]
 
 
-def compile_robot(
-    path: Path, tell: Callable[[str], None] = lambda _: None, *, numerical: bool = False
-) -> Compilation:
-    """Everything but verification.
-
-    Args:
-        path: The robot file.
-        tell: Is told what is being done, for progress.
-        numerical: Whether the numerical solver may take what nothing else solves, as when the
-            file says so.
-
-    Raises:
-        RobotFileError: The file has mistakes.
-        UnsolvedError: No derivation solves the arm.
-        PrecisionError: The arm can't be solved in single precision, which the file asks for.
-    """
-    return compile_loaded(RobotFile.read(path), tell, numerical=numerical)
+def compile_robot(path: Path) -> Compilation:
+    """What `compile_loaded` makes of a file that is yet to be read, or RobotFileError."""
+    return compile_loaded(RobotFile.read(path))
 
 
 def compile_loaded(
     file: RobotFile,
     tell: Callable[[str], None] = lambda _: None,
     *,
-    numerical: bool = False,
     out: Path | None = None,
 ) -> Compilation:
     """Everything after the robot file has been read, but verification.
@@ -92,8 +78,6 @@ def compile_loaded(
     Args:
         file: The robot file, read.
         tell: Is told what is being done, for progress.
-        numerical: Whether the numerical solver may take what nothing else solves, as when the
-            file says so.
         out: The folder that the files are for, where it is known.
 
     Raises:
@@ -103,7 +87,7 @@ def compile_loaded(
     robot, source = file.robot, source_name(file.path, out)
     tell("deriving")
     chain = build_chain(robot)
-    derivation = derive(chain, numerical=numerical or robot.numerical)
+    derivation = derive(chain, numerical=robot.numerical)
     tell("writing programs")
     module = _module(robot, derivation, source, DOUBLE)
     single = None
@@ -111,7 +95,7 @@ def compile_loaded(
         _demand_closed_form(derivation)
         single = _module(robot, derivation, source, SINGLE)
     files = emit(robot, derivation, module, single)
-    return Compilation(robot, derivation, module, single, files)
+    return Compilation(robot, derivation, module, single, MappingProxyType(files))
 
 
 def _module(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,6 +28,10 @@ class RobotFile:
     def read(cls, path: Path) -> RobotFile:
         """Reads one; RobotFileError where it has mistakes."""
         return cls(path, load(path))
+
+    def with_numerical(self) -> RobotFile:
+        """The same as if the file said `numerical: true`."""
+        return replace(self, robot=replace(self.robot, numerical=True))
 
     @property
     def stems(self) -> tuple[str, ...]:

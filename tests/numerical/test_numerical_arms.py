@@ -15,7 +15,7 @@ from tests.targets.made import without_numba
 if TYPE_CHECKING:
     from pathlib import Path
 
-HEAD = "name: {name}\nconvention: standard\n"
+HEAD = "name: {name}\nconvention: standard\nnumerical: true\n"
 SKEW = (
     "{theta: q, d: 0.3, a: 0.2, alpha: 80 deg}",
     "{theta: q, d: 0.1, a: 0.4, alpha: 25 deg}",
@@ -55,7 +55,7 @@ def made(name: str, folder: Path) -> Compilation:
     path = folder / f"{name}.yaml"
     joints = "\n".join(f"  - {row}" for row in rows)
     path.write_text(f"{HEAD.format(name=name)}joints:\n{joints}\n{rest}\n", encoding="utf-8")
-    compilation = compile_robot(path, numerical=True)
+    compilation = compile_robot(path)
     for file, text in compilation.files.items():
         (folder / file).write_text(text, encoding="utf-8")
     return compilation
