@@ -31,6 +31,9 @@ MOVED = 0.15
 LED = 10.0
 NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
 LEAST_WHOLE = 2.0 * math.pi - 1e-6  # limits so far apart leave no gap [rad]
+# Half way to two rows is missed by as much if by no more than so many times: then rounding says which
+# is least, and not alike in both languages. The first row is taken.
+ALIKE = 2.0
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
 
 
@@ -65,6 +68,7 @@ def standing(module: SolverModule) -> dict[str, object]:
         "fine": repr(module.precision.tolerances.fine),
         "most_moved": MOVED,
         "led_by_limit": LED,
+        "alike": ALIKE,
         "told_by_nothing": max(NOTHING, BEYOND_TOLD * module.precision.tolerances.exact),
     }
 

@@ -173,3 +173,19 @@ def test_solutions_of_roots_that_nearly_meet_have_the_same_rows_everywhere() -> 
         assert held.tolist() == (~np.isnan(meant).any(axis=1)).tolist()
         assert held.sum() == 8
         assert gap(rows[held], meant[held]).max() < 1e-6
+
+
+def test_of_rows_that_rounding_tells_apart_the_first_is_taken() -> None:
+    """Half way to two is a solution, too, but for rounding, which the languages do differently."""
+    name, source = "rounded_7r", np.random.default_rng(18)
+    for _ in range(60):
+        q = np.array([0.0, 0.0, -np.pi / 2, np.pi, np.pi, 0.0, 0.0])
+        q[[0, 1, 6]] = source.uniform(-np.pi, np.pi, 3)
+        T = made_poses(name, q[None])[0]
+        (rows, status), (others, found) = (
+            Solver(name, language).all(T, q, q[2:3]) for language in LANGUAGES
+        )
+        held = np.isin(status, HELD)
+        assert held.any()
+        assert np.array_equal(status, found)
+        assert (gap(rows[held], others[held]) < 1e-3).all()
