@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -189,7 +188,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -270,7 +269,6 @@ static const double
     doubt_limit_squared2 = 1.0080160000000004e-06,
     turn1 = 1.3430303610541368, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1.0080160000000002e-06, /* doubt_limit1^2 [m^2] */
     m8 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -457,15 +455,15 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* joint values */
     const wide angle10 = atan2_wide(t24, -X1), v36 = angle10 - offset1,
         v37 = angle10 - signed_wide(half_turn, t24) - offset1,
-        q1__p = v36 + only_wide(v36 <= -half_turn, whole_turn),
-        q1__m = v37 + only_wide(v37 <= -half_turn, whole_turn), angle11 = atan2_wide(S2_pp, C2_pp),
+        q1__p = v36 + only_wide(v36 <= -half_turn, turn),
+        q1__m = v37 + only_wide(v37 <= -half_turn, turn), angle11 = atan2_wide(S2_pp, C2_pp),
         v38 = angle11 - offset2, angle12 = atan2_wide(S2_pm, C2_pm), v39 = angle12 - offset2,
         angle13 = atan2_wide(S2_pm, C2_mp), v40 = angle13 - offset2,
         angle14 = atan2_wide(S2_pp, C2_mm), v41 = angle14 - offset2,
-        q2_ppp = v38 + only_wide(v38 <= -half_turn, whole_turn),
-        q2_pmp = v39 + only_wide(v39 <= -half_turn, whole_turn),
-        q2_mpp = v40 + only_wide(v40 <= -half_turn, whole_turn),
-        q2_mmp = v41 + only_wide(v41 <= -half_turn, whole_turn),
+        q2_ppp = v38 + only_wide(v38 <= -half_turn, turn),
+        q2_pmp = v39 + only_wide(v39 <= -half_turn, turn),
+        q2_mpp = v40 + only_wide(v40 <= -half_turn, turn),
+        q2_mmp = v41 + only_wide(v41 <= -half_turn, turn),
         angle15 = atan2_wide(sqrt_wide(v22), factor2 * (s23_pp * v15 - T31 * c23_pp)),
         angle16 = atan2_wide(sqrt_wide(v23), factor2 * (s23_pm * v15 - T31 * c23_pm)),
         angle17 = atan2_wide(sqrt_wide(v24), -(factor2 * (s23_mp * v15 + T31 * c23_mp))),
@@ -473,16 +471,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle15 - offset5, v43 = offset5 + angle15, v44 = angle16 - offset5,
         v45 = offset5 + angle16, v46 = angle17 - offset5, v47 = offset5 + angle17,
         v48 = angle18 - offset5, v49 = offset5 + angle18,
-        q5_ppp = v42 + only_wide(v42 <= -half_turn, whole_turn),
-        q5_ppm = only_wide(-v43 <= -half_turn, whole_turn) - v43,
-        q5_pmp = v44 + only_wide(v44 <= -half_turn, whole_turn),
-        q5_pmm = only_wide(-v45 <= -half_turn, whole_turn) - v45,
-        q5_mpp = v46 + only_wide(v46 <= -half_turn, whole_turn),
-        q5_mpm = only_wide(-v47 <= -half_turn, whole_turn) - v47,
-        q5_mmp = v48 + only_wide(v48 <= -half_turn, whole_turn),
-        q5_mmm = only_wide(-v49 <= -half_turn, whole_turn) - v49,
-        q3_ppp = q3__p + only_wide(q3__p <= -half_turn, whole_turn),
-        q3_pmp = only_wide(-v8 <= -half_turn, whole_turn) - v8;
+        q5_ppp = v42 + only_wide(v42 <= -half_turn, turn),
+        q5_ppm = only_wide(-v43 <= -half_turn, turn) - v43,
+        q5_pmp = v44 + only_wide(v44 <= -half_turn, turn),
+        q5_pmm = only_wide(-v45 <= -half_turn, turn) - v45,
+        q5_mpp = v46 + only_wide(v46 <= -half_turn, turn),
+        q5_mpm = only_wide(-v47 <= -half_turn, turn) - v47,
+        q5_mmp = v48 + only_wide(v48 <= -half_turn, turn),
+        q5_mmm = only_wide(-v49 <= -half_turn, turn) - v49,
+        q3_ppp = q3__p + only_wide(q3__p <= -half_turn, turn),
+        q3_pmp = only_wide(-v8 <= -half_turn, turn) - v8;
     const wide_mask v50 = beyond(q1__p, 1), v51 = beyond(q1__m, 1), v52 = beyond(q3_ppp, 3),
         v53 = beyond(q3_pmp, 3);
     const wide q1_ppp = v3 + q1__p, q1_mpp = v3 + q1__m;
@@ -574,11 +572,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four q3_ = e2 * angle1 - turn1, q4_m = angle2 - v14,
         q6_m = angle3 - signed_four(half_turn, v19),
         v21 = angle4 + v20 * (m9 * (e1 - 1.0)) - offset1,
-        q1_ = v21 + only_four(v21 <= -half_turn, whole_turn), v22 = angle5 - offset2,
-        q2_p = v22 + only_four(v22 <= -half_turn, whole_turn), v23 = angle6 - offset5,
-        v24 = offset5 + angle6, q5_p = v23 + only_four(v23 <= -half_turn, whole_turn),
-        q5_m = only_four(-v24 <= -half_turn, whole_turn) - v24,
-        q3_p = q3_ + only_four(q3_ <= -half_turn, whole_turn);
+        q1_ = v21 + only_four(v21 <= -half_turn, turn), v22 = angle5 - offset2,
+        q2_p = v22 + only_four(v22 <= -half_turn, turn), v23 = angle6 - offset5,
+        v24 = offset5 + angle6, q5_p = v23 + only_four(v23 <= -half_turn, turn),
+        q5_m = only_four(-v24 <= -half_turn, turn) - v24,
+        q3_p = q3_ + only_four(q3_ <= -half_turn, turn);
     const four_mask v25 = beyond_four(q1_, 1), v26 = beyond_four(q3_p, 3);
     const four q1_p = v3 + q1_;
     const four_mask v27 = v26 | v25 | beyond_four(q2_p, 2),
@@ -901,37 +899,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     abb_irb120_fk(x, P);
-    abb_irb120_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    abb_irb120_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -979,19 +974,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -999,20 +992,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1021,34 +1011,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != ABB_IRB120_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = ABB_IRB120_FREE_JOINT;
     take(x, q[place]);
@@ -1084,9 +1086,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -125,7 +125,6 @@ k4 = 35.683793403054324  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 1.0080160000000004e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.3430303610541368  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low1 = -2.879790001
 high1 = 2.879790001
 low2 = -1.919860001
@@ -145,7 +144,7 @@ m6 = 1.8518518518518516  # a coefficient of X1_2
 m7 = 0.04297037037037035  # a coefficient of X1_2
 m8 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -190,7 +189,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -385,7 +384,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb120 6060133150aaaf61"
+_KEY = "abb_irb120 8b3bf0b806533790"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -616,11 +615,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -630,8 +629,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -648,7 +647,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -797,39 +796,35 @@ _MISS_WEIGHT = np.array([0.996, 0.996, 0.996, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -853,7 +848,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -882,7 +877,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -898,10 +893,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -916,7 +911,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -940,6 +935,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -947,7 +958,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -962,9 +972,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -986,9 +997,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1168,16 +1177,16 @@ def _regular(pose, q, status):
     # joint values
     v36 = angle10 - offset1
     v37 = angle10 - math.copysign(half_turn, t24) - offset1
-    q1__p = v36 + (whole_turn if v36 <= -half_turn else 0.0)
-    q1__m = v37 + (whole_turn if v37 <= -half_turn else 0.0)
+    q1__p = v36 + (turn if v36 <= -half_turn else 0.0)
+    q1__m = v37 + (turn if v37 <= -half_turn else 0.0)
     v38 = angle11 - offset2
     v39 = angle12 - offset2
     v40 = angle13 - offset2
     v41 = angle14 - offset2
-    q2_ppp = v38 + (whole_turn if v38 <= -half_turn else 0.0)
-    q2_pmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
-    q2_mpp = v40 + (whole_turn if v40 <= -half_turn else 0.0)
-    q2_mmp = v41 + (whole_turn if v41 <= -half_turn else 0.0)
+    q2_ppp = v38 + (turn if v38 <= -half_turn else 0.0)
+    q2_pmp = v39 + (turn if v39 <= -half_turn else 0.0)
+    q2_mpp = v40 + (turn if v40 <= -half_turn else 0.0)
+    q2_mmp = v41 + (turn if v41 <= -half_turn else 0.0)
     v42 = angle15 - offset5
     v43 = offset5 + angle15
     v44 = angle16 - offset5
@@ -1186,16 +1195,16 @@ def _regular(pose, q, status):
     v47 = offset5 + angle17
     v48 = angle18 - offset5
     v49 = offset5 + angle18
-    q5_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v43 <= -half_turn else 0.0) - v43
-    q5_pmp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v45 <= -half_turn else 0.0) - v45
-    q5_mpp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
-    q5_mmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
-    q3_ppp = q3__p + (whole_turn if q3__p <= -half_turn else 0.0)
-    q3_pmp = (whole_turn if -v8 <= -half_turn else 0.0) - v8
+    q5_ppp = v42 + (turn if v42 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v43 <= -half_turn else 0.0) - v43
+    q5_pmp = v44 + (turn if v44 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v45 <= -half_turn else 0.0) - v45
+    q5_mpp = v46 + (turn if v46 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
+    q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
+    q3_ppp = q3__p + (turn if q3__p <= -half_turn else 0.0)
+    q3_pmp = (turn if -v8 <= -half_turn else 0.0) - v8
     v50 = q1__p < low1 or high1 < q1__p
     v51 = q1__m < low1 or high1 < q1__m
     v52 = q3_ppp < low3 or high3 < q3_ppp
@@ -1378,7 +1387,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1667,16 +1676,16 @@ def _in_tiles(T, q, status):
             q6_mmm = angle9 - math.copysign(half_turn, v35)
             v36 = angle10 - offset1
             v37 = angle10 - math.copysign(half_turn, t24) - offset1
-            q1__p = v36 + (whole_turn if v36 <= -half_turn else 0.0)
-            q1__m = v37 + (whole_turn if v37 <= -half_turn else 0.0)
+            q1__p = v36 + (turn if v36 <= -half_turn else 0.0)
+            q1__m = v37 + (turn if v37 <= -half_turn else 0.0)
             v38 = angle11 - offset2
             v39 = angle12 - offset2
             v40 = angle13 - offset2
             v41 = angle14 - offset2
-            q2_ppp = v38 + (whole_turn if v38 <= -half_turn else 0.0)
-            q2_pmp = v39 + (whole_turn if v39 <= -half_turn else 0.0)
-            q2_mpp = v40 + (whole_turn if v40 <= -half_turn else 0.0)
-            q2_mmp = v41 + (whole_turn if v41 <= -half_turn else 0.0)
+            q2_ppp = v38 + (turn if v38 <= -half_turn else 0.0)
+            q2_pmp = v39 + (turn if v39 <= -half_turn else 0.0)
+            q2_mpp = v40 + (turn if v40 <= -half_turn else 0.0)
+            q2_mmp = v41 + (turn if v41 <= -half_turn else 0.0)
             v42 = angle15 - offset5
             v43 = offset5 + angle15
             v44 = angle16 - offset5
@@ -1685,16 +1694,16 @@ def _in_tiles(T, q, status):
             v47 = offset5 + angle17
             v48 = angle18 - offset5
             v49 = offset5 + angle18
-            q5_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v43 <= -half_turn else 0.0) - v43
-            q5_pmp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v45 <= -half_turn else 0.0) - v45
-            q5_mpp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v47 <= -half_turn else 0.0) - v47
-            q5_mmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v49 <= -half_turn else 0.0) - v49
-            q3_ppp = q3__p + (whole_turn if q3__p <= -half_turn else 0.0)
-            q3_pmp = (whole_turn if -v8 <= -half_turn else 0.0) - v8
+            q5_ppp = v42 + (turn if v42 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v43 <= -half_turn else 0.0) - v43
+            q5_pmp = v44 + (turn if v44 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v45 <= -half_turn else 0.0) - v45
+            q5_mpp = v46 + (turn if v46 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v47 <= -half_turn else 0.0) - v47
+            q5_mmp = v48 + (turn if v48 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v49 <= -half_turn else 0.0) - v49
+            q3_ppp = q3__p + (turn if q3__p <= -half_turn else 0.0)
+            q3_pmp = (turn if -v8 <= -half_turn else 0.0) - v8
             v50 = q1__p < low1 or high1 < q1__p
             v51 = q1__m < low1 or high1 < q1__m
             v52 = q3_ppp < low3 or high3 < q3_ppp

@@ -124,7 +124,6 @@ k4 = 0.1268631397825131  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 1.1189024999999999e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4338633792358526  # a constant angle [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low2 = -1.5707963277948966
 high2 = 2.6179938789914945
 low3 = -3.141592654589793
@@ -140,7 +139,7 @@ m7 = 0.023664836251350022  # a coefficient of c23
 m8 = 0.17173909736694015  # a coefficient of c23
 m9 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -370,7 +369,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 37edbce0b0b47346"
+_KEY = "abb_irb4600 a46490fc76d5fade"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -593,11 +592,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -607,8 +606,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -625,7 +624,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -774,39 +773,35 @@ _MISS_WEIGHT = np.array([0.299, 0.299, 0.299, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -830,7 +825,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -859,7 +854,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -875,10 +870,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -893,7 +888,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -917,6 +912,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -924,7 +935,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -939,9 +949,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -963,9 +974,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1152,14 +1161,14 @@ def _regular(pose, q, status):
     q6_mmm = angle19 - math.copysign(half_turn, v45)
 
     # joint values
-    v46 = q3__pp + (whole_turn if q3__pp <= -half_turn else 0.0)
-    v47 = (whole_turn if -v6 <= -half_turn else 0.0) - v6
-    v48 = q3__mp + (whole_turn if q3__mp <= -half_turn else 0.0)
-    v49 = (whole_turn if -v7 <= -half_turn else 0.0) - v7
-    v50 = v46 - (whole_turn if high3 < v46 else 0.0)
-    v51 = v47 - (whole_turn if high3 < v47 else 0.0)
-    v52 = v48 - (whole_turn if high3 < v48 else 0.0)
-    v53 = v49 - (whole_turn if high3 < v49 else 0.0)
+    v46 = q3__pp + (turn if q3__pp <= -half_turn else 0.0)
+    v47 = (turn if -v6 <= -half_turn else 0.0) - v6
+    v48 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
+    v49 = (turn if -v7 <= -half_turn else 0.0) - v7
+    v50 = v46 - (turn if high3 < v46 else 0.0)
+    v51 = v47 - (turn if high3 < v47 else 0.0)
+    v52 = v48 - (turn if high3 < v48 else 0.0)
+    v53 = v49 - (turn if high3 < v49 else 0.0)
     v54 = v50 < low3 or high3 < v50
     v55 = v51 < low3 or high3 < v51
     v56 = v52 < low3 or high3 < v52
@@ -1346,7 +1355,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1645,14 +1654,14 @@ def _in_tiles(T, q, status):
             q6_pmm = angle17 - math.copysign(half_turn, v43)
             q6_mpm = angle18 - math.copysign(half_turn, v44)
             q6_mmm = angle19 - math.copysign(half_turn, v45)
-            v46 = q3__pp + (whole_turn if q3__pp <= -half_turn else 0.0)
-            v47 = (whole_turn if -v6 <= -half_turn else 0.0) - v6
-            v48 = q3__mp + (whole_turn if q3__mp <= -half_turn else 0.0)
-            v49 = (whole_turn if -v7 <= -half_turn else 0.0) - v7
-            v50 = v46 - (whole_turn if high3 < v46 else 0.0)
-            v51 = v47 - (whole_turn if high3 < v47 else 0.0)
-            v52 = v48 - (whole_turn if high3 < v48 else 0.0)
-            v53 = v49 - (whole_turn if high3 < v49 else 0.0)
+            v46 = q3__pp + (turn if q3__pp <= -half_turn else 0.0)
+            v47 = (turn if -v6 <= -half_turn else 0.0) - v6
+            v48 = q3__mp + (turn if q3__mp <= -half_turn else 0.0)
+            v49 = (turn if -v7 <= -half_turn else 0.0) - v7
+            v50 = v46 - (turn if high3 < v46 else 0.0)
+            v51 = v47 - (turn if high3 < v47 else 0.0)
+            v52 = v48 - (turn if high3 < v48 else 0.0)
+            v53 = v49 - (turn if high3 < v49 else 0.0)
             v54 = v50 < low3 or high3 < v50
             v55 = v51 < low3 or high3 < v51
             v56 = v52 < low3 or high3 < v52

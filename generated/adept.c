@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -197,7 +196,7 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -263,7 +262,6 @@ static const double
     free_limit_squared2 = 5.7599999999999994e-18,
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 0.024, /* a pose may be rounded by this [mm] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
     m4 = 33.1776, /* doubt_limit_squared2^2 [mm^4] */
@@ -376,8 +374,7 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[3], wide_mask kind[1])
         (T33 * T33 + (v9 * v9 + T12 * T12))))) | (m5 < v12 * v12 + (v8 * v8 + v10 * v10));
 
     q[0] = angle1;
-    q[1] = v14 + pick_wide(v14 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v14,
-        -whole_turn));
+    q[1] = v14 + pick_wide(v14 <= -half_turn, all_wide(turn), only_wide(half_turn < v14, -turn));
     q[2] = q3;
     kind[0] = kind_of(q[0], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -416,8 +413,7 @@ HELPER int solve_regular(const double T[16], double q[1][3], unsigned char statu
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1);
     const four v14 = angle2 - angle1,
-        q2 = v14 + pick_four(v14 <= -half_turn, all_four(whole_turn), only_four(half_turn < v14,
-            -whole_turn));
+        q2 = v14 + pick_four(v14 <= -half_turn, all_four(turn), only_four(half_turn < v14, -turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -551,37 +547,34 @@ static const double pace[3] = { 1.0, 1.0, 2400.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[3], double e[6], double J[18])
+static double off_pose(const double T[16], const double x[3], double e[6])
 {
     double P[16], square = 0.0;
     adept_fk(x, P);
-    adept_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[3], const double J[18], double e[6], double x[3])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[3], double miss, double e[6], double x[3])
 {
-    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
+    adept_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
-        A[i][3 + i] = share;
+        A[i][3 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -598,16 +591,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[3])
 {
-    double x[3], half[3], J[18], last = HUGE_VAL;
+    double x[3], half[3], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -615,13 +608,12 @@ static int settle(const double T[16], double enough, double most, double q[3])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -635,22 +627,21 @@ static void stay(
     const double T[16], const double seed[3], double q[1][3],
     unsigned char status[1])
 {
-    double x[3], half[3], J[18], least = HUGE_VAL;
+    double x[3], half[3], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 1 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != ADEPT_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = ADEPT_FREE_JOINT;
     take(x, q[place]);
@@ -736,12 +727,12 @@ void adept_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
     size_t k = 0;
 #if LANES > 1
     for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 3 * k, status + 1 * k);
+        unsigned left = solve_tile(T + 16 * k, q + 3 * k, status + k);
         for (size_t i = k; left; i++, left >>= 1)
             if (left & 1u)
-                (void)adept_ik(T + 16 * i, NULL, (double (*)[3])(q + 3 * i), status + 1 * i);
+                (void)adept_ik(T + 16 * i, NULL, (double (*)[3])(q + 3 * i), status + i);
     }
 #endif
     for (; k < n; k++)
-        (void)adept_ik(T + 16 * k, NULL, (double (*)[3])(q + 3 * k), status + 1 * k);
+        (void)adept_ik(T + 16 * k, NULL, (double (*)[3])(q + 3 * k), status + k);
 }

@@ -148,7 +148,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -426,12 +425,12 @@ void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *sta
     size_t k = 0;
 #if LANES > 1
     for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, q + 3 * k, status + 1 * k);
+        unsigned left = solve_tile(T + 16 * k, q + 3 * k, status + k);
         for (size_t i = k; left; i++, left >>= 1)
             if (left & 1u)
-                (void)cartesian_ik(T + 16 * i, NULL, (double (*)[3])(q + 3 * i), status + 1 * i);
+                (void)cartesian_ik(T + 16 * i, NULL, (double (*)[3])(q + 3 * i), status + i);
     }
 #endif
     for (; k < n; k++)
-        (void)cartesian_ik(T + 16 * k, NULL, (double (*)[3])(q + 3 * k), status + 1 * k);
+        (void)cartesian_ik(T + 16 * k, NULL, (double (*)[3])(q + 3 * k), status + k);
 }

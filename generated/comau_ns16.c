@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -189,7 +188,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -274,7 +273,6 @@ static const double
     k6 = 0.9136009999999999, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k7 = 1.204444941425193, /* 1 / (k4^2 + k5^2) [m^-4] */
     doubt_limit_squared2 = 7.540515999999996e-06, /* square of a length that fixes no angle [m^2] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.2825771957649381, /* a constant angle [rad] */
     m7 = 1e-06; /* doubt_limit^2 */
@@ -464,17 +462,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle4 - offset2, v43 = w3_m * (m1 * v3), v44 = w3_m * v9,
         angle5 = atan2_wide(v6 - v43, -(v8 + v44)), v45 = angle5 - offset2,
         angle6 = atan2_wide(v6 + v43, v44 - v8), v46 = angle6 - offset2,
-        q2_ppp = v41 + only_wide(half_turn < v41, -whole_turn),
-        q2_pmp = v42 + only_wide(half_turn < v42, -whole_turn),
-        q2_mpp = v45 + only_wide(half_turn < v45, -whole_turn),
-        q2_mmp = v46 + only_wide(half_turn < v46, -whole_turn),
-        angle7 = atan2_wide(w3_p, N3_p - k6), angle8 = atan2_wide(w3_m, N3_m - k6),
-        v47 = angle7 - turn1 - offset3, v48 = offset3 + (turn1 + angle7),
-        v49 = angle8 - turn1 - offset3, v50 = offset3 + (turn1 + angle8),
-        q3_ppp = v47 + only_wide(v47 <= -half_turn, whole_turn),
-        q3_pmp = only_wide(-v48 <= -half_turn, whole_turn) - v48,
-        q3_mpp = v49 + only_wide(v49 <= -half_turn, whole_turn),
-        q3_mmp = only_wide(-v50 <= -half_turn, whole_turn) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
+        q2_ppp = v41 + only_wide(half_turn < v41, -turn),
+        q2_pmp = v42 + only_wide(half_turn < v42, -turn),
+        q2_mpp = v45 + only_wide(half_turn < v45, -turn),
+        q2_mmp = v46 + only_wide(half_turn < v46, -turn), angle7 = atan2_wide(w3_p, N3_p - k6),
+        angle8 = atan2_wide(w3_m, N3_m - k6), v47 = angle7 - turn1 - offset3,
+        v48 = offset3 + (turn1 + angle7), v49 = angle8 - turn1 - offset3,
+        v50 = offset3 + (turn1 + angle8), q3_ppp = v47 + only_wide(v47 <= -half_turn, turn),
+        q3_pmp = only_wide(-v48 <= -half_turn, turn) - v48,
+        q3_mpp = v49 + only_wide(v49 <= -half_turn, turn),
+        q3_mmp = only_wide(-v50 <= -half_turn, turn) - v50, angle9 = atan2_wide(Y4_p, -X4_pp),
         angle10 = atan2_wide(Y4_p, -X4_pm), angle11 = atan2_wide(Y4_m, -X4_mp),
         angle12 = atan2_wide(Y4_m, -X4_mm), v51 = signed_wide(half_turn, Y4_p),
         v52 = signed_wide(half_turn, Y4_m), v53 = angle9 - offset4, v54 = angle9 - v51 - offset4,
@@ -487,14 +484,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v61 = angle13 - offset5, v62 = offset5 + angle13, v63 = angle14 - offset5,
         v64 = offset5 + angle14, v65 = angle15 - offset5, v66 = offset5 + angle15,
         v67 = angle16 - offset5, v68 = offset5 + angle16,
-        q5_ppp = v61 + only_wide(v61 <= -half_turn, whole_turn),
-        q5_ppm = only_wide(-v62 <= -half_turn, whole_turn) - v62,
-        q5_pmp = v63 + only_wide(v63 <= -half_turn, whole_turn),
-        q5_pmm = only_wide(-v64 <= -half_turn, whole_turn) - v64,
-        q5_mpp = v65 + only_wide(v65 <= -half_turn, whole_turn),
-        q5_mpm = only_wide(-v66 <= -half_turn, whole_turn) - v66,
-        q5_mmp = v67 + only_wide(v67 <= -half_turn, whole_turn),
-        q5_mmm = only_wide(-v68 <= -half_turn, whole_turn) - v68,
+        q5_ppp = v61 + only_wide(v61 <= -half_turn, turn),
+        q5_ppm = only_wide(-v62 <= -half_turn, turn) - v62,
+        q5_pmp = v63 + only_wide(v63 <= -half_turn, turn),
+        q5_pmm = only_wide(-v64 <= -half_turn, turn) - v64,
+        q5_mpp = v65 + only_wide(v65 <= -half_turn, turn),
+        q5_mpm = only_wide(-v66 <= -half_turn, turn) - v66,
+        q5_mmp = v67 + only_wide(v67 <= -half_turn, turn),
+        q5_mmm = only_wide(-v68 <= -half_turn, turn) - v68,
         angle17 = atan2_wide(s6_pp, v32 * -X4_pp - Y4_p * (c2m3_pp * v34 - s2m3_pp * T32)),
         angle18 = atan2_wide(s6_pm, v32 * -X4_pm - Y4_p * (c2m3_pm * v34 - s2m3_pm * T32)),
         angle19 = atan2_wide(s6_mp, v33 * -X4_mp - Y4_m * (c2m3_mp * v35 - s2m3_mp * T32)),
@@ -515,37 +512,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             (((shortest3_apart < N3_p) & (N3_p < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) |
             (N1 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
-    q[3] = v53 + only_wide(v53 <= -half_turn, whole_turn); q[4] = q5_ppp;
-    q[5] = v69 + only_wide(v69 <= -half_turn, whole_turn);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v53 + only_wide(v53 <= -half_turn, turn);
+    q[4] = q5_ppp; q[5] = v69 + only_wide(v69 <= -half_turn, turn);
     kind[0] = kind_of(q[0], v79 | beyond(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
-    q[9] = v54 + only_wide(v54 <= -half_turn, whole_turn); q[10] = q5_ppm;
-    q[11] = v70 + only_wide(v70 <= -half_turn, whole_turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v54 + only_wide(v54 <= -half_turn, turn);
+    q[10] = q5_ppm; q[11] = v70 + only_wide(v70 <= -half_turn, turn);
     kind[1] = kind_of(q[6], v79 | beyond(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v55 + only_wide(v55 <= -half_turn, whole_turn); q[16] = q5_pmp;
-    q[17] = v71 + only_wide(v71 <= -half_turn, whole_turn);
+    q[15] = v55 + only_wide(v55 <= -half_turn, turn); q[16] = q5_pmp;
+    q[17] = v71 + only_wide(v71 <= -half_turn, turn);
     kind[2] = kind_of(q[12], v80 | beyond(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v56 + only_wide(v56 <= -half_turn, whole_turn); q[22] = q5_pmm;
-    q[23] = v72 + only_wide(v72 <= -half_turn, whole_turn);
+    q[21] = v56 + only_wide(v56 <= -half_turn, turn); q[22] = q5_pmm;
+    q[23] = v72 + only_wide(v72 <= -half_turn, turn);
     kind[3] = kind_of(q[18], v80 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
-    q[27] = v57 + only_wide(v57 <= -half_turn, whole_turn); q[28] = q5_mpp;
-    q[29] = v73 + only_wide(v73 <= -half_turn, whole_turn);
+    q[27] = v57 + only_wide(v57 <= -half_turn, turn); q[28] = q5_mpp;
+    q[29] = v73 + only_wide(v73 <= -half_turn, turn);
     kind[4] = kind_of(q[24], v81 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
-    q[33] = v58 + only_wide(v58 <= -half_turn, whole_turn); q[34] = q5_mpm;
-    q[35] = v74 + only_wide(v74 <= -half_turn, whole_turn);
+    q[33] = v58 + only_wide(v58 <= -half_turn, turn); q[34] = q5_mpm;
+    q[35] = v74 + only_wide(v74 <= -half_turn, turn);
     kind[5] = kind_of(q[30], v81 | beyond(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
-    q[39] = v59 + only_wide(v59 <= -half_turn, whole_turn); q[40] = q5_mmp;
-    q[41] = v75 + only_wide(v75 <= -half_turn, whole_turn);
+    q[39] = v59 + only_wide(v59 <= -half_turn, turn); q[40] = q5_mmp;
+    q[41] = v75 + only_wide(v75 <= -half_turn, turn);
     kind[6] = kind_of(q[36], v82 | beyond(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
-    q[45] = v60 + only_wide(v60 <= -half_turn, whole_turn); q[46] = q5_mmm;
-    q[47] = v76 + only_wide(v76 <= -half_turn, whole_turn);
+    q[45] = v60 + only_wide(v60 <= -half_turn, turn); q[46] = q5_mmm;
+    q[47] = v76 + only_wide(v76 <= -half_turn, turn);
     kind[7] = kind_of(q[42], v82 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -606,16 +601,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 2, 2),
         angle3 = shuffle(packed1, packed1, 1, 1, 3, 3), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
-    const four v22 = angle2 - offset2, q2_p = v22 + only_four(half_turn < v22, -whole_turn),
-        v23 = e2 * angle3 - turn1 - offset3, q3_p = v23 + only_four(v23 <= -half_turn, whole_turn),
+    const four v22 = angle2 - offset2, q2_p = v22 + only_four(half_turn < v22, -turn),
+        v23 = e2 * angle3 - turn1 - offset3, q3_p = v23 + only_four(v23 <= -half_turn, turn),
         v25 = angle4 - offset4, v26 = angle4 - v24 - offset4,
-        q4_p = v25 + only_four(v25 <= -half_turn, whole_turn),
-        q4_m = v26 + only_four(v26 <= -half_turn, whole_turn), v27 = angle5 - offset5,
-        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, whole_turn),
-        q5_m = only_four(-v28 <= -half_turn, whole_turn) - v28, v29 = angle6 - offset6,
+        q4_p = v25 + only_four(v25 <= -half_turn, turn),
+        q4_m = v26 + only_four(v26 <= -half_turn, turn), v27 = angle5 - offset5,
+        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, turn),
+        q5_m = only_four(-v28 <= -half_turn, turn) - v28, v29 = angle6 - offset6,
         v30 = angle6 - signed_four(half_turn, s6) - offset6,
-        q6_p = v29 + only_four(v29 <= -half_turn, whole_turn),
-        q6_m = v30 + only_four(v30 <= -half_turn, whole_turn);
+        q6_p = v29 + only_four(v29 <= -half_turn, turn),
+        q6_m = v30 + only_four(v30 <= -half_turn, turn);
     const four_mask v31 = beyond_four(angle1, 1);
     const four q1_p = angle1 + (w3 - w3);
     const four_mask v32 = beyond_four(q3_p, 3) | v31 | beyond_four(q2_p, 2),
@@ -943,37 +938,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     comau_ns16_fk(x, P);
-    comau_ns16_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    comau_ns16_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1021,19 +1013,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1041,20 +1031,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1063,34 +1050,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != COMAU_NS16_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = COMAU_NS16_FREE_JOINT;
     take(x, q[place]);
@@ -1126,9 +1125,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

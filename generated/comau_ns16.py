@@ -130,7 +130,6 @@ k5 = 0.259  # 2 * a3 * a2 [m^2]
 k6 = 0.9136009999999999  # a2^2 + (a3^2 + d4^2) [m^2]
 k7 = 1.204444941425193  # 1 / (k4^2 + k5^2) [m^-4]
 doubt_limit_squared2 = 7.540515999999996e-06  # square of a length that fixes no angle [m^2]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.2825771957649381  # a constant angle [rad]
 low1 = -3.141590001
@@ -149,7 +148,7 @@ m5 = 0.04890566358436353  # a coefficient of c2m3
 m6 = 0.01449927526138983  # a coefficient of c2m3
 m7 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -194,7 +193,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -394,7 +393,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "comau_ns16 4f7fb55897bac862"
+_KEY = "comau_ns16 afd35fe96fa0916f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -631,11 +630,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -645,8 +644,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -663,7 +662,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -812,39 +811,35 @@ _MISS_WEIGHT = np.array([0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -868,7 +863,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -897,7 +892,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -913,10 +908,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -931,7 +926,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -955,6 +950,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -962,7 +973,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -977,9 +987,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -1001,9 +1012,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1195,18 +1204,18 @@ def _regular(pose, q, status):
     v42 = angle4 - offset2
     v45 = angle5 - offset2
     v46 = angle6 - offset2
-    q2_ppp = v41 + (-whole_turn if half_turn < v41 else 0.0)
-    q2_pmp = v42 + (-whole_turn if half_turn < v42 else 0.0)
-    q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
-    q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+    q2_ppp = v41 + (-turn if half_turn < v41 else 0.0)
+    q2_pmp = v42 + (-turn if half_turn < v42 else 0.0)
+    q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
+    q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
     v47 = angle7 - turn1 - offset3
     v48 = offset3 + (turn1 + angle7)
     v49 = angle8 - turn1 - offset3
     v50 = offset3 + (turn1 + angle8)
-    q3_ppp = v47 + (whole_turn if v47 <= -half_turn else 0.0)
-    q3_pmp = (whole_turn if -v48 <= -half_turn else 0.0) - v48
-    q3_mpp = v49 + (whole_turn if v49 <= -half_turn else 0.0)
-    q3_mmp = (whole_turn if -v50 <= -half_turn else 0.0) - v50
+    q3_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
+    q3_pmp = (turn if -v48 <= -half_turn else 0.0) - v48
+    q3_mpp = v49 + (turn if v49 <= -half_turn else 0.0)
+    q3_mmp = (turn if -v50 <= -half_turn else 0.0) - v50
     v53 = angle9 - offset4
     v54 = angle9 - v51 - offset4
     v55 = angle10 - offset4
@@ -1215,14 +1224,14 @@ def _regular(pose, q, status):
     v58 = angle11 - v52 - offset4
     v59 = angle12 - offset4
     v60 = angle12 - v52 - offset4
-    q4_ppp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-    q4_ppm = v54 + (whole_turn if v54 <= -half_turn else 0.0)
-    q4_pmp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-    q4_pmm = v56 + (whole_turn if v56 <= -half_turn else 0.0)
-    q4_mpp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-    q4_mpm = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-    q4_mmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
-    q4_mmm = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+    q4_ppp = v53 + (turn if v53 <= -half_turn else 0.0)
+    q4_ppm = v54 + (turn if v54 <= -half_turn else 0.0)
+    q4_pmp = v55 + (turn if v55 <= -half_turn else 0.0)
+    q4_pmm = v56 + (turn if v56 <= -half_turn else 0.0)
+    q4_mpp = v57 + (turn if v57 <= -half_turn else 0.0)
+    q4_mpm = v58 + (turn if v58 <= -half_turn else 0.0)
+    q4_mmp = v59 + (turn if v59 <= -half_turn else 0.0)
+    q4_mmm = v60 + (turn if v60 <= -half_turn else 0.0)
     v61 = angle13 - offset5
     v62 = offset5 + angle13
     v63 = angle14 - offset5
@@ -1231,14 +1240,14 @@ def _regular(pose, q, status):
     v66 = offset5 + angle15
     v67 = angle16 - offset5
     v68 = offset5 + angle16
-    q5_ppp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v62 <= -half_turn else 0.0) - v62
-    q5_pmp = v63 + (whole_turn if v63 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v64 <= -half_turn else 0.0) - v64
-    q5_mpp = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v66 <= -half_turn else 0.0) - v66
-    q5_mmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v68 <= -half_turn else 0.0) - v68
+    q5_ppp = v61 + (turn if v61 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v62 <= -half_turn else 0.0) - v62
+    q5_pmp = v63 + (turn if v63 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v64 <= -half_turn else 0.0) - v64
+    q5_mpp = v65 + (turn if v65 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v66 <= -half_turn else 0.0) - v66
+    q5_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v68 <= -half_turn else 0.0) - v68
     v69 = angle17 - offset6
     v70 = angle17 - math.copysign(half_turn, s6_pp) - offset6
     v71 = angle18 - offset6
@@ -1247,14 +1256,14 @@ def _regular(pose, q, status):
     v74 = angle19 - math.copysign(half_turn, s6_mp) - offset6
     v75 = angle20 - offset6
     v76 = angle20 - math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v69 + (whole_turn if v69 <= -half_turn else 0.0)
-    q6_ppm = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-    q6_pmp = v71 + (whole_turn if v71 <= -half_turn else 0.0)
-    q6_pmm = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-    q6_mpp = v73 + (whole_turn if v73 <= -half_turn else 0.0)
-    q6_mpm = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-    q6_mmp = v75 + (whole_turn if v75 <= -half_turn else 0.0)
-    q6_mmm = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+    q6_ppp = v69 + (turn if v69 <= -half_turn else 0.0)
+    q6_ppm = v70 + (turn if v70 <= -half_turn else 0.0)
+    q6_pmp = v71 + (turn if v71 <= -half_turn else 0.0)
+    q6_pmm = v72 + (turn if v72 <= -half_turn else 0.0)
+    q6_mpp = v73 + (turn if v73 <= -half_turn else 0.0)
+    q6_mpm = v74 + (turn if v74 <= -half_turn else 0.0)
+    q6_mmp = v75 + (turn if v75 <= -half_turn else 0.0)
+    q6_mmm = v76 + (turn if v76 <= -half_turn else 0.0)
     v77 = angle1 < low1 or high1 < angle1
     v78 = angle2 < low1 or high1 < angle2
     q1_ppp = angle1 + (w3_p - w3_p)
@@ -1435,7 +1444,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1742,18 +1751,18 @@ def _in_tiles(T, q, status):
             v42 = angle4 - offset2
             v45 = angle5 - offset2
             v46 = angle6 - offset2
-            q2_ppp = v41 + (-whole_turn if half_turn < v41 else 0.0)
-            q2_pmp = v42 + (-whole_turn if half_turn < v42 else 0.0)
-            q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
-            q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+            q2_ppp = v41 + (-turn if half_turn < v41 else 0.0)
+            q2_pmp = v42 + (-turn if half_turn < v42 else 0.0)
+            q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
+            q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
             v47 = angle7 - turn1 - offset3
             v48 = offset3 + (turn1 + angle7)
             v49 = angle8 - turn1 - offset3
             v50 = offset3 + (turn1 + angle8)
-            q3_ppp = v47 + (whole_turn if v47 <= -half_turn else 0.0)
-            q3_pmp = (whole_turn if -v48 <= -half_turn else 0.0) - v48
-            q3_mpp = v49 + (whole_turn if v49 <= -half_turn else 0.0)
-            q3_mmp = (whole_turn if -v50 <= -half_turn else 0.0) - v50
+            q3_ppp = v47 + (turn if v47 <= -half_turn else 0.0)
+            q3_pmp = (turn if -v48 <= -half_turn else 0.0) - v48
+            q3_mpp = v49 + (turn if v49 <= -half_turn else 0.0)
+            q3_mmp = (turn if -v50 <= -half_turn else 0.0) - v50
             v53 = angle9 - offset4
             v54 = angle9 - v51 - offset4
             v55 = angle10 - offset4
@@ -1762,14 +1771,14 @@ def _in_tiles(T, q, status):
             v58 = angle11 - v52 - offset4
             v59 = angle12 - offset4
             v60 = angle12 - v52 - offset4
-            q4_ppp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-            q4_ppm = v54 + (whole_turn if v54 <= -half_turn else 0.0)
-            q4_pmp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-            q4_pmm = v56 + (whole_turn if v56 <= -half_turn else 0.0)
-            q4_mpp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-            q4_mpm = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-            q4_mmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
-            q4_mmm = v60 + (whole_turn if v60 <= -half_turn else 0.0)
+            q4_ppp = v53 + (turn if v53 <= -half_turn else 0.0)
+            q4_ppm = v54 + (turn if v54 <= -half_turn else 0.0)
+            q4_pmp = v55 + (turn if v55 <= -half_turn else 0.0)
+            q4_pmm = v56 + (turn if v56 <= -half_turn else 0.0)
+            q4_mpp = v57 + (turn if v57 <= -half_turn else 0.0)
+            q4_mpm = v58 + (turn if v58 <= -half_turn else 0.0)
+            q4_mmp = v59 + (turn if v59 <= -half_turn else 0.0)
+            q4_mmm = v60 + (turn if v60 <= -half_turn else 0.0)
             v61 = angle13 - offset5
             v62 = offset5 + angle13
             v63 = angle14 - offset5
@@ -1778,14 +1787,14 @@ def _in_tiles(T, q, status):
             v66 = offset5 + angle15
             v67 = angle16 - offset5
             v68 = offset5 + angle16
-            q5_ppp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v62 <= -half_turn else 0.0) - v62
-            q5_pmp = v63 + (whole_turn if v63 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v64 <= -half_turn else 0.0) - v64
-            q5_mpp = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v66 <= -half_turn else 0.0) - v66
-            q5_mmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v68 <= -half_turn else 0.0) - v68
+            q5_ppp = v61 + (turn if v61 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v62 <= -half_turn else 0.0) - v62
+            q5_pmp = v63 + (turn if v63 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v64 <= -half_turn else 0.0) - v64
+            q5_mpp = v65 + (turn if v65 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v66 <= -half_turn else 0.0) - v66
+            q5_mmp = v67 + (turn if v67 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v68 <= -half_turn else 0.0) - v68
             v69 = angle17 - offset6
             v70 = angle17 - math.copysign(half_turn, s6_pp) - offset6
             v71 = angle18 - offset6
@@ -1794,14 +1803,14 @@ def _in_tiles(T, q, status):
             v74 = angle19 - math.copysign(half_turn, s6_mp) - offset6
             v75 = angle20 - offset6
             v76 = angle20 - math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v69 + (whole_turn if v69 <= -half_turn else 0.0)
-            q6_ppm = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-            q6_pmp = v71 + (whole_turn if v71 <= -half_turn else 0.0)
-            q6_pmm = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-            q6_mpp = v73 + (whole_turn if v73 <= -half_turn else 0.0)
-            q6_mpm = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-            q6_mmp = v75 + (whole_turn if v75 <= -half_turn else 0.0)
-            q6_mmm = v76 + (whole_turn if v76 <= -half_turn else 0.0)
+            q6_ppp = v69 + (turn if v69 <= -half_turn else 0.0)
+            q6_ppm = v70 + (turn if v70 <= -half_turn else 0.0)
+            q6_pmp = v71 + (turn if v71 <= -half_turn else 0.0)
+            q6_pmm = v72 + (turn if v72 <= -half_turn else 0.0)
+            q6_mpp = v73 + (turn if v73 <= -half_turn else 0.0)
+            q6_mpm = v74 + (turn if v74 <= -half_turn else 0.0)
+            q6_mmp = v75 + (turn if v75 <= -half_turn else 0.0)
+            q6_mmm = v76 + (turn if v76 <= -half_turn else 0.0)
             v77 = angle1 < low1 or high1 < angle1
             v78 = angle2 < low1 or high1 < angle2
             q1_ppp = angle1 + (w3_p - w3_p)

@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -189,7 +188,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -271,7 +270,6 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.2111690000000003e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m3 = 4.889268346561001e-12, /* doubt_limit_squared2^2 [m^4] */
     m4 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -441,10 +439,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle6 = atan2_wide(S2_pm, C2_pm), v59 = angle6 - offset2,
         angle7 = atan2_wide(S2_pm, C2_mp), v60 = angle7 - offset2,
         angle8 = atan2_wide(S2_pp, C2_mm), v61 = angle8 - offset2,
-        q2_ppp = v58 + only_wide(v58 <= -half_turn, whole_turn),
-        q2_pmp = v59 + only_wide(v59 <= -half_turn, whole_turn),
-        q2_mpp = v60 + only_wide(v60 <= -half_turn, whole_turn),
-        q2_mmp = v61 + only_wide(v61 <= -half_turn, whole_turn), angle9 = atan2_wide(v7, -v8),
+        q2_ppp = v58 + only_wide(v58 <= -half_turn, turn),
+        q2_pmp = v59 + only_wide(v59 <= -half_turn, turn),
+        q2_mpp = v60 + only_wide(v60 <= -half_turn, turn),
+        q2_mmp = v61 + only_wide(v61 <= -half_turn, turn), angle9 = atan2_wide(v7, -v8),
         v62 = angle9 - offset3, v63 = signed_wide(half_turn, v7) - angle9 - offset3,
         angle10 = atan2_wide(Y4_p, -X4_pp), angle11 = atan2_wide(Y4_p, -X4_pm),
         angle12 = atan2_wide(Y4_m, -X4_mp), angle13 = atan2_wide(Y4_m, -X4_mm),
@@ -460,47 +458,45 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v78 = angle16 - offset5, v79 = offset5 + angle16, v80 = angle17 - offset5,
         v81 = offset5 + angle17, angle18 = atan2_wide(s1_p, -v3), q1_ppp = v6 + angle18,
         angle19 = atan2_wide(s1_m, -v4), q1_mpp = v6 + angle19,
-        q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, whole_turn)),
-        q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, whole_turn));
+        q3_ppp = v1 + (v62 + only_wide(v62 <= -half_turn, turn)),
+        q3_pmp = v1 + (v63 + only_wide(v63 <= -half_turn, turn));
     const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v49 <= m4) |
         (v29 <= m3) | (v48 <= m4) | (v28 <= m3) | (v47 <= m4) | (v27 <= m3) | (v46 <= m4) |
         ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v25 <= m3);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
-    q[3] = v66 + only_wide(v66 <= -half_turn, whole_turn);
-    q[4] = v74 + only_wide(v74 <= -half_turn, whole_turn); q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v66 + only_wide(v66 <= -half_turn, turn);
+    q[4] = v74 + only_wide(v74 <= -half_turn, turn); q[5] = angle1;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
-    q[9] = v67 + only_wide(v67 <= -half_turn, whole_turn);
-    q[10] = only_wide(-v75 <= -half_turn, whole_turn) - v75;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v67 + only_wide(v67 <= -half_turn, turn);
+    q[10] = only_wide(-v75 <= -half_turn, turn) - v75;
     q[11] = angle1 - signed_wide(half_turn, s6_pp);
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v68 + only_wide(v68 <= -half_turn, whole_turn);
-    q[16] = v76 + only_wide(v76 <= -half_turn, whole_turn); q[17] = angle2;
+    q[15] = v68 + only_wide(v68 <= -half_turn, turn);
+    q[16] = v76 + only_wide(v76 <= -half_turn, turn); q[17] = angle2;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v69 + only_wide(v69 <= -half_turn, whole_turn);
-    q[22] = only_wide(-v77 <= -half_turn, whole_turn) - v77;
+    q[21] = v69 + only_wide(v69 <= -half_turn, turn);
+    q[22] = only_wide(-v77 <= -half_turn, turn) - v77;
     q[23] = angle2 - signed_wide(half_turn, s6_pm);
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
-    q[27] = v70 + only_wide(v70 <= -half_turn, whole_turn);
-    q[28] = v78 + only_wide(v78 <= -half_turn, whole_turn); q[29] = angle3;
+    q[27] = v70 + only_wide(v70 <= -half_turn, turn);
+    q[28] = v78 + only_wide(v78 <= -half_turn, turn); q[29] = angle3;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
-    q[33] = v71 + only_wide(v71 <= -half_turn, whole_turn);
-    q[34] = only_wide(-v79 <= -half_turn, whole_turn) - v79;
+    q[33] = v71 + only_wide(v71 <= -half_turn, turn);
+    q[34] = only_wide(-v79 <= -half_turn, turn) - v79;
     q[35] = angle3 - signed_wide(half_turn, s6_mp);
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
-    q[39] = v72 + only_wide(v72 <= -half_turn, whole_turn);
-    q[40] = v80 + only_wide(v80 <= -half_turn, whole_turn); q[41] = angle4;
+    q[39] = v72 + only_wide(v72 <= -half_turn, turn);
+    q[40] = v80 + only_wide(v80 <= -half_turn, turn); q[41] = angle4;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
-    q[45] = v73 + only_wide(v73 <= -half_turn, whole_turn);
-    q[46] = only_wide(-v81 <= -half_turn, whole_turn) - v81;
+    q[45] = v73 + only_wide(v73 <= -half_turn, turn);
+    q[46] = only_wide(-v81 <= -half_turn, turn) - v81;
     q[47] = angle4 - signed_wide(half_turn, s6_mm);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -565,13 +561,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle1 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v33 = angle2 - offset2,
-        q2_p = v33 + only_four(v33 <= -half_turn, whole_turn),
+        q2_p = v33 + only_four(v33 <= -half_turn, turn),
         v35 = e2 * angle3 + v34 * (m5 * (1.0 - e2)) - offset3, v37 = angle4 - offset4,
-        v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, whole_turn),
-        q4_m = v38 + only_four(v38 <= -half_turn, whole_turn), v39 = angle5 - offset5,
-        v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, whole_turn),
-        q5_m = only_four(-v40 <= -half_turn, whole_turn) - v40, q1_p = v5 + angle6,
-        q3_p = v1 + (v35 + only_four(v35 <= -half_turn, whole_turn));
+        v38 = angle4 - v36 - offset4, q4_p = v37 + only_four(v37 <= -half_turn, turn),
+        q4_m = v38 + only_four(v38 <= -half_turn, turn), v39 = angle5 - offset5,
+        v40 = offset5 + angle5, q5_p = v39 + only_four(v39 <= -half_turn, turn),
+        q5_m = only_four(-v40 <= -half_turn, turn) - v40, q1_p = v5 + angle6,
+        q3_p = v1 + (v35 + only_four(v35 <= -half_turn, turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -784,37 +780,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     doosan_m1013_fk(x, P);
-    doosan_m1013_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    doosan_m1013_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -831,16 +824,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -848,13 +841,12 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -868,22 +860,21 @@ static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != DOOSAN_M1013_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = DOOSAN_M1013_FREE_JOINT;
     take(x, q[place]);

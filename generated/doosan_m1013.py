@@ -127,13 +127,12 @@ k5 = 0.6968810000000001  # a2^2 + d4^2 [m^2]
 k6 = 2.081291995206794  # 1 / (k4^2) [m^-4]
 doubt_limit_squared2 = 2.2111690000000003e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 0.8064516129032259  # a coefficient of S2
 m2 = 0.057999193548387  # a coefficient of S2
 m3 = 4.889268346561001e-12  # doubt_limit_squared2^2 [m^4]
 m4 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -178,7 +177,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -371,7 +370,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "doosan_m1013 e657d43dc9ef7eb7"
+_KEY = "doosan_m1013 7201f5f9cabbbcb5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -606,11 +605,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -621,39 +620,35 @@ _MISS_WEIGHT = np.array([0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -677,7 +672,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -691,10 +686,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(6)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -709,7 +704,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -735,7 +730,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -745,9 +739,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -973,10 +968,10 @@ def _regular(pose, q, status):
     v59 = angle6 - offset2
     v60 = angle7 - offset2
     v61 = angle8 - offset2
-    q2_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-    q2_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
-    q2_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-    q2_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+    q2_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
+    q2_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
+    q2_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
+    q2_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
     v62 = angle9 - offset3
     v63 = math.copysign(half_turn, v7) - angle9 - offset3
     v66 = angle10 - offset4
@@ -987,14 +982,14 @@ def _regular(pose, q, status):
     v71 = angle12 - v65 - offset4
     v72 = angle13 - offset4
     v73 = angle13 - v65 - offset4
-    q4_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-    q4_ppm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-    q4_pmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
-    q4_pmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
-    q4_mpp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-    q4_mpm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
-    q4_mmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-    q4_mmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+    q4_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
+    q4_ppm = v67 + (turn if v67 <= -half_turn else 0.0)
+    q4_pmp = v68 + (turn if v68 <= -half_turn else 0.0)
+    q4_pmm = v69 + (turn if v69 <= -half_turn else 0.0)
+    q4_mpp = v70 + (turn if v70 <= -half_turn else 0.0)
+    q4_mpm = v71 + (turn if v71 <= -half_turn else 0.0)
+    q4_mmp = v72 + (turn if v72 <= -half_turn else 0.0)
+    q4_mmm = v73 + (turn if v73 <= -half_turn else 0.0)
     v74 = angle14 - offset5
     v75 = offset5 + angle14
     v76 = angle15 - offset5
@@ -1003,18 +998,18 @@ def _regular(pose, q, status):
     v79 = offset5 + angle16
     v80 = angle17 - offset5
     v81 = offset5 + angle17
-    q5_ppp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
-    q5_pmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
-    q5_mpp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
-    q5_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
+    q5_ppp = v74 + (turn if v74 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v75 <= -half_turn else 0.0) - v75
+    q5_pmp = v76 + (turn if v76 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v77 <= -half_turn else 0.0) - v77
+    q5_mpp = v78 + (turn if v78 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v79 <= -half_turn else 0.0) - v79
+    q5_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v81 <= -half_turn else 0.0) - v81
     q1_ppp = v6 + angle18
     q1_mpp = v6 + angle19
-    q3_ppp = v1 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v63 + (whole_turn if v63 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1179,7 +1174,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1503,10 +1498,10 @@ def _in_tiles(T, q, status):
             v59 = angle6 - offset2
             v60 = angle7 - offset2
             v61 = angle8 - offset2
-            q2_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-            q2_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
-            q2_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-            q2_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+            q2_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
+            q2_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
+            q2_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
+            q2_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
             v62 = angle9 - offset3
             v63 = math.copysign(half_turn, v7) - angle9 - offset3
             v66 = angle10 - offset4
@@ -1517,14 +1512,14 @@ def _in_tiles(T, q, status):
             v71 = angle12 - v65 - offset4
             v72 = angle13 - offset4
             v73 = angle13 - v65 - offset4
-            q4_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-            q4_ppm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-            q4_pmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
-            q4_pmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
-            q4_mpp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-            q4_mpm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
-            q4_mmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-            q4_mmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
+            q4_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
+            q4_ppm = v67 + (turn if v67 <= -half_turn else 0.0)
+            q4_pmp = v68 + (turn if v68 <= -half_turn else 0.0)
+            q4_pmm = v69 + (turn if v69 <= -half_turn else 0.0)
+            q4_mpp = v70 + (turn if v70 <= -half_turn else 0.0)
+            q4_mpm = v71 + (turn if v71 <= -half_turn else 0.0)
+            q4_mmp = v72 + (turn if v72 <= -half_turn else 0.0)
+            q4_mmm = v73 + (turn if v73 <= -half_turn else 0.0)
             v74 = angle14 - offset5
             v75 = offset5 + angle14
             v76 = angle15 - offset5
@@ -1533,18 +1528,18 @@ def _in_tiles(T, q, status):
             v79 = offset5 + angle16
             v80 = angle17 - offset5
             v81 = offset5 + angle17
-            q5_ppp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
-            q5_pmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
-            q5_mpp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
-            q5_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
+            q5_ppp = v74 + (turn if v74 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v75 <= -half_turn else 0.0) - v75
+            q5_pmp = v76 + (turn if v76 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v77 <= -half_turn else 0.0) - v77
+            q5_mpp = v78 + (turn if v78 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v79 <= -half_turn else 0.0) - v79
+            q5_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v81 <= -half_turn else 0.0) - v81
             q1_ppp = v6 + angle18
             q1_mpp = v6 + angle19
-            q3_ppp = v1 + (v62 + (whole_turn if v62 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v63 + (whole_turn if v63 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v62 + (turn if v62 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v63 + (turn if v63 <= -half_turn else 0.0))
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

@@ -108,7 +108,6 @@ pose_slack1 = 4.000000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.08125  # a1^2 + a2^2 [m^2]
 k2 = 12.6984126984127  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 1.6000000000000003e-07  # square of a length that fixes no angle [m^2]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 low1 = -2.303834613632515
 high1 = 2.303834613632515
@@ -121,7 +120,7 @@ m2 = 2.2222222222222223  # a coefficient of S1
 m3 = 0.04444444444444444  # a coefficient of S1
 m4 = 1.0000000000000002e-10  # pose_slack^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -169,7 +168,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -269,7 +268,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 488883d6bbe47e2e"
+_KEY = "epson_t3 a817d3ef1d201f6b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -455,11 +454,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -470,8 +469,8 @@ def _overshoot(joint, value):
     if low <= value <= high:
         return 0.0
     off = value - high if value > high else value - low
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     if _REVOLUTE[joint]:
         off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
@@ -489,7 +488,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -638,39 +637,35 @@ _MISS_WEIGHT = np.array([2.5, 2.5, 2.5, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(4):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 10)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 10)), np.zeros(6)
     for i in range(6):
         for j in range(4):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 4 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -695,7 +690,7 @@ def _half_way(x, q, half):
     for i in range(4):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
-            off -= _TURN * math.floor(off / _TURN + 0.5)
+            off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 2.5))
         half[i] = x[i] + 0.5 * off
     return most
@@ -726,7 +721,7 @@ def _at_an_end(joint, value, seed):
     beyond an end there."""
     if not _REVOLUTE[joint]:
         return value
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -742,10 +737,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(4)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(4, np.bool_), np.empty((6, 4)), q.copy(), False
+    held, x, settled = np.zeros(4, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -760,7 +755,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(4):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -784,6 +779,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(4), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -791,7 +802,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(4), np.empty(4), 0, math.inf
-    A = np.empty((6, 4))
     for i in range(4):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -806,9 +816,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(4):
         q[place, i] = x[i]
@@ -830,9 +841,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(4):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(4):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -902,8 +911,8 @@ def _regular(pose, q, status):
     # joint values
     v11 = angle2 + angle3 - angle1
     v12 = angle4 - angle2 - angle1
-    q4_p = v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else 0.0))
-    q4_m = v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else 0.0))
+    q4_p = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
+    q4_m = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
     outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
     outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
 
@@ -1026,7 +1035,7 @@ def _near(joint, value, towards, limits):
         return value
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1193,14 +1202,8 @@ def _in_tiles(T, q, status):
             angle4 = work[368 + k]
             v11 = angle2 + angle3 - angle1
             v12 = angle4 - angle2 - angle1
-            q4_p = (
-                v11 + (whole_turn if v11 <= -half_turn else (-whole_turn if half_turn < v11 else
-                0.0))
-            )
-            q4_m = (
-                v12 + (whole_turn if v12 <= -half_turn else (-whole_turn if half_turn < v12 else
-                0.0))
-            )
+            q4_p = v11 + (turn if v11 <= -half_turn else (-turn if half_turn < v11 else 0.0))
+            q4_m = v12 + (turn if v12 <= -half_turn else (-turn if half_turn < v12 else 0.0))
             outside_p = v13 or angle3 < low1 or high1 < angle3 or angle2 < low2 or high2 < angle2
             outside_m = v13 or angle4 < low1 or high1 < angle4 or -angle2 < low2 or high2 < -angle2
             _448 = angle3

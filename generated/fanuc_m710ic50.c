@@ -175,7 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -190,7 +189,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -270,7 +269,6 @@ static const double
     doubt_limit_squared2 = 8.678915999999998e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.4050092836833894, /* a constant angle [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 8.678916e-06, /* doubt_limit1^2 [m^2] */
     m9 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -460,10 +458,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v47 = angle12 - offset2, angle13 = atan2_wide(v46 - v8, v12 + w3_p * v11),
         v48 = angle13 - offset2, angle14 = atan2_wide(-(v9 + w3_m * (m3 * v4)), v13 + w3_m * v10),
         v49 = angle14 - offset2, angle15 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), v13 + w3_m * v11),
-        v50 = angle15 - offset2, q2_ppp = v47 + only_wide(half_turn < v47, -whole_turn),
-        q2_pmp = v48 + only_wide(half_turn < v48, -whole_turn),
-        q2_mpp = v49 + only_wide(half_turn < v49, -whole_turn),
-        q2_mmp = v50 + only_wide(half_turn < v50, -whole_turn),
+        v50 = angle15 - offset2, q2_ppp = v47 + only_wide(half_turn < v47, -turn),
+        q2_pmp = v48 + only_wide(half_turn < v48, -turn),
+        q2_mpp = v49 + only_wide(half_turn < v49, -turn),
+        q2_mmp = v50 + only_wide(half_turn < v50, -turn),
         angle16 = atan2_wide(sqrt_wide(v32), T31 * c2m3_pp + s2m3_pp * v28),
         angle17 = atan2_wide(sqrt_wide(v33), T31 * c2m3_pm + s2m3_pm * v28),
         angle18 = atan2_wide(sqrt_wide(v34), T31 * c2m3_mp - s2m3_mp * v28),
@@ -471,23 +469,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v51 = angle16 - offset5, v52 = offset5 + angle16, v53 = angle17 - offset5,
         v54 = offset5 + angle17, v55 = angle18 - offset5, v56 = offset5 + angle18,
         v57 = angle19 - offset5, v58 = offset5 + angle19,
-        q5_ppp = v51 + only_wide(v51 <= -half_turn, whole_turn),
-        q5_ppm = only_wide(-v52 <= -half_turn, whole_turn) - v52,
-        q5_pmp = v53 + only_wide(v53 <= -half_turn, whole_turn),
-        q5_pmm = only_wide(-v54 <= -half_turn, whole_turn) - v54,
-        q5_mpp = v55 + only_wide(v55 <= -half_turn, whole_turn),
-        q5_mpm = only_wide(-v56 <= -half_turn, whole_turn) - v56,
-        q5_mmp = v57 + only_wide(v57 <= -half_turn, whole_turn),
-        q5_mmm = only_wide(-v58 <= -half_turn, whole_turn) - v58,
-        v59 = q3__pp + only_wide(half_turn < q3__pp, -whole_turn),
-        v60 = only_wide(half_turn < -v6, -whole_turn) - v6,
-        v61 = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
-        v62 = only_wide(half_turn < -v7, -whole_turn) - v7;
+        q5_ppp = v51 + only_wide(v51 <= -half_turn, turn),
+        q5_ppm = only_wide(-v52 <= -half_turn, turn) - v52,
+        q5_pmp = v53 + only_wide(v53 <= -half_turn, turn),
+        q5_pmm = only_wide(-v54 <= -half_turn, turn) - v54,
+        q5_mpp = v55 + only_wide(v55 <= -half_turn, turn),
+        q5_mpm = only_wide(-v56 <= -half_turn, turn) - v56,
+        q5_mmp = v57 + only_wide(v57 <= -half_turn, turn),
+        q5_mmm = only_wide(-v58 <= -half_turn, turn) - v58,
+        v59 = q3__pp + only_wide(half_turn < q3__pp, -turn),
+        v60 = only_wide(half_turn < -v6, -turn) - v6,
+        v61 = q3__mp + only_wide(half_turn < q3__mp, -turn),
+        v62 = only_wide(half_turn < -v7, -turn) - v7;
     const wide_mask v63 = beyond(angle1, 1), v64 = beyond(q1__m, 1);
-    const wide v65 = v59 + only_wide(v59 < low(3), whole_turn),
-        v66 = v60 + only_wide(v60 < low(3), whole_turn),
-        v67 = v61 + only_wide(v61 < low(3), whole_turn),
-        v68 = v62 + only_wide(v62 < low(3), whole_turn);
+    const wide v65 = v59 + only_wide(v59 < low(3), turn), v66 = v60 + only_wide(v60 < low(3), turn),
+        v67 = v61 + only_wide(v61 < low(3), turn), v68 = v62 + only_wide(v62 < low(3), turn);
     const wide_mask v69 = beyond(v65, 3), v70 = beyond(v66, 3), v71 = beyond(v67, 3),
         v72 = beyond(v68, 3);
     const wide q3_ppp = pick_wide(v69, v59, v65), q3_pmp = pick_wide(v70, v60, v66),
@@ -586,12 +582,12 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = angle_four(ratio3), angle4 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
         q4_m = angle3 - v21, q6_m = angle4 - signed_four(half_turn, v26), v27 = angle5 - offset2,
-        q2_p = v27 + only_four(half_turn < v27, -whole_turn), v28 = angle6 - offset5,
-        v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, whole_turn),
-        q5_m = only_four(-v29 <= -half_turn, whole_turn) - v29,
-        v30 = q3_ + only_four(half_turn < q3_, -whole_turn);
+        q2_p = v27 + only_four(half_turn < v27, -turn), v28 = angle6 - offset5,
+        v29 = offset5 + angle6, q5_p = v28 + only_four(v28 <= -half_turn, turn),
+        q5_m = only_four(-v29 <= -half_turn, turn) - v29,
+        v30 = q3_ + only_four(half_turn < q3_, -turn);
     const four_mask v31 = beyond_four(q1_, 1);
-    const four v32 = v30 + only_four(v30 < low(3), whole_turn);
+    const four v32 = v30 + only_four(v30 < low(3), turn);
     const four_mask v33 = beyond_four(v32, 3);
     const four q3_p = pick_four(v33, v30, v32), q1_p = q1_ + (w3 - w3);
     const four_mask v34 = v33 | v31 | beyond_four(q2_p, 2), outside_p = v34 | beyond_four(q5_p, 5),
@@ -914,37 +910,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     fanuc_m710ic50_fk(x, P);
-    fanuc_m710ic50_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    fanuc_m710ic50_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -992,19 +985,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1012,20 +1003,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1034,34 +1022,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != FANUC_M710IC50_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = FANUC_M710IC50_FREE_JOINT;
     take(x, q[place]);
@@ -1097,9 +1097,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -126,7 +126,6 @@ k4 = 0.31125925198890714  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 8.678915999999998e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = -1.4050092836833894  # a constant angle [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low1 = -3.1415000010000003
 high1 = 3.1415000010000003
 low2 = -1.570700001
@@ -144,7 +143,7 @@ m7 = 0.14565440708058014  # a coefficient of c2m3
 m8 = 0.024371308271356914  # a coefficient of c2m3
 m9 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -189,7 +188,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -384,7 +383,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "fanuc_m710ic50 5f5ac96bf08ed06b"
+_KEY = "fanuc_m710ic50 bb72d2359f47cc68"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -612,11 +611,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -626,8 +625,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -644,7 +643,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -793,39 +792,35 @@ _MISS_WEIGHT = np.array([0.3394, 0.3394, 0.3394, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -849,7 +844,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -878,7 +873,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -894,10 +889,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -912,7 +907,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -936,6 +931,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -943,7 +954,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -958,9 +968,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -982,9 +993,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1178,10 +1187,10 @@ def _regular(pose, q, status):
     v48 = angle13 - offset2
     v49 = angle14 - offset2
     v50 = angle15 - offset2
-    q2_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
-    q2_pmp = v48 + (-whole_turn if half_turn < v48 else 0.0)
-    q2_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
-    q2_mmp = v50 + (-whole_turn if half_turn < v50 else 0.0)
+    q2_ppp = v47 + (-turn if half_turn < v47 else 0.0)
+    q2_pmp = v48 + (-turn if half_turn < v48 else 0.0)
+    q2_mpp = v49 + (-turn if half_turn < v49 else 0.0)
+    q2_mmp = v50 + (-turn if half_turn < v50 else 0.0)
     v51 = angle16 - offset5
     v52 = offset5 + angle16
     v53 = angle17 - offset5
@@ -1190,24 +1199,24 @@ def _regular(pose, q, status):
     v56 = offset5 + angle18
     v57 = angle19 - offset5
     v58 = offset5 + angle19
-    q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
-    q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
-    q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
-    q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
-    v59 = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
-    v60 = (-whole_turn if half_turn < -v6 else 0.0) - v6
-    v61 = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
-    v62 = (-whole_turn if half_turn < -v7 else 0.0) - v7
+    q5_ppp = v51 + (turn if v51 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v52 <= -half_turn else 0.0) - v52
+    q5_pmp = v53 + (turn if v53 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v54 <= -half_turn else 0.0) - v54
+    q5_mpp = v55 + (turn if v55 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v56 <= -half_turn else 0.0) - v56
+    q5_mmp = v57 + (turn if v57 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v58 <= -half_turn else 0.0) - v58
+    v59 = q3__pp + (-turn if half_turn < q3__pp else 0.0)
+    v60 = (-turn if half_turn < -v6 else 0.0) - v6
+    v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
+    v62 = (-turn if half_turn < -v7 else 0.0) - v7
     v63 = angle1 < low1 or high1 < angle1
     v64 = q1__m < low1 or high1 < q1__m
-    v65 = v59 + (whole_turn if v59 < low3 else 0.0)
-    v66 = v60 + (whole_turn if v60 < low3 else 0.0)
-    v67 = v61 + (whole_turn if v61 < low3 else 0.0)
-    v68 = v62 + (whole_turn if v62 < low3 else 0.0)
+    v65 = v59 + (turn if v59 < low3 else 0.0)
+    v66 = v60 + (turn if v60 < low3 else 0.0)
+    v67 = v61 + (turn if v61 < low3 else 0.0)
+    v68 = v62 + (turn if v62 < low3 else 0.0)
     v69 = v65 < low3 or high3 < v65
     v70 = v66 < low3 or high3 < v66
     v71 = v67 < low3 or high3 < v67
@@ -1394,7 +1403,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1698,10 +1707,10 @@ def _in_tiles(T, q, status):
             v48 = angle13 - offset2
             v49 = angle14 - offset2
             v50 = angle15 - offset2
-            q2_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
-            q2_pmp = v48 + (-whole_turn if half_turn < v48 else 0.0)
-            q2_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
-            q2_mmp = v50 + (-whole_turn if half_turn < v50 else 0.0)
+            q2_ppp = v47 + (-turn if half_turn < v47 else 0.0)
+            q2_pmp = v48 + (-turn if half_turn < v48 else 0.0)
+            q2_mpp = v49 + (-turn if half_turn < v49 else 0.0)
+            q2_mmp = v50 + (-turn if half_turn < v50 else 0.0)
             v51 = angle16 - offset5
             v52 = offset5 + angle16
             v53 = angle17 - offset5
@@ -1710,24 +1719,24 @@ def _in_tiles(T, q, status):
             v56 = offset5 + angle18
             v57 = angle19 - offset5
             v58 = offset5 + angle19
-            q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
-            q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
-            q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
-            q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
-            v59 = q3__pp + (-whole_turn if half_turn < q3__pp else 0.0)
-            v60 = (-whole_turn if half_turn < -v6 else 0.0) - v6
-            v61 = q3__mp + (-whole_turn if half_turn < q3__mp else 0.0)
-            v62 = (-whole_turn if half_turn < -v7 else 0.0) - v7
+            q5_ppp = v51 + (turn if v51 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v52 <= -half_turn else 0.0) - v52
+            q5_pmp = v53 + (turn if v53 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v54 <= -half_turn else 0.0) - v54
+            q5_mpp = v55 + (turn if v55 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v56 <= -half_turn else 0.0) - v56
+            q5_mmp = v57 + (turn if v57 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v58 <= -half_turn else 0.0) - v58
+            v59 = q3__pp + (-turn if half_turn < q3__pp else 0.0)
+            v60 = (-turn if half_turn < -v6 else 0.0) - v6
+            v61 = q3__mp + (-turn if half_turn < q3__mp else 0.0)
+            v62 = (-turn if half_turn < -v7 else 0.0) - v7
             v63 = angle1 < low1 or high1 < angle1
             v64 = q1__m < low1 or high1 < q1__m
-            v65 = v59 + (whole_turn if v59 < low3 else 0.0)
-            v66 = v60 + (whole_turn if v60 < low3 else 0.0)
-            v67 = v61 + (whole_turn if v61 < low3 else 0.0)
-            v68 = v62 + (whole_turn if v62 < low3 else 0.0)
+            v65 = v59 + (turn if v59 < low3 else 0.0)
+            v66 = v60 + (turn if v60 < low3 else 0.0)
+            v67 = v61 + (turn if v61 < low3 else 0.0)
+            v68 = v62 + (turn if v62 < low3 else 0.0)
             v69 = v65 < low3 or high3 < v65
             v70 = v66 < low3 or high3 < v66
             v71 = v67 < low3 or high3 < v67

@@ -180,10 +180,9 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -261,7 +260,6 @@ static const double
     doubt_limit_squared2 = 1.940449e-06, /* square of a length that fixes no angle [m^2] */
     turn1 = 0.46700242365301164, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m8 = 3.765342321601e-12, /* doubt_limit_squared2^2 [m^4] */
     m9 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -528,14 +526,14 @@ HELPER wide_mask solve_wide(
             -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138))));
 
     /* joint values */
-    const wide v153 = q4__p + only_wide(q4__p <= -half_turn, whole_turn),
-        v154 = only_wide(-v9 <= -half_turn, whole_turn) - v9;
+    const wide v153 = q4__p + only_wide(q4__p <= -half_turn, turn),
+        v154 = only_wide(-v9 <= -half_turn, turn) - v9;
     const wide_mask v155 = beyond(v153, 4), v156 = beyond(v154, 4), v157 = beyond(angle2, 5),
         v158 = beyond(q5_pmp, 5), v159 = beyond(angle3, 5), v160 = beyond(q5_mmp, 5);
-    const wide v161 = angle4 + only_wide(angle4 < low(6), whole_turn),
-        v162 = angle5 + only_wide(angle5 < low(6), whole_turn),
-        v163 = angle6 + only_wide(angle6 < low(6), whole_turn),
-        v164 = angle7 + only_wide(angle7 < low(6), whole_turn);
+    const wide v161 = angle4 + only_wide(angle4 < low(6), turn),
+        v162 = angle5 + only_wide(angle5 < low(6), turn),
+        v163 = angle6 + only_wide(angle6 < low(6), turn),
+        v164 = angle7 + only_wide(angle7 < low(6), turn);
     const wide_mask v165 = beyond(v161, 6), v166 = beyond(v162, 6), v167 = beyond(v163, 6),
         v168 = beyond(v164, 6);
     const wide q6_ppp = pick_wide(v165, angle4, v161), q6_pmp = pick_wide(v166, angle5, v162),
@@ -679,9 +677,9 @@ HELPER int solve_regular(
         angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_ = e1 * angle1 - turn1, q5_p = e2 * angle2 + v15 * v16,
         q1_m = angle4 - signed_four(half_turn, -v38), q3_m = angle5 - signed_four(half_turn, v65),
-        v82 = q4_ + only_four(q4_ <= -half_turn, whole_turn);
+        v82 = q4_ + only_four(q4_ <= -half_turn, turn);
     const four_mask v83 = beyond_four(v82, 4), v84 = beyond_four(q5_p, 5);
-    const four v85 = angle3 + only_four(angle3 < low(6), whole_turn);
+    const four v85 = angle3 + only_four(angle3 < low(6), turn);
     const four_mask v86 = beyond_four(v85, 6);
     const four q6_p = pick_four(v86, angle3, v85), q4_p = v10 + v82;
     const four_mask outside_p = where_four(v87) | v86 | v84 | v83 | beyond_four(angle5, 3) |
@@ -1045,37 +1043,34 @@ static const double pace[7] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[7], double e[6], double J[42])
+static double off_pose(const double T[16], const double x[7], double e[6])
 {
     double P[16], square = 0.0;
     franka_panda_fk(x, P);
-    franka_panda_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[7], const double J[42], double e[6], double x[7])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[7], double miss, double e[6], double x[7])
 {
-    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
+    franka_panda_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[7 * i + j];
-        A[i][7 + i] = share;
+        A[i][7 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1092,19 +1087,17 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[7])
 {
-    double x[7], half[7], J[42], last = HUGE_VAL;
+    double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1112,20 +1105,17 @@ static int settle(const double T[16], double enough, double most, double q[7])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 7; i++) {
             const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1134,33 +1124,44 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[7])
+{
+    double x[7], half[7], off = beyond_limits(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    double x[7], half[7], J[42], least = HUGE_VAL;
+    double x[7], half[7], e[6], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 7; i++) {
+    for (int i = 0; i < 7; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    }
     x[6] = free_joints[0];
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != FRANKA_PANDA_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = FRANKA_PANDA_FREE_JOINT;
     take(x, q[place]);
@@ -1195,9 +1196,7 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++) {
         if (status[row] == FRANKA_PANDA_UNREACHABLE)
             continue;
-        const double off = beyond_limits(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)
@@ -1257,15 +1256,14 @@ void franka_panda_ik_batch(
     size_t k = 0;
 #if LANES > 1
     for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 56 * k, status + 8 * k);
+        unsigned left = solve_tile(T + 16 * k, free_joints + k, q + 56 * k, status + 8 * k);
         for (size_t i = k; left; i++, left >>= 1)
             if (left & 1u)
                 (void)franka_panda_ik(
-                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[7])(q + 56 * i),
-                    status + 8 * i);
+                    T + 16 * i, free_joints + i, NULL, (double (*)[7])(q + 56 * i), status + 8 * i);
     }
 #endif
     for (; k < n; k++)
         (void)franka_panda_ik(
-            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
+            T + 16 * k, free_joints + k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
 }

@@ -126,7 +126,6 @@ k6 = -12.121212121212121  # -1 / a3 [m^-1]
 doubt_limit_squared2 = 1.940449e-06  # square of a length that fixes no angle [m^2]
 turn1 = 0.46700242365301164  # a constant angle [rad]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low1 = -2.897300001
 high1 = 2.897300001
 low2 = -1.762800001
@@ -151,7 +150,7 @@ m8 = 3.765342321601e-12  # doubt_limit_squared2^2 [m^4]
 m9 = 1e-06  # doubt_limit^2
 m10 = 12.121212121212121  # a coefficient of s3
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -413,7 +412,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 30f2c3b89c4446e3"
+_KEY = "franka_panda 54ddcea7c7e1e5ba"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -707,11 +706,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -721,8 +720,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -739,7 +738,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -888,39 +887,35 @@ _MISS_WEIGHT = np.array([0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(7):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 13)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 13)), np.zeros(6)
     for i in range(6):
         for j in range(7):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 7 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -944,7 +939,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(7):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -959,10 +954,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(7)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(7, np.bool_), np.empty((6, 7)), q.copy(), False
+    held, x, settled = np.zeros(7, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -977,7 +972,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(7):
             off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -1001,6 +996,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(7), _beyond_limits(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -1008,7 +1019,6 @@ def _stay(pose, q_free, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
-    A = np.empty((6, 7))
     for i in range(7):
         x[i] = seed[i] - _overshoot(i, seed[i])
     x[6] = q_free[0]
@@ -1021,9 +1031,10 @@ def _stay(pose, q_free, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(7):
         q[place, i] = x[i]
@@ -1043,9 +1054,7 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        off = _beyond_limits(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1408,18 +1417,18 @@ def _regular(pose, q_free, q, status):
     q3_mmm = angle15 - math.copysign(half_turn, v120)
 
     # joint values
-    v153 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
-    v154 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
+    v153 = q4__p + (turn if q4__p <= -half_turn else 0.0)
+    v154 = (turn if -v9 <= -half_turn else 0.0) - v9
     v155 = v153 < low4 or high4 < v153
     v156 = v154 < low4 or high4 < v154
     v157 = angle2 < low5 or high5 < angle2
     v158 = q5_pmp < low5 or high5 < q5_pmp
     v159 = angle3 < low5 or high5 < angle3
     v160 = q5_mmp < low5 or high5 < q5_mmp
-    v161 = angle4 + (whole_turn if angle4 < low6 else 0.0)
-    v162 = angle5 + (whole_turn if angle5 < low6 else 0.0)
-    v163 = angle6 + (whole_turn if angle6 < low6 else 0.0)
-    v164 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+    v161 = angle4 + (turn if angle4 < low6 else 0.0)
+    v162 = angle5 + (turn if angle5 < low6 else 0.0)
+    v163 = angle6 + (turn if angle6 < low6 else 0.0)
+    v164 = angle7 + (turn if angle7 < low6 else 0.0)
     v165 = v161 < low6 or high6 < v161
     v166 = v162 < low6 or high6 < v162
     v167 = v163 < low6 or high6 < v163
@@ -1640,7 +1649,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -2156,18 +2165,18 @@ def _in_tiles(T, q_free, q, status):
             q3_pmm = angle13 - math.copysign(half_turn, v118)
             q3_mpm = angle14 - math.copysign(half_turn, v119)
             q3_mmm = angle15 - math.copysign(half_turn, v120)
-            v153 = q4__p + (whole_turn if q4__p <= -half_turn else 0.0)
-            v154 = (whole_turn if -v9 <= -half_turn else 0.0) - v9
+            v153 = q4__p + (turn if q4__p <= -half_turn else 0.0)
+            v154 = (turn if -v9 <= -half_turn else 0.0) - v9
             v155 = v153 < low4 or high4 < v153
             v156 = v154 < low4 or high4 < v154
             v157 = angle2 < low5 or high5 < angle2
             v158 = q5_pmp < low5 or high5 < q5_pmp
             v159 = angle3 < low5 or high5 < angle3
             v160 = q5_mmp < low5 or high5 < q5_mmp
-            v161 = angle4 + (whole_turn if angle4 < low6 else 0.0)
-            v162 = angle5 + (whole_turn if angle5 < low6 else 0.0)
-            v163 = angle6 + (whole_turn if angle6 < low6 else 0.0)
-            v164 = angle7 + (whole_turn if angle7 < low6 else 0.0)
+            v161 = angle4 + (turn if angle4 < low6 else 0.0)
+            v162 = angle5 + (turn if angle5 < low6 else 0.0)
+            v163 = angle6 + (turn if angle6 < low6 else 0.0)
+            v164 = angle7 + (turn if angle7 < low6 else 0.0)
             v165 = v161 < low6 or high6 < v161
             v166 = v162 < low6 or high6 < v162
             v167 = v163 < low6 or high6 < v163

@@ -125,7 +125,6 @@ k3 = 0.09989556000000001  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 102.1511817908859  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 8.049678400000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 turn1 = 0.960070362405688  # a constant angle [rad]
 m1 = 8.0496784e-07  # doubt_limit1^2 [m^2]
 m3 = 2.097315436241611  # a coefficient of Y1_2
@@ -136,7 +135,7 @@ m7 = 0.027188235294117635  # a coefficient of c23
 m8 = 0.019031764705882342  # a coefficient of c23
 m9 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -181,7 +180,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -378,7 +377,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "igus_rebel 1360151adce54e58"
+_KEY = "igus_rebel 718c2c65bf7d92a8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -606,11 +605,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -621,39 +620,35 @@ _MISS_WEIGHT = np.array([1.115, 1.115, 1.115, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -677,7 +672,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -691,10 +686,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(6)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -709,7 +704,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -735,7 +730,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -745,9 +739,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -950,18 +945,18 @@ def _regular(pose, q, status):
     v44 = angle11 - offset2
     v45 = angle12 - offset2
     v46 = angle13 - offset2
-    q2_ppp = v43 + (-whole_turn if half_turn < v43 else 0.0)
-    q2_pmp = v44 + (-whole_turn if half_turn < v44 else 0.0)
-    q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
-    q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+    q2_ppp = v43 + (-turn if half_turn < v43 else 0.0)
+    q2_pmp = v44 + (-turn if half_turn < v44 else 0.0)
+    q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
+    q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
     v47 = angle14 - turn1 - offset3
     v48 = offset3 + (turn1 + angle14)
     v49 = angle15 - turn1 - offset3
     v50 = offset3 + (turn1 + angle15)
-    q3_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
-    q3_pmp = (-whole_turn if half_turn < -v48 else 0.0) - v48
-    q3_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
-    q3_mmp = (-whole_turn if half_turn < -v50 else 0.0) - v50
+    q3_ppp = v47 + (-turn if half_turn < v47 else 0.0)
+    q3_pmp = (-turn if half_turn < -v48 else 0.0) - v48
+    q3_mpp = v49 + (-turn if half_turn < v49 else 0.0)
+    q3_mmp = (-turn if half_turn < -v50 else 0.0) - v50
     v51 = angle16 - offset5
     v52 = offset5 + angle16
     v53 = angle17 - offset5
@@ -970,14 +965,14 @@ def _regular(pose, q, status):
     v56 = offset5 + angle18
     v57 = angle19 - offset5
     v58 = offset5 + angle19
-    q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
-    q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
-    q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
-    q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
+    q5_ppp = v51 + (turn if v51 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v52 <= -half_turn else 0.0) - v52
+    q5_pmp = v53 + (turn if v53 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v54 <= -half_turn else 0.0) - v54
+    q5_mpp = v55 + (turn if v55 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v56 <= -half_turn else 0.0) - v56
+    q5_mmp = v57 + (turn if v57 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v58 <= -half_turn else 0.0) - v58
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
 
@@ -1144,7 +1139,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1443,18 +1438,18 @@ def _in_tiles(T, q, status):
             v44 = angle11 - offset2
             v45 = angle12 - offset2
             v46 = angle13 - offset2
-            q2_ppp = v43 + (-whole_turn if half_turn < v43 else 0.0)
-            q2_pmp = v44 + (-whole_turn if half_turn < v44 else 0.0)
-            q2_mpp = v45 + (-whole_turn if half_turn < v45 else 0.0)
-            q2_mmp = v46 + (-whole_turn if half_turn < v46 else 0.0)
+            q2_ppp = v43 + (-turn if half_turn < v43 else 0.0)
+            q2_pmp = v44 + (-turn if half_turn < v44 else 0.0)
+            q2_mpp = v45 + (-turn if half_turn < v45 else 0.0)
+            q2_mmp = v46 + (-turn if half_turn < v46 else 0.0)
             v47 = angle14 - turn1 - offset3
             v48 = offset3 + (turn1 + angle14)
             v49 = angle15 - turn1 - offset3
             v50 = offset3 + (turn1 + angle15)
-            q3_ppp = v47 + (-whole_turn if half_turn < v47 else 0.0)
-            q3_pmp = (-whole_turn if half_turn < -v48 else 0.0) - v48
-            q3_mpp = v49 + (-whole_turn if half_turn < v49 else 0.0)
-            q3_mmp = (-whole_turn if half_turn < -v50 else 0.0) - v50
+            q3_ppp = v47 + (-turn if half_turn < v47 else 0.0)
+            q3_pmp = (-turn if half_turn < -v48 else 0.0) - v48
+            q3_mpp = v49 + (-turn if half_turn < v49 else 0.0)
+            q3_mmp = (-turn if half_turn < -v50 else 0.0) - v50
             v51 = angle16 - offset5
             v52 = offset5 + angle16
             v53 = angle17 - offset5
@@ -1463,14 +1458,14 @@ def _in_tiles(T, q, status):
             v56 = offset5 + angle18
             v57 = angle19 - offset5
             v58 = offset5 + angle19
-            q5_ppp = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v52 <= -half_turn else 0.0) - v52
-            q5_pmp = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v54 <= -half_turn else 0.0) - v54
-            q5_mpp = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v56 <= -half_turn else 0.0) - v56
-            q5_mmp = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v58 <= -half_turn else 0.0) - v58
+            q5_ppp = v51 + (turn if v51 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v52 <= -half_turn else 0.0) - v52
+            q5_pmp = v53 + (turn if v53 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v54 <= -half_turn else 0.0) - v54
+            q5_mpp = v55 + (turn if v55 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v56 <= -half_turn else 0.0) - v56
+            q5_mmp = v57 + (turn if v57 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v58 <= -half_turn else 0.0) - v58
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             _1040 = q1_ppp

@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 {
     *r0 = a[0];
@@ -185,7 +184,7 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -261,7 +260,6 @@ static const double
     k1 = 0.055421000000000005, /* a2^2 + a3^2 [m^2] */
     k2 = 18.932222642938278, /* 1 / (2 * a3 * a2) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 4.5941283999999983e-07, /* doubt_limit1^2 [m^2] */
     m3 = 1e-12, /* doubt_limit_squared^2 */
     m6 = 2.1106015755686555e-13, /* doubt_limit_squared2^2 [m^4] */
@@ -430,14 +428,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
     const wide v69 = angle2 - (angle4 + angle5) - offset4,
         v70 = angle2 - (angle6 - angle4) - offset4, v71 = offset4 + (angle2 + (angle4 + angle7)),
         v72 = offset4 + (angle2 + (angle8 - angle4)),
-        v73 = v69 + pick_wide(v69 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v69,
-            -whole_turn)),
-        v74 = v70 + pick_wide(v70 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v70,
-            -whole_turn)),
-        v75 = pick_wide(-v71 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v71,
-            -whole_turn)) - v71,
-        v76 = pick_wide(-v72 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v72,
-            -whole_turn)) - v72;
+        v73 = v69 + pick_wide(v69 <= -half_turn, all_wide(turn), only_wide(half_turn < v69, -turn)),
+        v74 = v70 + pick_wide(v70 <= -half_turn, all_wide(turn), only_wide(half_turn < v70, -turn)),
+        v75 = pick_wide(-v71 <= -half_turn, all_wide(turn), only_wide(half_turn < -v71, -turn)) -
+            v71,
+        v76 = pick_wide(-v72 <= -half_turn, all_wide(turn), only_wide(half_turn < -v72, -turn)) -
+            v72;
     const double v77 = NAN;
     const wide v78 = only_wide((v65 <= m10) == 0, v77), v79 = only_wide((v66 <= m10) == 0, v77),
         v80 = only_wide((v67 <= m10) == 0, v77), v81 = only_wide((v68 <= m10) == 0, v77),
@@ -450,16 +446,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         (v48 * v48 + (v47 * v47 + (v45 * v45 + v46 * v46))))) | (v28 <= m6);
 
     q[0] = v78 + v82; q[1] = angle5 + v78; q[2] = angle4 + v78;
-    q[3] = v78 + (v73 + only_wide(half_turn < v73, -whole_turn)); q[4] = v78 + v84;
+    q[3] = v78 + (v73 + only_wide(half_turn < v73, -turn)); q[4] = v78 + v84;
     kind[0] = kind_of(q[0], 0);
     q[5] = v79 + v82; q[6] = angle6 + v79; q[7] = v79 - angle4;
-    q[8] = v79 + (v74 + only_wide(half_turn < v74, -whole_turn)); q[9] = v79 + v84;
+    q[8] = v79 + (v74 + only_wide(half_turn < v74, -turn)); q[9] = v79 + v84;
     kind[1] = kind_of(q[5], 0);
     q[10] = v80 + v83; q[11] = angle7 + v80; q[12] = angle4 + v80;
-    q[13] = v80 + (v75 + only_wide(half_turn < v75, -whole_turn)); q[14] = v80 + v85;
+    q[13] = v80 + (v75 + only_wide(half_turn < v75, -turn)); q[14] = v80 + v85;
     kind[2] = kind_of(q[10], 0);
     q[15] = v81 + v83; q[16] = angle8 + v81; q[17] = v81 - angle4;
-    q[18] = v81 + (v76 + only_wide(half_turn < v76, -whole_turn)); q[19] = v81 + v85;
+    q[18] = v81 + (v76 + only_wide(half_turn < v76, -turn)); q[19] = v81 + v85;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -536,10 +532,10 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle3 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle4 = shuffle(packed1, packed1, 3, 3, 3, 3), angle5 = angle_four(ratio2);
     const four v47 = e2 * angle4, v48 = e1 * angle2, v49 = v48 - (angle5 + v47) - offset4,
-        v50 = v49 + pick_four(v49 <= -half_turn, all_four(whole_turn), only_four(half_turn < v49,
-            -whole_turn)), v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52,
-        q3 = v47 + v52, q4 = v52 + (v50 + only_four(half_turn < v50, -whole_turn)),
-        v54 = v16 + (angle3 + v7 * v13), q5 = v52 + v54;
+        v50 = v49 + pick_four(v49 <= -half_turn, all_four(turn), only_four(half_turn < v49, -turn)),
+        v53 = v16 + (angle1 + v6 * v7), q1 = v52 + v53, q2 = angle5 + v52, q3 = v47 + v52,
+        q4 = v52 + (v50 + only_four(half_turn < v50, -turn)), v54 = v16 + (angle3 + v7 * v13),
+        q5 = v52 + v54;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -877,37 +873,34 @@ static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[5], double e[6], double J[30])
+static double off_pose(const double T[16], const double x[5], double e[6])
 {
     double P[16], square = 0.0;
     katana_400_fk(x, P);
-    katana_400_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[5], const double J[30], double e[6], double x[5])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[5], double miss, double e[6], double x[5])
 {
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
+    katana_400_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = share;
+        A[i][5 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -924,16 +917,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], half[5], J[30], last = HUGE_VAL;
+    double x[5], half[5], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -941,13 +934,12 @@ static int settle(const double T[16], double enough, double most, double q[5])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -961,22 +953,21 @@ static void stay(
     const double T[16], const double seed[5], double q[4][5],
     unsigned char status[4])
 {
-    double x[5], half[5], J[30], least = HUGE_VAL;
+    double x[5], half[5], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KATANA_400_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KATANA_400_FREE_JOINT;
     take(x, q[place]);

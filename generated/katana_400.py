@@ -116,7 +116,6 @@ pose_slack1 = 6.778e-06  # a pose may be rounded by this [m]
 k1 = 0.055421000000000005  # a2^2 + a3^2 [m^2]
 k2 = 18.932222642938278  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 4.5941283999999983e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 2.631578947368421  # a coefficient of S2
@@ -128,7 +127,7 @@ m9 = 1.0000000000000002e-10  # pose_slack^2
 m10 = 4.5941284e-11  # pose_slack1^2 [m^2]
 m11 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -173,7 +172,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -339,7 +338,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "katana_400 14aeef05325aa106"
+_KEY = "katana_400 f1388e06c0680f94"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -581,18 +580,18 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -757,39 +756,35 @@ _MISS_WEIGHT = np.array([1.475, 1.475, 1.475, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(5):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 11)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -813,7 +808,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(5):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -827,10 +822,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(5)
-    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
+    held, x, settled = np.zeros(5, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -845,7 +840,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -871,7 +866,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
-    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -881,9 +875,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]
@@ -1076,10 +1071,10 @@ def _regular(pose, q, status):
     v70 = angle2 - (angle6 - angle4) - offset4
     v71 = offset4 + (angle2 + (angle4 + angle7))
     v72 = offset4 + (angle2 + (angle8 - angle4))
-    v73 = v69 + (whole_turn if v69 <= -half_turn else (-whole_turn if half_turn < v69 else 0.0))
-    v74 = v70 + (whole_turn if v70 <= -half_turn else (-whole_turn if half_turn < v70 else 0.0))
-    v75 = (whole_turn if -v71 <= -half_turn else (-whole_turn if half_turn < -v71 else 0.0)) - v71
-    v76 = (whole_turn if -v72 <= -half_turn else (-whole_turn if half_turn < -v72 else 0.0)) - v72
+    v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
+    v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
+    v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
+    v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
     v82 = angle1 + v13
     v83 = v13 + (angle1 - math.copysign(half_turn, v3))
     q1_pp = v78 + v82
@@ -1094,10 +1089,10 @@ def _regular(pose, q, status):
     q3_pm = v79 - angle4
     q3_mp = angle4 + v80
     q3_mm = v81 - angle4
-    q4_pp = v78 + (v73 + (-whole_turn if half_turn < v73 else 0.0))
-    q4_pm = v79 + (v74 + (-whole_turn if half_turn < v74 else 0.0))
-    q4_mp = v80 + (v75 + (-whole_turn if half_turn < v75 else 0.0))
-    q4_mm = v81 + (v76 + (-whole_turn if half_turn < v76 else 0.0))
+    q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+    q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
+    q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
+    q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
     v84 = angle3 + v13
     v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
     q5_pp = v78 + v84
@@ -1236,7 +1231,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1524,22 +1519,10 @@ def _in_tiles(T, q, status):
             v70 = angle2 - (angle6 - angle4) - offset4
             v71 = offset4 + (angle2 + (angle4 + angle7))
             v72 = offset4 + (angle2 + (angle8 - angle4))
-            v73 = (
-                v69 + (whole_turn if v69 <= -half_turn else (-whole_turn if half_turn < v69 else
-                0.0))
-            )
-            v74 = (
-                v70 + (whole_turn if v70 <= -half_turn else (-whole_turn if half_turn < v70 else
-                0.0))
-            )
-            v75 = (
-                (whole_turn if -v71 <= -half_turn else (-whole_turn if half_turn < -v71 else 0.0)) -
-                v71
-            )
-            v76 = (
-                (whole_turn if -v72 <= -half_turn else (-whole_turn if half_turn < -v72 else 0.0)) -
-                v72
-            )
+            v73 = v69 + (turn if v69 <= -half_turn else (-turn if half_turn < v69 else 0.0))
+            v74 = v70 + (turn if v70 <= -half_turn else (-turn if half_turn < v70 else 0.0))
+            v75 = (turn if -v71 <= -half_turn else (-turn if half_turn < -v71 else 0.0)) - v71
+            v76 = (turn if -v72 <= -half_turn else (-turn if half_turn < -v72 else 0.0)) - v72
             v82 = angle1 + v13
             v83 = v13 + (angle1 - math.copysign(half_turn, v3))
             q1_pp = v78 + v82
@@ -1554,10 +1537,10 @@ def _in_tiles(T, q, status):
             q3_pm = v79 - angle4
             q3_mp = angle4 + v80
             q3_mm = v81 - angle4
-            q4_pp = v78 + (v73 + (-whole_turn if half_turn < v73 else 0.0))
-            q4_pm = v79 + (v74 + (-whole_turn if half_turn < v74 else 0.0))
-            q4_mp = v80 + (v75 + (-whole_turn if half_turn < v75 else 0.0))
-            q4_mm = v81 + (v76 + (-whole_turn if half_turn < v76 else 0.0))
+            q4_pp = v78 + (v73 + (-turn if half_turn < v73 else 0.0))
+            q4_pm = v79 + (v74 + (-turn if half_turn < v74 else 0.0))
+            q4_mp = v80 + (v75 + (-turn if half_turn < v75 else 0.0))
+            q4_mm = v81 + (v76 + (-turn if half_turn < v76 else 0.0))
             v84 = angle3 + v13
             v85 = v13 + (angle3 - math.copysign(half_turn, -Z2_5))
             q5_pp = v78 + v84

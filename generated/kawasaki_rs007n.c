@@ -175,7 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -190,7 +189,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -269,7 +268,6 @@ static const double
     k2 = 0.26665, /* a2^2 + d4^2 [m^2] */
     k3 = 14.106548524322777, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1.3642239999999994e-06, /* doubt_limit1^2 [m^2] */
     m4 = 1.861107122175999e-12, /* doubt_limit_squared2^2 [m^4] */
     m5 = 1e-06; /* doubt_limit^2 */
@@ -456,13 +454,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v62 = angle2 - offset2, angle3 = atan2_wide(S2_pm, C2_pm), v63 = angle3 - offset2,
         angle4 = atan2_wide(S2_pm, C2_mp), v64 = angle4 - offset2,
         angle5 = atan2_wide(S2_pp, C2_mm), v65 = angle5 - offset2,
-        q2_ppp = v62 + only_wide(half_turn < v62, -whole_turn),
-        q2_pmp = v63 + only_wide(half_turn < v63, -whole_turn),
-        q2_mpp = v64 + only_wide(half_turn < v64, -whole_turn),
-        q2_mmp = v65 + only_wide(half_turn < v65, -whole_turn), angle6 = atan2_wide(v5, -v6),
+        q2_ppp = v62 + only_wide(half_turn < v62, -turn),
+        q2_pmp = v63 + only_wide(half_turn < v63, -turn),
+        q2_mpp = v64 + only_wide(half_turn < v64, -turn),
+        q2_mmp = v65 + only_wide(half_turn < v65, -turn), angle6 = atan2_wide(v5, -v6),
         v66 = angle6 - offset3, v67 = signed_wide(half_turn, v5) - angle6 - offset3,
-        q3_ppp = v66 + only_wide(v66 <= -half_turn, whole_turn),
-        q3_pmp = v67 + only_wide(v67 <= -half_turn, whole_turn), angle7 = atan2_wide(-v46, v41),
+        q3_ppp = v66 + only_wide(v66 <= -half_turn, turn),
+        q3_pmp = v67 + only_wide(v67 <= -half_turn, turn), angle7 = atan2_wide(-v46, v41),
         angle8 = atan2_wide(-v46, v42), angle9 = atan2_wide(v46, v43),
         angle10 = atan2_wide(v46, v44), v68 = signed_wide(half_turn, -v46),
         v69 = signed_wide(half_turn, v46), v70 = angle7 - offset4, v71 = angle7 - v68 - offset4,
@@ -474,14 +472,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle14 = atan2_wide(sqrt_wide(v51), T33 * c2m3_mm - v39 * v40), v78 = angle11 - offset5,
         v79 = offset5 + angle11, v80 = angle12 - offset5, v81 = offset5 + angle12,
         v82 = angle13 - offset5, v83 = offset5 + angle13, v84 = angle14 - offset5,
-        v85 = offset5 + angle14, q5_ppp = v78 + only_wide(v78 <= -half_turn, whole_turn),
-        q5_ppm = only_wide(-v79 <= -half_turn, whole_turn) - v79,
-        q5_pmp = v80 + only_wide(v80 <= -half_turn, whole_turn),
-        q5_pmm = only_wide(-v81 <= -half_turn, whole_turn) - v81,
-        q5_mpp = v82 + only_wide(v82 <= -half_turn, whole_turn),
-        q5_mpm = only_wide(-v83 <= -half_turn, whole_turn) - v83,
-        q5_mmp = v84 + only_wide(v84 <= -half_turn, whole_turn),
-        q5_mmm = only_wide(-v85 <= -half_turn, whole_turn) - v85,
+        v85 = offset5 + angle14, q5_ppp = v78 + only_wide(v78 <= -half_turn, turn),
+        q5_ppm = only_wide(-v79 <= -half_turn, turn) - v79,
+        q5_pmp = v80 + only_wide(v80 <= -half_turn, turn),
+        q5_pmm = only_wide(-v81 <= -half_turn, turn) - v81,
+        q5_mpp = v82 + only_wide(v82 <= -half_turn, turn),
+        q5_mpm = only_wide(-v83 <= -half_turn, turn) - v83,
+        q5_mmp = v84 + only_wide(v84 <= -half_turn, turn),
+        q5_mmm = only_wide(-v85 <= -half_turn, turn) - v85,
         v86 = v52 * (v41 * v58 - v45 * (v35 * T31 - c2m3_pp * v59)),
         v87 = v53 * (v42 * v58 - v45 * (v37 * T31 - c2m3_pm * v59)),
         angle15 = atan2_wide(v86, v52 * (v41 * v56 - v45 * (v35 * T32 - c2m3_pp * v57))),
@@ -497,45 +495,43 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v95 = angle18 - signed_wide(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
             v59)))) - offset6;
     const wide_mask v96 = beyond(q3_ppp, 3), v97 = beyond(q3_pmp, 3);
-    const wide q1_ppp = v4 + (v60 + only_wide(half_turn < v60, -whole_turn)),
-        q1_mpp = v4 + (v61 + only_wide(half_turn < v61, -whole_turn));
+    const wide q1_ppp = v4 + (v60 + only_wide(half_turn < v60, -turn)),
+        q1_mpp = v4 + (v61 + only_wide(half_turn < v61, -turn));
     const wide_mask v98 = v96 | beyond(q2_ppp, 2), v99 = v97 | beyond(q2_pmp, 2),
         v100 = v96 | beyond(q2_mpp, 2), v101 = v97 | beyond(q2_mmp, 2),
         doubt1 = (v51 <= m5) | (v27 <= m4) | (v50 <= m5) | (v26 <= m4) | (v49 <= m5) | (v25 <= m4) |
             (v48 <= m5) | (v1 <= m1) | ((shortest3_reach <= N3) & (N3 <= longest3_reach) &
             (((shortest3_apart < N3) & (N3 < longest3_apart)) == 0)) | (v23 <= m4);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
-    q[3] = v70 + only_wide(v70 <= -half_turn, whole_turn); q[4] = q5_ppp;
-    q[5] = v88 + only_wide(v88 <= -half_turn, whole_turn);
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v70 + only_wide(v70 <= -half_turn, turn);
+    q[4] = q5_ppp; q[5] = v88 + only_wide(v88 <= -half_turn, turn);
     kind[0] = kind_of(q[0], v98 | beyond(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
-    q[9] = v71 + only_wide(v71 <= -half_turn, whole_turn); q[10] = q5_ppm;
-    q[11] = v89 + only_wide(v89 <= -half_turn, whole_turn);
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v71 + only_wide(v71 <= -half_turn, turn);
+    q[10] = q5_ppm; q[11] = v89 + only_wide(v89 <= -half_turn, turn);
     kind[1] = kind_of(q[6], v98 | beyond(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v72 + only_wide(v72 <= -half_turn, whole_turn); q[16] = q5_pmp;
-    q[17] = v90 + only_wide(v90 <= -half_turn, whole_turn);
+    q[15] = v72 + only_wide(v72 <= -half_turn, turn); q[16] = q5_pmp;
+    q[17] = v90 + only_wide(v90 <= -half_turn, turn);
     kind[2] = kind_of(q[12], v99 | beyond(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v73 + only_wide(v73 <= -half_turn, whole_turn); q[22] = q5_pmm;
-    q[23] = v91 + only_wide(v91 <= -half_turn, whole_turn);
+    q[21] = v73 + only_wide(v73 <= -half_turn, turn); q[22] = q5_pmm;
+    q[23] = v91 + only_wide(v91 <= -half_turn, turn);
     kind[3] = kind_of(q[18], v99 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
-    q[27] = v74 + only_wide(v74 <= -half_turn, whole_turn); q[28] = q5_mpp;
-    q[29] = v92 + only_wide(v92 <= -half_turn, whole_turn);
+    q[27] = v74 + only_wide(v74 <= -half_turn, turn); q[28] = q5_mpp;
+    q[29] = v92 + only_wide(v92 <= -half_turn, turn);
     kind[4] = kind_of(q[24], v100 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
-    q[33] = v75 + only_wide(v75 <= -half_turn, whole_turn); q[34] = q5_mpm;
-    q[35] = v93 + only_wide(v93 <= -half_turn, whole_turn);
+    q[33] = v75 + only_wide(v75 <= -half_turn, turn); q[34] = q5_mpm;
+    q[35] = v93 + only_wide(v93 <= -half_turn, turn);
     kind[5] = kind_of(q[30], v100 | beyond(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
-    q[39] = v76 + only_wide(v76 <= -half_turn, whole_turn); q[40] = q5_mmp;
-    q[41] = v94 + only_wide(v94 <= -half_turn, whole_turn);
+    q[39] = v76 + only_wide(v76 <= -half_turn, turn); q[40] = q5_mmp;
+    q[41] = v94 + only_wide(v94 <= -half_turn, turn);
     kind[6] = kind_of(q[36], v101 | beyond(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
-    q[45] = v77 + only_wide(v77 <= -half_turn, whole_turn); q[46] = q5_mmm;
-    q[47] = v95 + only_wide(v95 <= -half_turn, whole_turn);
+    q[45] = v77 + only_wide(v77 <= -half_turn, turn); q[46] = q5_mmm;
+    q[47] = v95 + only_wide(v95 <= -half_turn, turn);
     kind[7] = kind_of(q[42], v101 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -601,18 +597,18 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = angle_four(ratio2),
         angle4 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
-        q2_p = v38 + only_four(half_turn < v38, -whole_turn),
+        q2_p = v38 + only_four(half_turn < v38, -turn),
         v40 = e2 * angle3 + v39 * (m6 * (1.0 - e2)) - offset3,
-        q3_p = v40 + only_four(v40 <= -half_turn, whole_turn), v42 = angle4 - offset4,
-        v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, whole_turn),
-        q4_m = v43 + only_four(v43 <= -half_turn, whole_turn), v44 = angle5 - offset5,
-        v45 = offset5 + angle5, q5_p = v44 + only_four(v44 <= -half_turn, whole_turn),
-        q5_m = only_four(-v45 <= -half_turn, whole_turn) - v45, v47 = angle6 - offset6,
+        q3_p = v40 + only_four(v40 <= -half_turn, turn), v42 = angle4 - offset4,
+        v43 = angle4 - v41 - offset4, q4_p = v42 + only_four(v42 <= -half_turn, turn),
+        q4_m = v43 + only_four(v43 <= -half_turn, turn), v44 = angle5 - offset5,
+        v45 = offset5 + angle5, q5_p = v44 + only_four(v44 <= -half_turn, turn),
+        q5_m = only_four(-v45 <= -half_turn, turn) - v45, v47 = angle6 - offset6,
         v48 = angle6 - signed_four(half_turn, v46) - offset6,
-        q6_p = v47 + only_four(v47 <= -half_turn, whole_turn),
-        q6_m = v48 + only_four(v48 <= -half_turn, whole_turn);
+        q6_p = v47 + only_four(v47 <= -half_turn, turn),
+        q6_m = v48 + only_four(v48 <= -half_turn, turn);
     const four_mask v49 = beyond_four(q3_p, 3);
-    const four q1_p = v4 + (v37 + only_four(half_turn < v37, -whole_turn));
+    const four q1_p = v4 + (v37 + only_four(half_turn < v37, -turn));
     const four_mask v50 = v49 | beyond_four(q2_p, 2), outside_p = v50 | beyond_four(q5_p, 5),
         outside_m = v50 | beyond_four(q5_m, 5);
 
@@ -936,37 +932,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     kawasaki_rs007n_fk(x, P);
-    kawasaki_rs007n_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    kawasaki_rs007n_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1014,19 +1007,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1034,20 +1025,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1056,34 +1044,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KAWASAKI_RS007N_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KAWASAKI_RS007N_FREE_JOINT;
     take(x, q[place]);
@@ -1119,9 +1119,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

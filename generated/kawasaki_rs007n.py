@@ -125,7 +125,6 @@ k1 = 0.26625  # 2 * d4 * a2 [m^2]
 k2 = 0.26665  # a2^2 + d4^2 [m^2]
 k3 = 14.106548524322777  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low2 = -2.356194491192345
 high2 = 2.356194491192345
 low3 = -2.705260341591211
@@ -138,7 +137,7 @@ m3 = 0.020563380281690184  # a coefficient of S2
 m4 = 1.861107122175999e-12  # doubt_limit_squared2^2 [m^4]
 m5 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -183,7 +182,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -379,7 +378,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kawasaki_rs007n 080a659b02fdda83"
+_KEY = "kawasaki_rs007n ee9862a237561e0a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -614,11 +613,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -628,8 +627,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -646,7 +645,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -795,39 +794,35 @@ _MISS_WEIGHT = np.array([0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -851,7 +846,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -880,7 +875,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -896,10 +891,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -914,7 +909,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -938,6 +933,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -945,7 +956,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -960,9 +970,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -984,9 +995,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1178,14 +1187,14 @@ def _regular(pose, q, status):
     v63 = angle3 - offset2
     v64 = angle4 - offset2
     v65 = angle5 - offset2
-    q2_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
-    q2_pmp = v63 + (-whole_turn if half_turn < v63 else 0.0)
-    q2_mpp = v64 + (-whole_turn if half_turn < v64 else 0.0)
-    q2_mmp = v65 + (-whole_turn if half_turn < v65 else 0.0)
+    q2_ppp = v62 + (-turn if half_turn < v62 else 0.0)
+    q2_pmp = v63 + (-turn if half_turn < v63 else 0.0)
+    q2_mpp = v64 + (-turn if half_turn < v64 else 0.0)
+    q2_mmp = v65 + (-turn if half_turn < v65 else 0.0)
     v66 = angle6 - offset3
     v67 = math.copysign(half_turn, v5) - angle6 - offset3
-    q3_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-    q3_pmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+    q3_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
+    q3_pmp = v67 + (turn if v67 <= -half_turn else 0.0)
     v70 = angle7 - offset4
     v71 = angle7 - v68 - offset4
     v72 = angle8 - offset4
@@ -1194,14 +1203,14 @@ def _regular(pose, q, status):
     v75 = angle9 - v69 - offset4
     v76 = angle10 - offset4
     v77 = angle10 - v69 - offset4
-    q4_ppp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-    q4_ppm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
-    q4_pmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-    q4_pmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
-    q4_mpp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-    q4_mpm = v75 + (whole_turn if v75 <= -half_turn else 0.0)
-    q4_mmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
-    q4_mmm = v77 + (whole_turn if v77 <= -half_turn else 0.0)
+    q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
+    q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
+    q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
+    q4_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
+    q4_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
+    q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
+    q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
+    q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
     v78 = angle11 - offset5
     v79 = offset5 + angle11
     v80 = angle12 - offset5
@@ -1210,14 +1219,14 @@ def _regular(pose, q, status):
     v83 = offset5 + angle13
     v84 = angle14 - offset5
     v85 = offset5 + angle14
-    q5_ppp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
-    q5_pmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
-    q5_mpp = v82 + (whole_turn if v82 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v83 <= -half_turn else 0.0) - v83
-    q5_mmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v85 <= -half_turn else 0.0) - v85
+    q5_ppp = v78 + (turn if v78 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v79 <= -half_turn else 0.0) - v79
+    q5_pmp = v80 + (turn if v80 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v81 <= -half_turn else 0.0) - v81
+    q5_mpp = v82 + (turn if v82 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v83 <= -half_turn else 0.0) - v83
+    q5_mmp = v84 + (turn if v84 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v85 <= -half_turn else 0.0) - v85
     v88 = angle15 - offset6
     v89 = angle15 - math.copysign(half_turn, v86) - offset6
     v90 = angle16 - offset6
@@ -1232,18 +1241,18 @@ def _regular(pose, q, status):
         angle18 - math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm * v59))))
         - offset6
     )
-    q6_ppp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
-    q6_ppm = v89 + (whole_turn if v89 <= -half_turn else 0.0)
-    q6_pmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
-    q6_pmm = v91 + (whole_turn if v91 <= -half_turn else 0.0)
-    q6_mpp = v92 + (whole_turn if v92 <= -half_turn else 0.0)
-    q6_mpm = v93 + (whole_turn if v93 <= -half_turn else 0.0)
-    q6_mmp = v94 + (whole_turn if v94 <= -half_turn else 0.0)
-    q6_mmm = v95 + (whole_turn if v95 <= -half_turn else 0.0)
+    q6_ppp = v88 + (turn if v88 <= -half_turn else 0.0)
+    q6_ppm = v89 + (turn if v89 <= -half_turn else 0.0)
+    q6_pmp = v90 + (turn if v90 <= -half_turn else 0.0)
+    q6_pmm = v91 + (turn if v91 <= -half_turn else 0.0)
+    q6_mpp = v92 + (turn if v92 <= -half_turn else 0.0)
+    q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
+    q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
+    q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
     v96 = q3_ppp < low3 or high3 < q3_ppp
     v97 = q3_pmp < low3 or high3 < q3_pmp
-    q1_ppp = v4 + (v60 + (-whole_turn if half_turn < v60 else 0.0))
-    q1_mpp = v4 + (v61 + (-whole_turn if half_turn < v61 else 0.0))
+    q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
+    q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
     v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
     v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
     v100 = v96 or q2_mpp < low2 or high2 < q2_mpp
@@ -1420,7 +1429,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1748,14 +1757,14 @@ def _in_tiles(T, q, status):
             v63 = angle3 - offset2
             v64 = angle4 - offset2
             v65 = angle5 - offset2
-            q2_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
-            q2_pmp = v63 + (-whole_turn if half_turn < v63 else 0.0)
-            q2_mpp = v64 + (-whole_turn if half_turn < v64 else 0.0)
-            q2_mmp = v65 + (-whole_turn if half_turn < v65 else 0.0)
+            q2_ppp = v62 + (-turn if half_turn < v62 else 0.0)
+            q2_pmp = v63 + (-turn if half_turn < v63 else 0.0)
+            q2_mpp = v64 + (-turn if half_turn < v64 else 0.0)
+            q2_mmp = v65 + (-turn if half_turn < v65 else 0.0)
             v66 = angle6 - offset3
             v67 = math.copysign(half_turn, v5) - angle6 - offset3
-            q3_ppp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-            q3_pmp = v67 + (whole_turn if v67 <= -half_turn else 0.0)
+            q3_ppp = v66 + (turn if v66 <= -half_turn else 0.0)
+            q3_pmp = v67 + (turn if v67 <= -half_turn else 0.0)
             v70 = angle7 - offset4
             v71 = angle7 - v68 - offset4
             v72 = angle8 - offset4
@@ -1764,14 +1773,14 @@ def _in_tiles(T, q, status):
             v75 = angle9 - v69 - offset4
             v76 = angle10 - offset4
             v77 = angle10 - v69 - offset4
-            q4_ppp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-            q4_ppm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
-            q4_pmp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-            q4_pmm = v73 + (whole_turn if v73 <= -half_turn else 0.0)
-            q4_mpp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-            q4_mpm = v75 + (whole_turn if v75 <= -half_turn else 0.0)
-            q4_mmp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
-            q4_mmm = v77 + (whole_turn if v77 <= -half_turn else 0.0)
+            q4_ppp = v70 + (turn if v70 <= -half_turn else 0.0)
+            q4_ppm = v71 + (turn if v71 <= -half_turn else 0.0)
+            q4_pmp = v72 + (turn if v72 <= -half_turn else 0.0)
+            q4_pmm = v73 + (turn if v73 <= -half_turn else 0.0)
+            q4_mpp = v74 + (turn if v74 <= -half_turn else 0.0)
+            q4_mpm = v75 + (turn if v75 <= -half_turn else 0.0)
+            q4_mmp = v76 + (turn if v76 <= -half_turn else 0.0)
+            q4_mmm = v77 + (turn if v77 <= -half_turn else 0.0)
             v78 = angle11 - offset5
             v79 = offset5 + angle11
             v80 = angle12 - offset5
@@ -1780,14 +1789,14 @@ def _in_tiles(T, q, status):
             v83 = offset5 + angle13
             v84 = angle14 - offset5
             v85 = offset5 + angle14
-            q5_ppp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
-            q5_pmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v81 <= -half_turn else 0.0) - v81
-            q5_mpp = v82 + (whole_turn if v82 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v83 <= -half_turn else 0.0) - v83
-            q5_mmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v85 <= -half_turn else 0.0) - v85
+            q5_ppp = v78 + (turn if v78 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v79 <= -half_turn else 0.0) - v79
+            q5_pmp = v80 + (turn if v80 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v81 <= -half_turn else 0.0) - v81
+            q5_mpp = v82 + (turn if v82 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v83 <= -half_turn else 0.0) - v83
+            q5_mmp = v84 + (turn if v84 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v85 <= -half_turn else 0.0) - v85
             v88 = angle15 - offset6
             v89 = angle15 - math.copysign(half_turn, v86) - offset6
             v90 = angle16 - offset6
@@ -1802,18 +1811,18 @@ def _in_tiles(T, q, status):
                 angle18 - math.copysign(half_turn, -(v55 * (v44 * v58 - v45 * (v39 * T31 + c2m3_mm *
                 v59)))) - offset6
             )
-            q6_ppp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
-            q6_ppm = v89 + (whole_turn if v89 <= -half_turn else 0.0)
-            q6_pmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
-            q6_pmm = v91 + (whole_turn if v91 <= -half_turn else 0.0)
-            q6_mpp = v92 + (whole_turn if v92 <= -half_turn else 0.0)
-            q6_mpm = v93 + (whole_turn if v93 <= -half_turn else 0.0)
-            q6_mmp = v94 + (whole_turn if v94 <= -half_turn else 0.0)
-            q6_mmm = v95 + (whole_turn if v95 <= -half_turn else 0.0)
+            q6_ppp = v88 + (turn if v88 <= -half_turn else 0.0)
+            q6_ppm = v89 + (turn if v89 <= -half_turn else 0.0)
+            q6_pmp = v90 + (turn if v90 <= -half_turn else 0.0)
+            q6_pmm = v91 + (turn if v91 <= -half_turn else 0.0)
+            q6_mpp = v92 + (turn if v92 <= -half_turn else 0.0)
+            q6_mpm = v93 + (turn if v93 <= -half_turn else 0.0)
+            q6_mmp = v94 + (turn if v94 <= -half_turn else 0.0)
+            q6_mmm = v95 + (turn if v95 <= -half_turn else 0.0)
             v96 = q3_ppp < low3 or high3 < q3_ppp
             v97 = q3_pmp < low3 or high3 < q3_pmp
-            q1_ppp = v4 + (v60 + (-whole_turn if half_turn < v60 else 0.0))
-            q1_mpp = v4 + (v61 + (-whole_turn if half_turn < v61 else 0.0))
+            q1_ppp = v4 + (v60 + (-turn if half_turn < v60 else 0.0))
+            q1_mpp = v4 + (v61 + (-turn if half_turn < v61 else 0.0))
             v98 = v96 or q2_ppp < low2 or high2 < q2_ppp
             v99 = v97 or q2_pmp < low2 or high2 < q2_pmp
             v100 = v96 or q2_mpp < low2 or high2 < q2_mpp

@@ -3550,37 +3550,34 @@ static const double pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[7], double e[6], double J[42])
+static double off_pose(const double T[16], const double x[7], double e[6])
 {
     double P[16], square = 0.0;
     kinova_gen3_7_fk(x, P);
-    kinova_gen3_7_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[7], const double J[42], double e[6], double x[7])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[7], double miss, double e[6], double x[7])
 {
-    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
+    kinova_gen3_7_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[7 * i + j];
-        A[i][7 + i] = share;
+        A[i][7 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -3597,19 +3594,17 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[7])
 {
-    double x[7], half[7], J[42], last = HUGE_VAL;
+    double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -3617,26 +3612,37 @@ static int settle(const double T[16], double enough, double most, double q[7])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 7; i++) {
             const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
     }
     return settled;
+}
+
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[7])
+{
+    double x[7], half[7], off = beyond_limits(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
 }
 
 int kinova_gen3_7_ik(
@@ -3660,9 +3666,7 @@ int kinova_gen3_7_ik(
     for (int row = 0; row < 16; row++) {
         if (status[row] == KINOVA_GEN3_7_UNREACHABLE)
             continue;
-        const double off = beyond_limits(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)
@@ -3714,5 +3718,5 @@ void kinova_gen3_7_ik_batch(
     size_t k = 0;
     for (; k < n; k++)
         (void)kinova_gen3_7_ik(
-            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 112 * k), status + 16 * k);
+            T + 16 * k, free_joints + k, NULL, (double (*)[7])(q + 112 * k), status + 16 * k);
 }

@@ -175,7 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -190,7 +189,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -274,7 +273,6 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.6212928899999995e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m3 = 2.6285906351645502e-12, /* doubt_limit_squared2^2 [m^4] */
     m4 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -476,13 +474,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle12 = atan2_wide(S2_pm, C2_pm), v57 = angle12 - offset2,
         angle13 = atan2_wide(S2_pm, -C2_pm), v58 = angle13 - offset2,
         angle14 = atan2_wide(S2_pp, -C2_pp), v59 = angle14 - offset2,
-        q2__pp = v56 + only_wide(v56 <= -half_turn, whole_turn),
-        q2__pm = v57 + only_wide(v57 <= -half_turn, whole_turn),
-        q2__mp = v58 + only_wide(v58 <= -half_turn, whole_turn),
-        q2__mm = v59 + only_wide(v59 <= -half_turn, whole_turn), angle15 = atan2_wide(-v5, v7),
+        q2__pp = v56 + only_wide(v56 <= -half_turn, turn),
+        q2__pm = v57 + only_wide(v57 <= -half_turn, turn),
+        q2__mp = v58 + only_wide(v58 <= -half_turn, turn),
+        q2__mm = v59 + only_wide(v59 <= -half_turn, turn), angle15 = atan2_wide(-v5, v7),
         v60 = angle15 - offset3, v61 = signed_wide(half_turn, -v5) - angle15 - offset3,
-        q3__p = v60 + only_wide(v60 <= -half_turn, whole_turn),
-        q3__m = v61 + only_wide(v61 <= -half_turn, whole_turn),
+        q3__p = v60 + only_wide(v60 <= -half_turn, turn),
+        q3__m = v61 + only_wide(v61 <= -half_turn, turn),
         angle16 = atan2_wide(s6_pp, v35 * (c2m3_pp * v48 - s2m3_pp * T32) + X4_pp * v46),
         angle17 = atan2_wide(s6_pm, X4_pm * v46 - v35 * (v29 * v48 + s2m3_pm * T32)),
         angle18 = atan2_wide(s6_mp, X4_mp * v47 - v36 * (v29 * v49 + s2m3_mp * T32)),
@@ -491,30 +489,30 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v64 = angle17 - offset6, v65 = angle17 - signed_wide(half_turn, s6_pm) - offset6,
         v66 = angle18 - offset6, v67 = angle18 - signed_wide(half_turn, s6_mp) - offset6,
         v68 = angle19 - offset6, v69 = angle19 - signed_wide(half_turn, s6_mm) - offset6,
-        v70 = q2__pp + only_wide(q2__pp < low(2), whole_turn),
-        v71 = q2__pm + only_wide(q2__pm < low(2), whole_turn),
-        v72 = q2__mp + only_wide(q2__mp < low(2), whole_turn),
-        v73 = q2__mm + only_wide(q2__mm < low(2), whole_turn);
+        v70 = q2__pp + only_wide(q2__pp < low(2), turn),
+        v71 = q2__pm + only_wide(q2__pm < low(2), turn),
+        v72 = q2__mp + only_wide(q2__mp < low(2), turn),
+        v73 = q2__mm + only_wide(q2__mm < low(2), turn);
     const wide_mask v74 = beyond(v70, 2), v75 = beyond(v71, 2), v76 = beyond(v72, 2),
         v77 = beyond(v73, 2);
     const wide q2_ppp = pick_wide(v74, q2__pp, v70), q2_pmp = pick_wide(v75, q2__pm, v71),
         q2_mpp = pick_wide(v76, q2__mp, v72), q2_mmp = pick_wide(v77, q2__mm, v73),
-        v78 = q3__p + only_wide(q3__p < low(3), whole_turn),
-        v79 = q3__m + only_wide(q3__m < low(3), whole_turn);
+        v78 = q3__p + only_wide(q3__p < low(3), turn),
+        v79 = q3__m + only_wide(q3__m < low(3), turn);
     const wide_mask v80 = beyond(v78, 3), v81 = beyond(v79, 3);
-    const wide v82 = angle5 + only_wide(angle5 < low(5), whole_turn),
-        v83 = only_wide(-angle5 < low(5), whole_turn) - angle5,
-        v84 = angle6 + only_wide(angle6 < low(5), whole_turn),
-        v85 = only_wide(-angle6 < low(5), whole_turn) - angle6,
-        v86 = angle7 + only_wide(angle7 < low(5), whole_turn),
-        v87 = only_wide(-angle7 < low(5), whole_turn) - angle7,
-        v88 = angle8 + only_wide(angle8 < low(5), whole_turn),
-        v89 = only_wide(-angle8 < low(5), whole_turn) - angle8;
+    const wide v82 = angle5 + only_wide(angle5 < low(5), turn),
+        v83 = only_wide(-angle5 < low(5), turn) - angle5,
+        v84 = angle6 + only_wide(angle6 < low(5), turn),
+        v85 = only_wide(-angle6 < low(5), turn) - angle6,
+        v86 = angle7 + only_wide(angle7 < low(5), turn),
+        v87 = only_wide(-angle7 < low(5), turn) - angle7,
+        v88 = angle8 + only_wide(angle8 < low(5), turn),
+        v89 = only_wide(-angle8 < low(5), turn) - angle8;
     const wide_mask v90 = beyond(v82, 5), v91 = beyond(v83, 5), v92 = beyond(v84, 5),
         v93 = beyond(v85, 5), v94 = beyond(v86, 5), v95 = beyond(v87, 5), v96 = beyond(v88, 5),
         v97 = beyond(v89, 5);
-    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, whole_turn)),
-        q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, whole_turn)),
+    const wide q1_ppp = v4 + (v54 + only_wide(v54 <= -half_turn, turn)),
+        q1_mpp = v4 + (v55 + only_wide(v55 <= -half_turn, turn)),
         q3_ppp = v1 + pick_wide(v80, q3__p, v78), q3_pmp = v1 + pick_wide(v81, q3__m, v79);
     const wide_mask v98 = v74 | v80, v99 = v75 | v81, v100 = v76 | v80, v101 = v77 | v81,
         doubt1 = (abs_wide(D1) <= k3) | (N1 <= doubt_limit_squared2) | (v42 <= m4) | (v24 <= m3) |
@@ -523,28 +521,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             m3);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle1; q[4] = pick_wide(v90, angle5, v82);
-    q[5] = v62 + only_wide(half_turn < v62, -whole_turn);
+    q[5] = v62 + only_wide(half_turn < v62, -turn);
     kind[0] = kind_of(q[0], v90 | v98);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle1 - v43;
-    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 + only_wide(half_turn < v63, -whole_turn);
+    q[10] = pick_wide(v91, -angle5, v83); q[11] = v63 + only_wide(half_turn < v63, -turn);
     kind[1] = kind_of(q[6], v91 | v98);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle2;
-    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 + only_wide(half_turn < v64, -whole_turn);
+    q[16] = pick_wide(v92, angle6, v84); q[17] = v64 + only_wide(half_turn < v64, -turn);
     kind[2] = kind_of(q[12], v92 | v99);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle2 - v43;
-    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 + only_wide(half_turn < v65, -whole_turn);
+    q[22] = pick_wide(v93, -angle6, v85); q[23] = v65 + only_wide(half_turn < v65, -turn);
     kind[3] = kind_of(q[18], v93 | v99);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp; q[27] = angle3;
-    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 + only_wide(half_turn < v66, -whole_turn);
+    q[28] = pick_wide(v94, angle7, v86); q[29] = v66 + only_wide(half_turn < v66, -turn);
     kind[4] = kind_of(q[24], v94 | v100);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp; q[33] = angle3 - v44;
-    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 + only_wide(half_turn < v67, -whole_turn);
+    q[34] = pick_wide(v95, -angle7, v87); q[35] = v67 + only_wide(half_turn < v67, -turn);
     kind[5] = kind_of(q[30], v95 | v100);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp; q[39] = angle4;
-    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 + only_wide(half_turn < v68, -whole_turn);
+    q[40] = pick_wide(v96, angle8, v88); q[41] = v68 + only_wide(half_turn < v68, -turn);
     kind[6] = kind_of(q[36], v96 | v101);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp; q[45] = angle4 - v44;
-    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 + only_wide(half_turn < v69, -whole_turn);
+    q[46] = pick_wide(v97, -angle8, v89); q[47] = v69 + only_wide(half_turn < v69, -turn);
     kind[7] = kind_of(q[42], v97 | v101);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -608,21 +606,20 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle5 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle6 = angle_four(ratio4), angle2 = angle_four(ratio5);
     const four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = v34 + only_four(v34 <= -half_turn, whole_turn),
+        q2_ = v34 + only_four(v34 <= -half_turn, turn),
         v36 = e2 * angle5 + v35 * (m5 * (1.0 - e2)) - offset3,
-        q3_ = v36 + only_four(v36 <= -half_turn, whole_turn), v37 = angle6 - offset6,
+        q3_ = v36 + only_four(v36 <= -half_turn, turn), v37 = angle6 - offset6,
         v38 = angle6 - signed_four(half_turn, s6) - offset6,
-        q6_p = v37 + only_four(half_turn < v37, -whole_turn),
-        q6_m = v38 + only_four(half_turn < v38, -whole_turn),
-        v39 = q2_ + only_four(q2_ < low(2), whole_turn);
+        q6_p = v37 + only_four(half_turn < v37, -turn),
+        q6_m = v38 + only_four(half_turn < v38, -turn), v39 = q2_ + only_four(q2_ < low(2), turn);
     const four_mask v40 = beyond_four(v39, 2);
-    const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low(3), whole_turn);
+    const four q2_p = pick_four(v40, q2_, v39), v41 = q3_ + only_four(q3_ < low(3), turn);
     const four_mask v42 = beyond_four(v41, 3);
-    const four v43 = angle2 + only_four(angle2 < low(5), whole_turn),
-        v44 = only_four(-angle2 < low(5), whole_turn) - angle2;
+    const four v43 = angle2 + only_four(angle2 < low(5), turn),
+        v44 = only_four(-angle2 < low(5), turn) - angle2;
     const four_mask v45 = beyond_four(v43, 5), v46 = beyond_four(v44, 5);
     const four q5_p = pick_four(v45, angle2, v43), q5_m = pick_four(v46, -angle2, v44),
-        q1_p = v4 + (v33 + only_four(v33 <= -half_turn, whole_turn)),
+        q1_p = v4 + (v33 + only_four(v33 <= -half_turn, turn)),
         q3_p = v1 + pick_four(v42, q3_, v41);
     const four_mask v47 = v40 | v42, outside_p = v45 | v47, outside_m = v46 | v47;
 
@@ -946,37 +943,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     kinova_j2s6s300_fk(x, P);
-    kinova_j2s6s300_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    kinova_j2s6s300_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1024,19 +1018,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1044,20 +1036,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1066,34 +1055,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KINOVA_J2S6S300_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KINOVA_J2S6S300_FREE_JOINT;
     take(x, q[place]);
@@ -1129,9 +1130,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -129,7 +129,6 @@ k6 = 0.26485210249999996  # a2^2 + d4^2 [m^2]
 k7 = 15.371345486276748  # 1 / (k5^2) [m^-4]
 doubt_limit_squared2 = 1.6212928899999995e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low2 = 0.820304747437335
 high2 = 5.462880559742252
 low3 = 0.3316125568789226
@@ -141,7 +140,7 @@ m2 = 0.08700963109756096  # a coefficient of S2
 m3 = 2.6285906351645502e-12  # doubt_limit_squared2^2 [m^4]
 m4 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -186,7 +185,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -380,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 7b884377a159ab1b"
+_KEY = "kinova_j2s6s300 64a278275b4fb5bb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -615,11 +614,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -629,8 +628,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -647,7 +646,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -796,39 +795,35 @@ _MISS_WEIGHT = np.array([0.7854, 0.7854, 0.7854, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -852,7 +847,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -881,7 +876,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -897,10 +892,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -915,7 +910,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -939,6 +934,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -946,7 +957,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -961,9 +971,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -985,9 +996,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1191,14 +1200,14 @@ def _regular(pose, q, status):
     v57 = angle12 - offset2
     v58 = angle13 - offset2
     v59 = angle14 - offset2
-    q2__pp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
-    q2__pm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-    q2__mp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-    q2__mm = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+    q2__pp = v56 + (turn if v56 <= -half_turn else 0.0)
+    q2__pm = v57 + (turn if v57 <= -half_turn else 0.0)
+    q2__mp = v58 + (turn if v58 <= -half_turn else 0.0)
+    q2__mm = v59 + (turn if v59 <= -half_turn else 0.0)
     v60 = angle15 - offset3
     v61 = math.copysign(half_turn, -v5) - angle15 - offset3
-    q3__p = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-    q3__m = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+    q3__p = v60 + (turn if v60 <= -half_turn else 0.0)
+    q3__m = v61 + (turn if v61 <= -half_turn else 0.0)
     v62 = angle16 - offset6
     v63 = angle16 - math.copysign(half_turn, s6_pp) - offset6
     v64 = angle17 - offset6
@@ -1207,18 +1216,18 @@ def _regular(pose, q, status):
     v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
     v68 = angle19 - offset6
     v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
-    q6_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
-    q6_ppm = v63 + (-whole_turn if half_turn < v63 else 0.0)
-    q6_pmp = v64 + (-whole_turn if half_turn < v64 else 0.0)
-    q6_pmm = v65 + (-whole_turn if half_turn < v65 else 0.0)
-    q6_mpp = v66 + (-whole_turn if half_turn < v66 else 0.0)
-    q6_mpm = v67 + (-whole_turn if half_turn < v67 else 0.0)
-    q6_mmp = v68 + (-whole_turn if half_turn < v68 else 0.0)
-    q6_mmm = v69 + (-whole_turn if half_turn < v69 else 0.0)
-    v70 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
-    v71 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
-    v72 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
-    v73 = q2__mm + (whole_turn if q2__mm < low2 else 0.0)
+    q6_ppp = v62 + (-turn if half_turn < v62 else 0.0)
+    q6_ppm = v63 + (-turn if half_turn < v63 else 0.0)
+    q6_pmp = v64 + (-turn if half_turn < v64 else 0.0)
+    q6_pmm = v65 + (-turn if half_turn < v65 else 0.0)
+    q6_mpp = v66 + (-turn if half_turn < v66 else 0.0)
+    q6_mpm = v67 + (-turn if half_turn < v67 else 0.0)
+    q6_mmp = v68 + (-turn if half_turn < v68 else 0.0)
+    q6_mmm = v69 + (-turn if half_turn < v69 else 0.0)
+    v70 = q2__pp + (turn if q2__pp < low2 else 0.0)
+    v71 = q2__pm + (turn if q2__pm < low2 else 0.0)
+    v72 = q2__mp + (turn if q2__mp < low2 else 0.0)
+    v73 = q2__mm + (turn if q2__mm < low2 else 0.0)
     v74 = v70 < low2 or high2 < v70
     v75 = v71 < low2 or high2 < v71
     v76 = v72 < low2 or high2 < v72
@@ -1227,18 +1236,18 @@ def _regular(pose, q, status):
     q2_pmp = q2__pm if v75 else v71
     q2_mpp = q2__mp if v76 else v72
     q2_mmp = q2__mm if v77 else v73
-    v78 = q3__p + (whole_turn if q3__p < low3 else 0.0)
-    v79 = q3__m + (whole_turn if q3__m < low3 else 0.0)
+    v78 = q3__p + (turn if q3__p < low3 else 0.0)
+    v79 = q3__m + (turn if q3__m < low3 else 0.0)
     v80 = v78 < low3 or high3 < v78
     v81 = v79 < low3 or high3 < v79
-    v82 = angle5 + (whole_turn if angle5 < low5 else 0.0)
-    v83 = (whole_turn if -angle5 < low5 else 0.0) - angle5
-    v84 = angle6 + (whole_turn if angle6 < low5 else 0.0)
-    v85 = (whole_turn if -angle6 < low5 else 0.0) - angle6
-    v86 = angle7 + (whole_turn if angle7 < low5 else 0.0)
-    v87 = (whole_turn if -angle7 < low5 else 0.0) - angle7
-    v88 = angle8 + (whole_turn if angle8 < low5 else 0.0)
-    v89 = (whole_turn if -angle8 < low5 else 0.0) - angle8
+    v82 = angle5 + (turn if angle5 < low5 else 0.0)
+    v83 = (turn if -angle5 < low5 else 0.0) - angle5
+    v84 = angle6 + (turn if angle6 < low5 else 0.0)
+    v85 = (turn if -angle6 < low5 else 0.0) - angle6
+    v86 = angle7 + (turn if angle7 < low5 else 0.0)
+    v87 = (turn if -angle7 < low5 else 0.0) - angle7
+    v88 = angle8 + (turn if angle8 < low5 else 0.0)
+    v89 = (turn if -angle8 < low5 else 0.0) - angle8
     v90 = v82 < low5 or high5 < v82
     v91 = v83 < low5 or high5 < v83
     v92 = v84 < low5 or high5 < v84
@@ -1255,8 +1264,8 @@ def _regular(pose, q, status):
     q5_mpm = -angle7 if v95 else v87
     q5_mmp = angle8 if v96 else v88
     q5_mmm = -angle8 if v97 else v89
-    q1_ppp = v4 + (v54 + (whole_turn if v54 <= -half_turn else 0.0))
-    q1_mpp = v4 + (v55 + (whole_turn if v55 <= -half_turn else 0.0))
+    q1_ppp = v4 + (v54 + (turn if v54 <= -half_turn else 0.0))
+    q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
     q3_ppp = v1 + (q3__p if v80 else v78)
     q3_pmp = v1 + (q3__m if v81 else v79)
     v98 = v74 or v80
@@ -1435,7 +1444,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1752,14 +1761,14 @@ def _in_tiles(T, q, status):
             v57 = angle12 - offset2
             v58 = angle13 - offset2
             v59 = angle14 - offset2
-            q2__pp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
-            q2__pm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
-            q2__mp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-            q2__mm = v59 + (whole_turn if v59 <= -half_turn else 0.0)
+            q2__pp = v56 + (turn if v56 <= -half_turn else 0.0)
+            q2__pm = v57 + (turn if v57 <= -half_turn else 0.0)
+            q2__mp = v58 + (turn if v58 <= -half_turn else 0.0)
+            q2__mm = v59 + (turn if v59 <= -half_turn else 0.0)
             v60 = angle15 - offset3
             v61 = math.copysign(half_turn, -v5) - angle15 - offset3
-            q3__p = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-            q3__m = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+            q3__p = v60 + (turn if v60 <= -half_turn else 0.0)
+            q3__m = v61 + (turn if v61 <= -half_turn else 0.0)
             v62 = angle16 - offset6
             v63 = angle16 - math.copysign(half_turn, s6_pp) - offset6
             v64 = angle17 - offset6
@@ -1768,18 +1777,18 @@ def _in_tiles(T, q, status):
             v67 = angle18 - math.copysign(half_turn, s6_mp) - offset6
             v68 = angle19 - offset6
             v69 = angle19 - math.copysign(half_turn, s6_mm) - offset6
-            q6_ppp = v62 + (-whole_turn if half_turn < v62 else 0.0)
-            q6_ppm = v63 + (-whole_turn if half_turn < v63 else 0.0)
-            q6_pmp = v64 + (-whole_turn if half_turn < v64 else 0.0)
-            q6_pmm = v65 + (-whole_turn if half_turn < v65 else 0.0)
-            q6_mpp = v66 + (-whole_turn if half_turn < v66 else 0.0)
-            q6_mpm = v67 + (-whole_turn if half_turn < v67 else 0.0)
-            q6_mmp = v68 + (-whole_turn if half_turn < v68 else 0.0)
-            q6_mmm = v69 + (-whole_turn if half_turn < v69 else 0.0)
-            v70 = q2__pp + (whole_turn if q2__pp < low2 else 0.0)
-            v71 = q2__pm + (whole_turn if q2__pm < low2 else 0.0)
-            v72 = q2__mp + (whole_turn if q2__mp < low2 else 0.0)
-            v73 = q2__mm + (whole_turn if q2__mm < low2 else 0.0)
+            q6_ppp = v62 + (-turn if half_turn < v62 else 0.0)
+            q6_ppm = v63 + (-turn if half_turn < v63 else 0.0)
+            q6_pmp = v64 + (-turn if half_turn < v64 else 0.0)
+            q6_pmm = v65 + (-turn if half_turn < v65 else 0.0)
+            q6_mpp = v66 + (-turn if half_turn < v66 else 0.0)
+            q6_mpm = v67 + (-turn if half_turn < v67 else 0.0)
+            q6_mmp = v68 + (-turn if half_turn < v68 else 0.0)
+            q6_mmm = v69 + (-turn if half_turn < v69 else 0.0)
+            v70 = q2__pp + (turn if q2__pp < low2 else 0.0)
+            v71 = q2__pm + (turn if q2__pm < low2 else 0.0)
+            v72 = q2__mp + (turn if q2__mp < low2 else 0.0)
+            v73 = q2__mm + (turn if q2__mm < low2 else 0.0)
             v74 = v70 < low2 or high2 < v70
             v75 = v71 < low2 or high2 < v71
             v76 = v72 < low2 or high2 < v72
@@ -1788,18 +1797,18 @@ def _in_tiles(T, q, status):
             q2_pmp = q2__pm if v75 else v71
             q2_mpp = q2__mp if v76 else v72
             q2_mmp = q2__mm if v77 else v73
-            v78 = q3__p + (whole_turn if q3__p < low3 else 0.0)
-            v79 = q3__m + (whole_turn if q3__m < low3 else 0.0)
+            v78 = q3__p + (turn if q3__p < low3 else 0.0)
+            v79 = q3__m + (turn if q3__m < low3 else 0.0)
             v80 = v78 < low3 or high3 < v78
             v81 = v79 < low3 or high3 < v79
-            v82 = angle5 + (whole_turn if angle5 < low5 else 0.0)
-            v83 = (whole_turn if -angle5 < low5 else 0.0) - angle5
-            v84 = angle6 + (whole_turn if angle6 < low5 else 0.0)
-            v85 = (whole_turn if -angle6 < low5 else 0.0) - angle6
-            v86 = angle7 + (whole_turn if angle7 < low5 else 0.0)
-            v87 = (whole_turn if -angle7 < low5 else 0.0) - angle7
-            v88 = angle8 + (whole_turn if angle8 < low5 else 0.0)
-            v89 = (whole_turn if -angle8 < low5 else 0.0) - angle8
+            v82 = angle5 + (turn if angle5 < low5 else 0.0)
+            v83 = (turn if -angle5 < low5 else 0.0) - angle5
+            v84 = angle6 + (turn if angle6 < low5 else 0.0)
+            v85 = (turn if -angle6 < low5 else 0.0) - angle6
+            v86 = angle7 + (turn if angle7 < low5 else 0.0)
+            v87 = (turn if -angle7 < low5 else 0.0) - angle7
+            v88 = angle8 + (turn if angle8 < low5 else 0.0)
+            v89 = (turn if -angle8 < low5 else 0.0) - angle8
             v90 = v82 < low5 or high5 < v82
             v91 = v83 < low5 or high5 < v83
             v92 = v84 < low5 or high5 < v84
@@ -1816,8 +1825,8 @@ def _in_tiles(T, q, status):
             q5_mpm = -angle7 if v95 else v87
             q5_mmp = angle8 if v96 else v88
             q5_mmm = -angle8 if v97 else v89
-            q1_ppp = v4 + (v54 + (whole_turn if v54 <= -half_turn else 0.0))
-            q1_mpp = v4 + (v55 + (whole_turn if v55 <= -half_turn else 0.0))
+            q1_ppp = v4 + (v54 + (turn if v54 <= -half_turn else 0.0))
+            q1_mpp = v4 + (v55 + (turn if v55 <= -half_turn else 0.0))
             q3_ppp = v1 + (q3__p if v80 else v78)
             q3_pmp = v1 + (q3__m if v81 else v79)
             v98 = v74 or v80

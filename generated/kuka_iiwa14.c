@@ -186,10 +186,9 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -268,7 +267,6 @@ static const double
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     doubt_limit_squared2 = 1.705636e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 2.9091941644959998e-12, /* doubt_limit_squared2^2 [m^4] */
     m2 = 1e-06; /* doubt_limit^2 */
 
@@ -522,20 +520,20 @@ HELPER wide_mask solve_wide(
         angle10 = atan2_wide(s1_pm, c1_pm), v84 = angle10 - offset1,
         angle11 = atan2_wide(s1_mp, -v12), v85 = angle11 - offset1,
         angle12 = atan2_wide(s1_mm, -v13), v86 = angle12 - offset1,
-        q1_ppp = v83 + only_wide(v83 <= -half_turn, whole_turn),
-        q1_pmp = v84 + only_wide(v84 <= -half_turn, whole_turn),
-        q1_mpp = v85 + only_wide(v85 <= -half_turn, whole_turn),
-        q1_mmp = v86 + only_wide(v86 <= -half_turn, whole_turn), angle13 = atan2_wide(S2_pp, -v22),
+        q1_ppp = v83 + only_wide(v83 <= -half_turn, turn),
+        q1_pmp = v84 + only_wide(v84 <= -half_turn, turn),
+        q1_mpp = v85 + only_wide(v85 <= -half_turn, turn),
+        q1_mmp = v86 + only_wide(v86 <= -half_turn, turn), angle13 = atan2_wide(S2_pp, -v22),
         v87 = angle13 - offset2, angle14 = atan2_wide(-S2_mp, -v23), v88 = angle14 - offset2,
         angle15 = atan2_wide(S2_mp, -v23), v89 = angle15 - offset2,
         angle16 = atan2_wide(-S2_pp, -v22), v90 = angle16 - offset2,
-        q2_ppp = v87 + only_wide(v87 <= -half_turn, whole_turn),
-        q2_pmp = v88 + only_wide(v88 <= -half_turn, whole_turn),
-        q2_mpp = v89 + only_wide(v89 <= -half_turn, whole_turn),
-        q2_mmp = v90 + only_wide(v90 <= -half_turn, whole_turn), angle17 = atan2_wide(-v4, -v2),
+        q2_ppp = v87 + only_wide(v87 <= -half_turn, turn),
+        q2_pmp = v88 + only_wide(v88 <= -half_turn, turn),
+        q2_mpp = v89 + only_wide(v89 <= -half_turn, turn),
+        q2_mmp = v90 + only_wide(v90 <= -half_turn, turn), angle17 = atan2_wide(-v4, -v2),
         v91 = angle17 - offset4, v92 = offset4 + angle17,
-        q4__p = v91 + only_wide(v91 <= -half_turn, whole_turn),
-        q4__m = only_wide(-v92 <= -half_turn, whole_turn) - v92,
+        q4__p = v91 + only_wide(v91 <= -half_turn, turn),
+        q4__m = only_wide(-v92 <= -half_turn, turn) - v92,
         angle18 = atan2_wide(sqrt_wide(v48), v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp *
             v56 - v57) + v22 * (v54 + (c1_pp * v52 + s1_pp * v53)))),
         angle19 = atan2_wide(sqrt_wide(v49), v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 +
@@ -546,14 +544,14 @@ HELPER wide_mask solve_wide(
             - v13 * v55)) + v22 * (v54 + (v13 * v52 - s1_mm * v53))))), v93 = angle18 - offset6,
         v94 = offset6 + angle18, v95 = angle19 - offset6, v96 = offset6 + angle19,
         v97 = angle20 - offset6, v98 = offset6 + angle20, v99 = angle21 - offset6,
-        v100 = offset6 + angle21, q6_ppp = v93 + only_wide(v93 <= -half_turn, whole_turn),
-        q6_ppm = only_wide(-v94 <= -half_turn, whole_turn) - v94,
-        q6_pmp = v95 + only_wide(v95 <= -half_turn, whole_turn),
-        q6_pmm = only_wide(-v96 <= -half_turn, whole_turn) - v96,
-        q6_mpp = v97 + only_wide(v97 <= -half_turn, whole_turn),
-        q6_mpm = only_wide(-v98 <= -half_turn, whole_turn) - v98,
-        q6_mmp = v99 + only_wide(v99 <= -half_turn, whole_turn),
-        q6_mmm = only_wide(-v100 <= -half_turn, whole_turn) - v100;
+        v100 = offset6 + angle21, q6_ppp = v93 + only_wide(v93 <= -half_turn, turn),
+        q6_ppm = only_wide(-v94 <= -half_turn, turn) - v94,
+        q6_pmp = v95 + only_wide(v95 <= -half_turn, turn),
+        q6_pmm = only_wide(-v96 <= -half_turn, turn) - v96,
+        q6_mpp = v97 + only_wide(v97 <= -half_turn, turn),
+        q6_mpm = only_wide(-v98 <= -half_turn, turn) - v98,
+        q6_mmp = v99 + only_wide(v99 <= -half_turn, turn),
+        q6_mmm = only_wide(-v100 <= -half_turn, turn) - v100;
     const wide_mask v101 = beyond(free_joints[0], 3), v102 = beyond(q4__p, 4),
         v103 = beyond(q4__m, 4);
     const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4)), q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
@@ -678,11 +676,11 @@ HELPER int solve_regular(
         q7_m = angle2 - signed_four(half_turn, -(X5 * (c3 * v57 - factor2 * (S2 * v56 - v22 * (s3 *
             (c1 * T11 + s1 * T21)))) + Y5 * (v3 * (s3 * v57) + factor2 * (v22 * (v64 - (c1 * v58 +
             s1 * v59)) + S2 * (v63 + e1 * (c1 * v61 + s1 * v62)))))), v65 = angle3 - offset1,
-        q1_p = v65 + only_four(v65 <= -half_turn, whole_turn), v66 = angle4 - offset2,
-        q2_p = v66 + only_four(v66 <= -half_turn, whole_turn), v67 = e1 * angle5 - offset4,
-        q4_ = v67 + only_four(v67 <= -half_turn, whole_turn), v68 = angle6 - offset6,
-        v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, whole_turn),
-        q6_m = only_four(-v69 <= -half_turn, whole_turn) - v69;
+        q1_p = v65 + only_four(v65 <= -half_turn, turn), v66 = angle4 - offset2,
+        q2_p = v66 + only_four(v66 <= -half_turn, turn), v67 = e1 * angle5 - offset4,
+        q4_ = v67 + only_four(v67 <= -half_turn, turn), v68 = angle6 - offset6,
+        v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, turn),
+        q6_m = only_four(-v69 <= -half_turn, turn) - v69;
     const four_mask v71 = beyond_four(q4_, 4);
     const four q4_p = v6 + q4_;
     const four_mask v72 = v71 | where_four(v70) | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
@@ -1048,37 +1046,34 @@ static const double pace[7] = { 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[7], double e[6], double J[42])
+static double off_pose(const double T[16], const double x[7], double e[6])
 {
     double P[16], square = 0.0;
     kuka_iiwa14_fk(x, P);
-    kuka_iiwa14_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[7], const double J[42], double e[6], double x[7])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[7], double miss, double e[6], double x[7])
 {
-    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][13] = { { 0.0 } }, square[6] = { 0.0 }, J[42];
+    kuka_iiwa14_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 7; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[7 * i + j];
-        A[i][7 + i] = share;
+        A[i][7 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1095,19 +1090,17 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[7])
 {
-    double x[7], half[7], J[42], last = HUGE_VAL;
+    double x[7], half[7], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[7] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1115,20 +1108,17 @@ static int settle(const double T[16], double enough, double most, double q[7])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 7; i++) {
             const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1137,33 +1127,44 @@ static int settle(const double T[16], double enough, double most, double q[7])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[7])
+{
+    double x[7], half[7], off = beyond_limits(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double free_joints[1], const double seed[7], double q[8][7],
     unsigned char status[8])
 {
-    double x[7], half[7], J[42], least = HUGE_VAL;
+    double x[7], half[7], e[6], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 7; i++) {
+    for (int i = 0; i < 7; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    }
     x[2] = free_joints[0];
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KUKA_IIWA14_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KUKA_IIWA14_FREE_JOINT;
     take(x, q[place]);
@@ -1198,9 +1199,7 @@ APART int ik_carefully(
     for (int row = 0; row < 8; row++) {
         if (status[row] == KUKA_IIWA14_UNREACHABLE)
             continue;
-        const double off = beyond_limits(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 7; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)
@@ -1260,15 +1259,14 @@ void kuka_iiwa14_ik_batch(
     size_t k = 0;
 #if LANES > 1
     for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 56 * k, status + 8 * k);
+        unsigned left = solve_tile(T + 16 * k, free_joints + k, q + 56 * k, status + 8 * k);
         for (size_t i = k; left; i++, left >>= 1)
             if (left & 1u)
                 (void)kuka_iiwa14_ik(
-                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[7])(q + 56 * i),
-                    status + 8 * i);
+                    T + 16 * i, free_joints + i, NULL, (double (*)[7])(q + 56 * i), status + 8 * i);
     }
 #endif
     for (; k < n; k++)
         (void)kuka_iiwa14_ik(
-            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
+            T + 16 * k, free_joints + k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
 }

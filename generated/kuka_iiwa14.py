@@ -127,7 +127,6 @@ k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 doubt_limit_squared2 = 1.705636e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low1 = -2.9670597293903604
 high1 = 2.9670597293903604
 low2 = -2.0943951033931953
@@ -145,7 +144,7 @@ high7 = 3.054326191990077
 m1 = 2.9091941644959998e-12  # doubt_limit_squared2^2 [m^4]
 m2 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -190,7 +189,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -406,7 +405,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 23785e9e9a3e5d71"
+_KEY = "kuka_iiwa14 bf962ce89251cebb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -694,11 +693,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -708,8 +707,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -726,7 +725,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -875,39 +874,35 @@ _MISS_WEIGHT = np.array([0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(7):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 13)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 13)), np.zeros(6)
     for i in range(6):
         for j in range(7):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 7 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -931,7 +926,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(7):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -946,10 +941,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(7)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(7, np.bool_), np.empty((6, 7)), q.copy(), False
+    held, x, settled = np.zeros(7, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -964,7 +959,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(7):
             off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -988,6 +983,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(7), _beyond_limits(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, q_free, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -995,7 +1006,6 @@ def _stay(pose, q_free, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(7), np.empty(7), 0, math.inf
-    A = np.empty((6, 7))
     for i in range(7):
         x[i] = seed[i] - _overshoot(i, seed[i])
     x[2] = q_free[0]
@@ -1008,9 +1018,10 @@ def _stay(pose, q_free, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(7):
         q[place, i] = x[i]
@@ -1030,9 +1041,7 @@ def _whole(pose, q_free, seed, q, status):
     for row in range(8):
         if status[row] == UNREACHABLE:
             continue
-        off = _beyond_limits(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(7):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1221,8 +1230,8 @@ def _regular(pose, q_free, q, status):
     # joint values
     v91 = angle17 - offset4
     v92 = offset4 + angle17
-    q4__p = v91 + (whole_turn if v91 <= -half_turn else 0.0)
-    q4__m = (whole_turn if -v92 <= -half_turn else 0.0) - v92
+    q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
+    q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
     v102 = q4__p < low4 or high4 < q4__p
     v103 = q4__m < low4 or high4 < q4__m
     q3_ppp = v6 + (q_free[0] + (w4 - w4))
@@ -1370,18 +1379,18 @@ def _regular(pose, q_free, q, status):
     v84 = angle10 - offset1
     v85 = angle11 - offset1
     v86 = angle12 - offset1
-    q1_ppp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
-    q1_pmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
-    q1_mpp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
-    q1_mmp = v86 + (whole_turn if v86 <= -half_turn else 0.0)
+    q1_ppp = v83 + (turn if v83 <= -half_turn else 0.0)
+    q1_pmp = v84 + (turn if v84 <= -half_turn else 0.0)
+    q1_mpp = v85 + (turn if v85 <= -half_turn else 0.0)
+    q1_mmp = v86 + (turn if v86 <= -half_turn else 0.0)
     v87 = angle13 - offset2
     v88 = angle14 - offset2
     v89 = angle15 - offset2
     v90 = angle16 - offset2
-    q2_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
-    q2_pmp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
-    q2_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
-    q2_mmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
+    q2_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
+    q2_pmp = v88 + (turn if v88 <= -half_turn else 0.0)
+    q2_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
+    q2_mmp = v90 + (turn if v90 <= -half_turn else 0.0)
     v93 = angle18 - offset6
     v94 = offset6 + angle18
     v95 = angle19 - offset6
@@ -1390,14 +1399,14 @@ def _regular(pose, q_free, q, status):
     v98 = offset6 + angle20
     v99 = angle21 - offset6
     v100 = offset6 + angle21
-    q6_ppp = v93 + (whole_turn if v93 <= -half_turn else 0.0)
-    q6_ppm = (whole_turn if -v94 <= -half_turn else 0.0) - v94
-    q6_pmp = v95 + (whole_turn if v95 <= -half_turn else 0.0)
-    q6_pmm = (whole_turn if -v96 <= -half_turn else 0.0) - v96
-    q6_mpp = v97 + (whole_turn if v97 <= -half_turn else 0.0)
-    q6_mpm = (whole_turn if -v98 <= -half_turn else 0.0) - v98
-    q6_mmp = v99 + (whole_turn if v99 <= -half_turn else 0.0)
-    q6_mmm = (whole_turn if -v100 <= -half_turn else 0.0) - v100
+    q6_ppp = v93 + (turn if v93 <= -half_turn else 0.0)
+    q6_ppm = (turn if -v94 <= -half_turn else 0.0) - v94
+    q6_pmp = v95 + (turn if v95 <= -half_turn else 0.0)
+    q6_pmm = (turn if -v96 <= -half_turn else 0.0) - v96
+    q6_mpp = v97 + (turn if v97 <= -half_turn else 0.0)
+    q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
+    q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
+    q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
     v104 = v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
     v105 = v102 or v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
     v106 = v103 or v101 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
@@ -1612,7 +1621,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1962,8 +1971,8 @@ def _in_tiles(T, q_free, q, status):
             v82 = S2_mp * v58
             v91 = angle17 - offset4
             v92 = offset4 + angle17
-            q4__p = v91 + (whole_turn if v91 <= -half_turn else 0.0)
-            q4__m = (whole_turn if -v92 <= -half_turn else 0.0) - v92
+            q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
+            q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
             v102 = q4__p < low4 or high4 < q4__p
             v103 = q4__m < low4 or high4 < q4__m
             q3_ppp = v6 + (given1 + (w4 - w4))
@@ -2183,18 +2192,18 @@ def _in_tiles(T, q_free, q, status):
             v84 = angle10 - offset1
             v85 = angle11 - offset1
             v86 = angle12 - offset1
-            q1_ppp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
-            q1_pmp = v84 + (whole_turn if v84 <= -half_turn else 0.0)
-            q1_mpp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
-            q1_mmp = v86 + (whole_turn if v86 <= -half_turn else 0.0)
+            q1_ppp = v83 + (turn if v83 <= -half_turn else 0.0)
+            q1_pmp = v84 + (turn if v84 <= -half_turn else 0.0)
+            q1_mpp = v85 + (turn if v85 <= -half_turn else 0.0)
+            q1_mmp = v86 + (turn if v86 <= -half_turn else 0.0)
             v87 = angle13 - offset2
             v88 = angle14 - offset2
             v89 = angle15 - offset2
             v90 = angle16 - offset2
-            q2_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
-            q2_pmp = v88 + (whole_turn if v88 <= -half_turn else 0.0)
-            q2_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
-            q2_mmp = v90 + (whole_turn if v90 <= -half_turn else 0.0)
+            q2_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
+            q2_pmp = v88 + (turn if v88 <= -half_turn else 0.0)
+            q2_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
+            q2_mmp = v90 + (turn if v90 <= -half_turn else 0.0)
             v93 = angle18 - offset6
             v94 = offset6 + angle18
             v95 = angle19 - offset6
@@ -2203,14 +2212,14 @@ def _in_tiles(T, q_free, q, status):
             v98 = offset6 + angle20
             v99 = angle21 - offset6
             v100 = offset6 + angle21
-            q6_ppp = v93 + (whole_turn if v93 <= -half_turn else 0.0)
-            q6_ppm = (whole_turn if -v94 <= -half_turn else 0.0) - v94
-            q6_pmp = v95 + (whole_turn if v95 <= -half_turn else 0.0)
-            q6_pmm = (whole_turn if -v96 <= -half_turn else 0.0) - v96
-            q6_mpp = v97 + (whole_turn if v97 <= -half_turn else 0.0)
-            q6_mpm = (whole_turn if -v98 <= -half_turn else 0.0) - v98
-            q6_mmp = v99 + (whole_turn if v99 <= -half_turn else 0.0)
-            q6_mmm = (whole_turn if -v100 <= -half_turn else 0.0) - v100
+            q6_ppp = v93 + (turn if v93 <= -half_turn else 0.0)
+            q6_ppm = (turn if -v94 <= -half_turn else 0.0) - v94
+            q6_pmp = v95 + (turn if v95 <= -half_turn else 0.0)
+            q6_pmm = (turn if -v96 <= -half_turn else 0.0) - v96
+            q6_mpp = v97 + (turn if v97 <= -half_turn else 0.0)
+            q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
+            q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
+            q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
             v104 = (
                 v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
             )

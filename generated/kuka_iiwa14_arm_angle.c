@@ -188,10 +188,9 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER four irregularity_four(const double T[16], const double free_joints[1])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -267,7 +266,6 @@ static const double
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
     k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-24, /* free_limit^2 */
     m2 = 1e-06; /* doubt_limit^2 */
 
@@ -526,26 +524,26 @@ HELPER wide_mask solve_wide(
     const wide angle7 = atan2_wide(b22_p, -X1_p), angle8 = atan2_wide(b22_m, v29),
         v77 = angle7 - offset1, v78 = angle7 - signed_wide(half_turn, b22_p) - offset1,
         v79 = angle8 - offset1, v80 = angle8 - signed_wide(half_turn, b22_m) - offset1,
-        q1_ppp = v77 + only_wide(v77 <= -half_turn, whole_turn),
-        q1_pmp = v78 + only_wide(v78 <= -half_turn, whole_turn),
-        q1_mpp = v79 + only_wide(v79 <= -half_turn, whole_turn),
-        q1_mmp = v80 + only_wide(v80 <= -half_turn, whole_turn), angle9 = atan2_wide(w1_p, c2_p),
+        q1_ppp = v77 + only_wide(v77 <= -half_turn, turn),
+        q1_pmp = v78 + only_wide(v78 <= -half_turn, turn),
+        q1_mpp = v79 + only_wide(v79 <= -half_turn, turn),
+        q1_mmp = v80 + only_wide(v80 <= -half_turn, turn), angle9 = atan2_wide(w1_p, c2_p),
         angle10 = atan2_wide(w1_m, -v35), v81 = angle9 - offset2, v82 = offset2 + angle9,
         v83 = angle10 - offset2, v84 = offset2 + angle10,
-        q2_ppp = v81 + only_wide(v81 <= -half_turn, whole_turn),
-        q2_pmp = only_wide(-v82 <= -half_turn, whole_turn) - v82,
-        q2_mpp = v83 + only_wide(v83 <= -half_turn, whole_turn),
-        q2_mmp = only_wide(-v84 <= -half_turn, whole_turn) - v84, angle11 = atan2_wide(-v4, -v2),
+        q2_ppp = v81 + only_wide(v81 <= -half_turn, turn),
+        q2_pmp = only_wide(-v82 <= -half_turn, turn) - v82,
+        q2_mpp = v83 + only_wide(v83 <= -half_turn, turn),
+        q2_mmp = only_wide(-v84 <= -half_turn, turn) - v84, angle11 = atan2_wide(-v4, -v2),
         v85 = angle11 - offset4, v86 = offset4 + angle11,
-        q4_ppp = v85 + only_wide(v85 <= -half_turn, whole_turn),
-        q4_mpp = only_wide(-v86 <= -half_turn, whole_turn) - v86,
+        q4_ppp = v85 + only_wide(v85 <= -half_turn, turn),
+        q4_mpp = only_wide(-v86 <= -half_turn, turn) - v86,
         angle12 = atan2_wide(w5_p, -(v3 * v52 + (v42 * (v5 * v46) + v38 * (v5 * v48)))),
         angle13 = atan2_wide(w5_m, v43 * (v5 * v47) + v39 * (v5 * v49) - v3 * v53),
         v87 = angle12 - offset6, v88 = offset6 + angle12, v89 = angle13 - offset6,
-        v90 = offset6 + angle13, q6_ppp = v87 + only_wide(v87 <= -half_turn, whole_turn),
-        q6_ppm = only_wide(-v88 <= -half_turn, whole_turn) - v88,
-        q6_mpp = v89 + only_wide(v89 <= -half_turn, whole_turn),
-        q6_mpm = only_wide(-v90 <= -half_turn, whole_turn) - v90;
+        v90 = offset6 + angle13, q6_ppp = v87 + only_wide(v87 <= -half_turn, turn),
+        q6_ppm = only_wide(-v88 <= -half_turn, turn) - v88,
+        q6_mpp = v89 + only_wide(v89 <= -half_turn, turn),
+        q6_mpm = only_wide(-v90 <= -half_turn, turn) - v90;
     const wide_mask v91 = beyond(q4_ppp, 4), v92 = beyond(q4_mpp, 4), v93 = beyond(angle3, 5),
         v94 = beyond(q5_ppm, 5), v95 = beyond(angle4, 5), v96 = beyond(q5_mpm, 5),
         v97 = beyond(q6_ppp, 6), v98 = beyond(q6_ppm, 6), v99 = beyond(q6_mpp, 6),
@@ -678,11 +676,11 @@ HELPER int solve_regular(
         angle4 = shuffle(packed4, packed4, 1, 1, 3, 3);
     const four q3_p = angle1 + v34 * v35, q5_m = angle2 - signed_four(half_turn, Y5),
         q7_m = angle3 - signed_four(half_turn, v51), v53 = angle4 + v35 * v52 - offset1,
-        q1_p = v53 + only_four(v53 <= -half_turn, whole_turn), v54 = e2 * angle5 - offset2,
-        q2_p = v54 + only_four(v54 <= -half_turn, whole_turn), v55 = e1 * angle6 - offset4,
-        q4_p = v55 + only_four(v55 <= -half_turn, whole_turn), v56 = angle7 - offset6,
-        v57 = offset6 + angle7, q6_p = v56 + only_four(v56 <= -half_turn, whole_turn),
-        q6_m = only_four(-v57 <= -half_turn, whole_turn) - v57;
+        q1_p = v53 + only_four(v53 <= -half_turn, turn), v54 = e2 * angle5 - offset2,
+        q2_p = v54 + only_four(v54 <= -half_turn, turn), v55 = e1 * angle6 - offset4,
+        q4_p = v55 + only_four(v55 <= -half_turn, turn), v56 = angle7 - offset6,
+        v57 = offset6 + angle7, q6_p = v56 + only_four(v56 <= -half_turn, turn),
+        q6_m = only_four(-v57 <= -half_turn, turn) - v57;
     const four_mask v58 = beyond_four(q4_p, 4), v59 = beyond_four(angle2, 5),
         v60 = beyond_four(q5_m, 5), v61 = beyond_four(q6_p, 6), v62 = beyond_four(q6_m, 6),
         v63 = beyond_four(angle3, 7), v64 = beyond_four(q7_m, 7),
@@ -1111,15 +1109,14 @@ void kuka_iiwa14_arm_angle_ik_batch(
     size_t k = 0;
 #if LANES > 1
     for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 56 * k, status + 8 * k);
+        unsigned left = solve_tile(T + 16 * k, free_joints + k, q + 56 * k, status + 8 * k);
         for (size_t i = k; left; i++, left >>= 1)
             if (left & 1u)
                 (void)kuka_iiwa14_arm_angle_ik(
-                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[7])(q + 56 * i),
-                    status + 8 * i);
+                    T + 16 * i, free_joints + i, NULL, (double (*)[7])(q + 56 * i), status + 8 * i);
     }
 #endif
     for (; k < n; k++)
         (void)kuka_iiwa14_arm_angle_ik(
-            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
+            T + 16 * k, free_joints + k, NULL, (double (*)[7])(q + 56 * k), status + 8 * k);
 }

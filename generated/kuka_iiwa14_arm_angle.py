@@ -124,7 +124,6 @@ k1 = 0.336  # 2 * d5 * d3 [m^2]
 k2 = 0.33640000000000003  # d3^2 + d5^2 [m^2]
 k3 = 8.857709750566894  # 1 / (k1^2) [m^-4]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low1 = -2.9670597293903604
 high1 = 2.9670597293903604
 low2 = -2.0943951033931953
@@ -142,7 +141,7 @@ high7 = 3.054326191990077
 m1 = 1e-24  # free_limit^2
 m2 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -187,7 +186,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -462,7 +461,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle eb9b683df41cdd2b"
+_KEY = "kuka_iiwa14_arm_angle 64625ea0d0e1abde"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -728,11 +727,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -742,8 +741,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -760,7 +759,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -1076,8 +1075,8 @@ def _regular(pose, q_free, q, status):
     # joint values
     v85 = angle11 - offset4
     v86 = offset4 + angle11
-    q4_ppp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
-    q4_mpp = (whole_turn if -v86 <= -half_turn else 0.0) - v86
+    q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
+    q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
     v91 = q4_ppp < low4 or high4 < q4_ppp
     v92 = q4_mpp < low4 or high4 < q4_mpp
     doubt1 = (
@@ -1150,26 +1149,26 @@ def _regular(pose, q_free, q, status):
     v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
     v79 = angle8 - offset1
     v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
-    q1_ppp = v77 + (whole_turn if v77 <= -half_turn else 0.0)
-    q1_pmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-    q1_mpp = v79 + (whole_turn if v79 <= -half_turn else 0.0)
-    q1_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+    q1_ppp = v77 + (turn if v77 <= -half_turn else 0.0)
+    q1_pmp = v78 + (turn if v78 <= -half_turn else 0.0)
+    q1_mpp = v79 + (turn if v79 <= -half_turn else 0.0)
+    q1_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
     v81 = angle9 - offset2
     v82 = offset2 + angle9
     v83 = angle10 - offset2
     v84 = offset2 + angle10
-    q2_ppp = v81 + (whole_turn if v81 <= -half_turn else 0.0)
-    q2_pmp = (whole_turn if -v82 <= -half_turn else 0.0) - v82
-    q2_mpp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
-    q2_mmp = (whole_turn if -v84 <= -half_turn else 0.0) - v84
+    q2_ppp = v81 + (turn if v81 <= -half_turn else 0.0)
+    q2_pmp = (turn if -v82 <= -half_turn else 0.0) - v82
+    q2_mpp = v83 + (turn if v83 <= -half_turn else 0.0)
+    q2_mmp = (turn if -v84 <= -half_turn else 0.0) - v84
     v87 = angle12 - offset6
     v88 = offset6 + angle12
     v89 = angle13 - offset6
     v90 = offset6 + angle13
-    q6_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
-    q6_ppm = (whole_turn if -v88 <= -half_turn else 0.0) - v88
-    q6_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
-    q6_mpm = (whole_turn if -v90 <= -half_turn else 0.0) - v90
+    q6_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
+    q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
+    q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
+    q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
     v93 = angle3 < low5 or high5 < angle3
     v94 = q5_ppm < low5 or high5 < q5_ppm
     v95 = angle4 < low5 or high5 < angle4
@@ -1384,7 +1383,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1710,8 +1709,8 @@ def _in_tiles(T, q_free, q, status):
             )
             v85 = angle11 - offset4
             v86 = offset4 + angle11
-            q4_ppp = v85 + (whole_turn if v85 <= -half_turn else 0.0)
-            q4_mpp = (whole_turn if -v86 <= -half_turn else 0.0) - v86
+            q4_ppp = v85 + (turn if v85 <= -half_turn else 0.0)
+            q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
             v91 = q4_ppp < low4 or high4 < q4_ppp
             v92 = q4_mpp < low4 or high4 < q4_mpp
             doubt1 = (
@@ -1799,26 +1798,26 @@ def _in_tiles(T, q_free, q, status):
             v78 = angle7 - math.copysign(half_turn, b22_p) - offset1
             v79 = angle8 - offset1
             v80 = angle8 - math.copysign(half_turn, b22_m) - offset1
-            q1_ppp = v77 + (whole_turn if v77 <= -half_turn else 0.0)
-            q1_pmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-            q1_mpp = v79 + (whole_turn if v79 <= -half_turn else 0.0)
-            q1_mmp = v80 + (whole_turn if v80 <= -half_turn else 0.0)
+            q1_ppp = v77 + (turn if v77 <= -half_turn else 0.0)
+            q1_pmp = v78 + (turn if v78 <= -half_turn else 0.0)
+            q1_mpp = v79 + (turn if v79 <= -half_turn else 0.0)
+            q1_mmp = v80 + (turn if v80 <= -half_turn else 0.0)
             v81 = angle9 - offset2
             v82 = offset2 + angle9
             v83 = angle10 - offset2
             v84 = offset2 + angle10
-            q2_ppp = v81 + (whole_turn if v81 <= -half_turn else 0.0)
-            q2_pmp = (whole_turn if -v82 <= -half_turn else 0.0) - v82
-            q2_mpp = v83 + (whole_turn if v83 <= -half_turn else 0.0)
-            q2_mmp = (whole_turn if -v84 <= -half_turn else 0.0) - v84
+            q2_ppp = v81 + (turn if v81 <= -half_turn else 0.0)
+            q2_pmp = (turn if -v82 <= -half_turn else 0.0) - v82
+            q2_mpp = v83 + (turn if v83 <= -half_turn else 0.0)
+            q2_mmp = (turn if -v84 <= -half_turn else 0.0) - v84
             v87 = angle12 - offset6
             v88 = offset6 + angle12
             v89 = angle13 - offset6
             v90 = offset6 + angle13
-            q6_ppp = v87 + (whole_turn if v87 <= -half_turn else 0.0)
-            q6_ppm = (whole_turn if -v88 <= -half_turn else 0.0) - v88
-            q6_mpp = v89 + (whole_turn if v89 <= -half_turn else 0.0)
-            q6_mpm = (whole_turn if -v90 <= -half_turn else 0.0) - v90
+            q6_ppp = v87 + (turn if v87 <= -half_turn else 0.0)
+            q6_ppm = (turn if -v88 <= -half_turn else 0.0) - v88
+            q6_mpp = v89 + (turn if v89 <= -half_turn else 0.0)
+            q6_mpm = (turn if -v90 <= -half_turn else 0.0) - v90
             v93 = angle3 < low5 or high5 < angle3
             v94 = q5_ppm < low5 or high5 < q5_ppm
             v95 = angle4 < low5 or high5 < angle4

@@ -123,7 +123,6 @@ k3 = 3.815416  # a2^2 + (d4^2 + a3^2) [m^2]
 k4 = 0.07101907039587806  # 1 / (k1^2 + k2^2) [m^-4]
 doubt_limit_squared2 = 1.7698848999999998e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 1.7698848999999998e-05  # doubt_limit1^2 [m^2]
 m3 = 0.009587574503443538  # a coefficient of v4
 m4 = 1.016127365600848  # a coefficient of v4
@@ -133,7 +132,7 @@ m7 = 0.4  # a coefficient of X2_2
 m8 = 0.27616640000000003  # a coefficient of X2_2
 m9 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -178,7 +177,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -365,7 +364,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_kr210 fcd62c0d08991927"
+_KEY = "kuka_kr210 541a94a820fd453a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -588,11 +587,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -603,39 +602,35 @@ _MISS_WEIGHT = np.array([0.2377, 0.2377, 0.2377, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -659,7 +654,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -673,10 +668,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(6)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -691,7 +686,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -717,7 +712,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -727,9 +721,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -950,10 +945,10 @@ def _regular(pose, q, status):
     v47 = angle19 - offset2
     v48 = angle20 - offset2
     v49 = angle21 - offset2
-    q2_ppp = v46 + (-whole_turn if half_turn < v46 else 0.0)
-    q2_pmp = v47 + (-whole_turn if half_turn < v47 else 0.0)
-    q2_mpp = v48 + (-whole_turn if half_turn < v48 else 0.0)
-    q2_mmp = v49 + (-whole_turn if half_turn < v49 else 0.0)
+    q2_ppp = v46 + (-turn if half_turn < v46 else 0.0)
+    q2_pmp = v47 + (-turn if half_turn < v47 else 0.0)
+    q2_mpp = v48 + (-turn if half_turn < v48 else 0.0)
+    q2_mmp = v49 + (-turn if half_turn < v49 else 0.0)
     q1_ppp = angle1 + (w3_p - w3_p)
     q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
 
@@ -1120,7 +1115,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1437,10 +1432,10 @@ def _in_tiles(T, q, status):
             v47 = angle19 - offset2
             v48 = angle20 - offset2
             v49 = angle21 - offset2
-            q2_ppp = v46 + (-whole_turn if half_turn < v46 else 0.0)
-            q2_pmp = v47 + (-whole_turn if half_turn < v47 else 0.0)
-            q2_mpp = v48 + (-whole_turn if half_turn < v48 else 0.0)
-            q2_mmp = v49 + (-whole_turn if half_turn < v49 else 0.0)
+            q2_ppp = v46 + (-turn if half_turn < v46 else 0.0)
+            q2_pmp = v47 + (-turn if half_turn < v47 else 0.0)
+            q2_mpp = v48 + (-turn if half_turn < v48 else 0.0)
+            q2_mmp = v49 + (-turn if half_turn < v49 else 0.0)
             q1_ppp = angle1 + (w3_p - w3_p)
             q1_mpp = angle1 - math.copysign(half_turn, Y1) + (w3_m - w3_m)
             _1104 = q1_ppp

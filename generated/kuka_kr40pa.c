@@ -174,10 +174,9 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -517,7 +516,6 @@ static const double
     k2 = 0.7812499999999999, /* 1 / k1 [m^-2] */
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 4.8399999999999986e-06,
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
     m3 = 1e-24, /* exact_slack^2 */
@@ -663,12 +661,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         + v17 * v17))))) | ((m4 < v28) & (v28 <= m5)) | ((m4 < v29) & (v29 <= m5));
 
     q[0] = v33 + v35; q[1] = angle3 + v33; q[2] = angle2 + v33;
-    q[3] = v33 + (v30 + pick_wide(v30 <= -half_turn, all_wide(whole_turn), only_wide(half_turn <
-        v30, -whole_turn)));
+    q[3] = v33 + (v30 + pick_wide(v30 <= -half_turn, all_wide(turn), only_wide(half_turn < v30,
+        -turn)));
     kind[0] = kind_of(q[0], 0);
     q[4] = v34 + v35; q[5] = angle4 + v34; q[6] = v34 - angle2;
-    q[7] = v34 + (v31 + pick_wide(v31 <= -half_turn, all_wide(whole_turn), only_wide(half_turn <
-        v31, -whole_turn)));
+    q[7] = v34 + (v31 + pick_wide(v31 <= -half_turn, all_wide(turn), only_wide(half_turn < v31,
+        -turn)));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -729,8 +727,8 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3);
     const four v26 = e1 * angle2, v27 = angle1 - (angle3 + v26), v30 = angle4 + (w3 - w3),
         q1 = v29 + v30, q2 = angle3 + v29, q3 = v26 + v29,
-        q4 = v29 + (v27 + pick_four(v27 <= -half_turn, all_four(whole_turn), only_four(half_turn <
-            v27, -whole_turn)));
+        q4 = v29 + (v27 + pick_four(v27 <= -half_turn, all_four(turn), only_four(half_turn < v27,
+            -turn)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -1148,37 +1146,34 @@ static const double pace[4] = { 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[4], double e[6], double J[24])
+static double off_pose(const double T[16], const double x[4], double e[6])
 {
     double P[16], square = 0.0;
     kuka_kr40pa_fk(x, P);
-    kuka_kr40pa_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[4], const double J[24], double e[6], double x[4])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[4], double miss, double e[6], double x[4])
 {
-    double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
+    kuka_kr40pa_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[4 * i + j];
-        A[i][4 + i] = share;
+        A[i][4 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1195,16 +1190,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[4])
 {
-    double x[4], half[4], J[24], last = HUGE_VAL;
+    double x[4], half[4], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1212,13 +1207,12 @@ static int settle(const double T[16], double enough, double most, double q[4])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -1232,22 +1226,21 @@ static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
-    double x[4], half[4], J[24], least = HUGE_VAL;
+    double x[4], half[4], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KUKA_KR40PA_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KUKA_KR40PA_FREE_JOINT;
     take(x, q[place]);

@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -189,7 +188,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -269,7 +268,6 @@ static const double
     k4 = 6.821542862115762, /* 1 / (k1^2 + k2^2) [m^-4] */
     doubt_limit_squared2 = 2.002225e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     turn1 = 1.5113426674862398, /* a constant angle [rad] */
     m1 = 2.002225e-06, /* doubt_limit1^2 [m^2] */
     m9 = 1e-06; /* doubt_limit^2 */
@@ -439,17 +437,16 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v43 = angle10 - offset2, angle11 = atan2_wide(-(v6 + v42), -(v8 + w3_p * v11)),
         v44 = angle11 - offset2, angle12 = atan2_wide(w3_m * (m3 * v4) - v7, -(v9 + w3_m * v10)),
         v45 = angle12 - offset2, angle13 = atan2_wide(w3_m * (m3 * -v4) - v7, -(v9 + w3_m * v11)),
-        v46 = angle13 - offset2, q2_ppp = v43 + only_wide(half_turn < v43, -whole_turn),
-        q2_pmp = v44 + only_wide(half_turn < v44, -whole_turn),
-        q2_mpp = v45 + only_wide(half_turn < v45, -whole_turn),
-        q2_mmp = v46 + only_wide(half_turn < v46, -whole_turn),
-        angle14 = atan2_wide(w3_p, N3_p - k3), angle15 = atan2_wide(w3_m, N3_m - k3),
-        v47 = angle14 - turn1 - offset3, v48 = offset3 + (turn1 + angle14),
-        v49 = angle15 - turn1 - offset3, v50 = offset3 + (turn1 + angle15),
-        q3_ppp = v47 + only_wide(half_turn < v47, -whole_turn),
-        q3_pmp = only_wide(half_turn < -v48, -whole_turn) - v48,
-        q3_mpp = v49 + only_wide(half_turn < v49, -whole_turn),
-        q3_mmp = only_wide(half_turn < -v50, -whole_turn) - v50,
+        v46 = angle13 - offset2, q2_ppp = v43 + only_wide(half_turn < v43, -turn),
+        q2_pmp = v44 + only_wide(half_turn < v44, -turn),
+        q2_mpp = v45 + only_wide(half_turn < v45, -turn),
+        q2_mmp = v46 + only_wide(half_turn < v46, -turn), angle14 = atan2_wide(w3_p, N3_p - k3),
+        angle15 = atan2_wide(w3_m, N3_m - k3), v47 = angle14 - turn1 - offset3,
+        v48 = offset3 + (turn1 + angle14), v49 = angle15 - turn1 - offset3,
+        v50 = offset3 + (turn1 + angle15), q3_ppp = v47 + only_wide(half_turn < v47, -turn),
+        q3_pmp = only_wide(half_turn < -v48, -turn) - v48,
+        q3_mpp = v49 + only_wide(half_turn < v49, -turn),
+        q3_mmp = only_wide(half_turn < -v50, -turn) - v50,
         angle16 = atan2_wide(sqrt_wide(v28), T33 * c23_pp + s23_pp * v26),
         angle17 = atan2_wide(sqrt_wide(v29), T33 * c23_pm + s23_pm * v26),
         angle18 = atan2_wide(sqrt_wide(v30), T33 * c23_mp - s23_mp * v26),
@@ -465,32 +462,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (v29 <= m9) | (v1 <= m1) | (v28 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle2;
-    q[4] = v51 + only_wide(v51 <= -half_turn, whole_turn); q[5] = angle6;
+    q[4] = v51 + only_wide(v51 <= -half_turn, turn); q[5] = angle6;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle2 - v32;
-    q[10] = only_wide(-v52 <= -half_turn, whole_turn) - v52;
-    q[11] = angle6 - signed_wide(half_turn, v38);
+    q[10] = only_wide(-v52 <= -half_turn, turn) - v52; q[11] = angle6 - signed_wide(half_turn, v38);
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle3;
-    q[16] = v53 + only_wide(v53 <= -half_turn, whole_turn); q[17] = angle7;
+    q[16] = v53 + only_wide(v53 <= -half_turn, turn); q[17] = angle7;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle3 - v32;
-    q[22] = only_wide(-v54 <= -half_turn, whole_turn) - v54;
-    q[23] = angle7 - signed_wide(half_turn, v39);
+    q[22] = only_wide(-v54 <= -half_turn, turn) - v54; q[23] = angle7 - signed_wide(half_turn, v39);
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle4;
-    q[28] = v55 + only_wide(v55 <= -half_turn, whole_turn); q[29] = angle8;
+    q[28] = v55 + only_wide(v55 <= -half_turn, turn); q[29] = angle8;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle4 - v33;
-    q[34] = only_wide(-v56 <= -half_turn, whole_turn) - v56;
-    q[35] = angle8 - signed_wide(half_turn, v40);
+    q[34] = only_wide(-v56 <= -half_turn, turn) - v56; q[35] = angle8 - signed_wide(half_turn, v40);
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle5;
-    q[40] = v57 + only_wide(v57 <= -half_turn, whole_turn); q[41] = angle9;
+    q[40] = v57 + only_wide(v57 <= -half_turn, turn); q[41] = angle9;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle5 - v33;
-    q[46] = only_wide(-v58 <= -half_turn, whole_turn) - v58;
-    q[47] = angle9 - signed_wide(half_turn, v41);
+    q[46] = only_wide(-v58 <= -half_turn, turn) - v58; q[47] = angle9 - signed_wide(half_turn, v41);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -556,11 +549,11 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle2 = angle_four(ratio3), angle3 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q4_m = angle2 - v21, q6_m = angle3 - signed_four(half_turn, v26),
-        v27 = angle4 - offset2, q2_p = v27 + only_four(half_turn < v27, -whole_turn),
-        v28 = e2 * angle5 - turn1 - offset3, q3_p = v28 + only_four(half_turn < v28, -whole_turn),
+        v27 = angle4 - offset2, q2_p = v27 + only_four(half_turn < v27, -turn),
+        v28 = e2 * angle5 - turn1 - offset3, q3_p = v28 + only_four(half_turn < v28, -turn),
         v29 = angle6 - offset5, v30 = offset5 + angle6,
-        q5_p = v29 + only_four(v29 <= -half_turn, whole_turn),
-        q5_m = only_four(-v30 <= -half_turn, whole_turn) - v30,
+        q5_p = v29 + only_four(v29 <= -half_turn, turn),
+        q5_m = only_four(-v30 <= -half_turn, turn) - v30,
         q1_p = angle1 + v3 * (m2 * (e1 - 1.0)) + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
@@ -769,37 +762,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     kuka_kr6_r900_fk(x, P);
-    kuka_kr6_r900_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    kuka_kr6_r900_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -816,16 +806,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -833,13 +823,12 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -853,22 +842,21 @@ static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KUKA_KR6_R900_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KUKA_KR6_R900_FREE_JOINT;
     take(x, q[place]);

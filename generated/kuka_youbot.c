@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 {
     *r0 = a[0];
@@ -185,7 +184,7 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -263,7 +262,6 @@ static const double
     k1 = 0.04225, /* a2^2 + a3^2 [m^2] */
     k2 = 23.894862604540023, /* 1 / (2 * a3 * a2) [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 4.7265624999999995e-07, /* doubt_limit1^2 [m^2] */
     m3 = 1e-12, /* doubt_limit_squared^2 */
     m6 = 2.234039306640625e-13, /* doubt_limit_squared2^2 [m^4] */
@@ -445,14 +443,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v80 = angle9 - offset2, v81 = angle2 - (angle4 + angle6) - offset4,
         v82 = angle2 - (angle7 - angle4) - offset4, v83 = offset4 + (angle2 + (angle5 + angle8)),
         v84 = offset4 + (angle2 + (angle9 - angle5)),
-        v85 = v81 + pick_wide(v81 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v81,
-            -whole_turn)),
-        v86 = v82 + pick_wide(v82 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v82,
-            -whole_turn)),
-        v87 = pick_wide(-v83 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v83,
-            -whole_turn)) - v83,
-        v88 = pick_wide(-v84 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v84,
-            -whole_turn)) - v84;
+        v85 = v81 + pick_wide(v81 <= -half_turn, all_wide(turn), only_wide(half_turn < v81, -turn)),
+        v86 = v82 + pick_wide(v82 <= -half_turn, all_wide(turn), only_wide(half_turn < v82, -turn)),
+        v87 = pick_wide(-v83 <= -half_turn, all_wide(turn), only_wide(half_turn < -v83, -turn)) -
+            v83,
+        v88 = pick_wide(-v84 <= -half_turn, all_wide(turn), only_wide(half_turn < -v84, -turn)) -
+            v84;
     const double v89 = NAN;
     const wide v90 = only_wide((v73 <= m10) == 0, v89), v91 = only_wide((v74 <= m10) == 0, v89),
         v92 = only_wide((v75 <= m10) == 0, v89), v93 = only_wide((v76 <= m10) == 0, v89),
@@ -466,20 +462,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
         longest3_apart)) == 0));
 
-    q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, whole_turn));
-    q[2] = angle4 + v90; q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, whole_turn));
-    q[4] = v90 + v96;
+    q[0] = v90 + v94; q[1] = v90 + (v77 + only_wide(v77 <= -half_turn, turn)); q[2] = angle4 + v90;
+    q[3] = v90 + (v85 + only_wide(v85 <= -half_turn, turn)); q[4] = v90 + v96;
     kind[0] = kind_of(q[0], 0);
-    q[5] = v91 + v94; q[6] = v91 + (v78 + only_wide(v78 <= -half_turn, whole_turn));
-    q[7] = v91 - angle4; q[8] = v91 + (v86 + only_wide(v86 <= -half_turn, whole_turn));
-    q[9] = v91 + v96;
+    q[5] = v91 + v94; q[6] = v91 + (v78 + only_wide(v78 <= -half_turn, turn)); q[7] = v91 - angle4;
+    q[8] = v91 + (v86 + only_wide(v86 <= -half_turn, turn)); q[9] = v91 + v96;
     kind[1] = kind_of(q[5], 0);
-    q[10] = v92 + v95; q[11] = v92 + (v79 + only_wide(v79 <= -half_turn, whole_turn));
-    q[12] = angle5 + v92; q[13] = v92 + (v87 + only_wide(v87 <= -half_turn, whole_turn));
+    q[10] = v92 + v95; q[11] = v92 + (v79 + only_wide(v79 <= -half_turn, turn));
+    q[12] = angle5 + v92; q[13] = v92 + (v87 + only_wide(v87 <= -half_turn, turn));
     q[14] = v92 + v97;
     kind[2] = kind_of(q[10], 0);
-    q[15] = v93 + v95; q[16] = v93 + (v80 + only_wide(v80 <= -half_turn, whole_turn));
-    q[17] = v93 - angle5; q[18] = v93 + (v88 + only_wide(v88 <= -half_turn, whole_turn));
+    q[15] = v93 + v95; q[16] = v93 + (v80 + only_wide(v80 <= -half_turn, turn));
+    q[17] = v93 - angle5; q[18] = v93 + (v88 + only_wide(v88 <= -half_turn, turn));
     q[19] = v93 + v97;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -560,11 +554,11 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle5 = angle_four(ratio3);
     const four v49 = angle5 - offset2, v50 = e2 * angle4, v51 = e1 * angle2,
         v52 = v51 - (angle5 + v50) - offset4,
-        v53 = v52 + pick_four(v52 <= -half_turn, all_four(whole_turn), only_four(half_turn < v52,
-            -whole_turn)), v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
-        q2 = v55 + (v49 + only_four(v49 <= -half_turn, whole_turn)), q3 = v50 + v55,
-        q4 = v55 + (v53 + only_four(v53 <= -half_turn, whole_turn)),
-        v57 = v23 + (angle3 + v7 * v14), q5 = v55 + v57;
+        v53 = v52 + pick_four(v52 <= -half_turn, all_four(turn), only_four(half_turn < v52, -turn)),
+        v56 = v23 + (angle1 + v6 * v7), q1 = v55 + v56,
+        q2 = v55 + (v49 + only_four(v49 <= -half_turn, turn)), q3 = v50 + v55,
+        q4 = v55 + (v53 + only_four(v53 <= -half_turn, turn)), v57 = v23 + (angle3 + v7 * v14),
+        q5 = v55 + v57;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -901,37 +895,34 @@ static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[5], double e[6], double J[30])
+static double off_pose(const double T[16], const double x[5], double e[6])
 {
     double P[16], square = 0.0;
     kuka_youbot_fk(x, P);
-    kuka_youbot_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[5], const double J[30], double e[6], double x[5])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[5], double miss, double e[6], double x[5])
 {
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
+    kuka_youbot_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = share;
+        A[i][5 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -948,16 +939,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], half[5], J[30], last = HUGE_VAL;
+    double x[5], half[5], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -965,13 +956,12 @@ static int settle(const double T[16], double enough, double most, double q[5])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -985,22 +975,21 @@ static void stay(
     const double T[16], const double seed[5], double q[4][5],
     unsigned char status[4])
 {
-    double x[5], half[5], J[30], least = HUGE_VAL;
+    double x[5], half[5], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != KUKA_YOUBOT_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = KUKA_YOUBOT_FREE_JOINT;
     take(x, q[place]);

@@ -119,7 +119,6 @@ pose_slack1 = 6.875e-06  # a pose may be rounded by this [m]
 k1 = 0.04225  # a2^2 + a3^2 [m^2]
 k2 = 23.894862604540023  # 1 / (2 * a3 * a2) [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 4.7265624999999995e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 3.2258064516129035  # a coefficient of S2
@@ -131,7 +130,7 @@ m9 = 1.0000000000000002e-10  # pose_slack^2
 m10 = 4.7265625e-11  # pose_slack1^2 [m^2]
 m11 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -176,7 +175,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -346,7 +345,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_youbot f21dd046d9989ee3"
+_KEY = "kuka_youbot 6aee209a3b9dd421"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -591,18 +590,18 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -767,39 +766,35 @@ _MISS_WEIGHT = np.array([1.455, 1.455, 1.455, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(5):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 11)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 11)), np.zeros(6)
     for i in range(6):
         for j in range(5):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -823,7 +818,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(5):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -837,10 +832,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(5)
-    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
+    held, x, settled = np.zeros(5, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -855,7 +850,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -881,7 +876,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
-    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -891,9 +885,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]
@@ -1109,28 +1104,28 @@ def _regular(pose, q, status):
     v82 = angle2 - (angle7 - angle4) - offset4
     v83 = offset4 + (angle2 + (angle5 + angle8))
     v84 = offset4 + (angle2 + (angle9 - angle5))
-    v85 = v81 + (whole_turn if v81 <= -half_turn else (-whole_turn if half_turn < v81 else 0.0))
-    v86 = v82 + (whole_turn if v82 <= -half_turn else (-whole_turn if half_turn < v82 else 0.0))
-    v87 = (whole_turn if -v83 <= -half_turn else (-whole_turn if half_turn < -v83 else 0.0)) - v83
-    v88 = (whole_turn if -v84 <= -half_turn else (-whole_turn if half_turn < -v84 else 0.0)) - v84
+    v85 = v81 + (turn if v81 <= -half_turn else (-turn if half_turn < v81 else 0.0))
+    v86 = v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0))
+    v87 = (turn if -v83 <= -half_turn else (-turn if half_turn < -v83 else 0.0)) - v83
+    v88 = (turn if -v84 <= -half_turn else (-turn if half_turn < -v84 else 0.0)) - v84
     v94 = angle1 + v22
     v95 = v23 + (angle1 - math.copysign(half_turn, v3))
     q1_pp = v90 + v94
     q1_pm = v91 + v94
     q1_mp = v92 + v95
     q1_mm = v93 + v95
-    q2_pp = v90 + (v77 + (whole_turn if v77 <= -half_turn else 0.0))
-    q2_pm = v91 + (v78 + (whole_turn if v78 <= -half_turn else 0.0))
-    q2_mp = v92 + (v79 + (whole_turn if v79 <= -half_turn else 0.0))
-    q2_mm = v93 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
+    q2_pp = v90 + (v77 + (turn if v77 <= -half_turn else 0.0))
+    q2_pm = v91 + (v78 + (turn if v78 <= -half_turn else 0.0))
+    q2_mp = v92 + (v79 + (turn if v79 <= -half_turn else 0.0))
+    q2_mm = v93 + (v80 + (turn if v80 <= -half_turn else 0.0))
     q3_pp = angle4 + v90
     q3_pm = v91 - angle4
     q3_mp = angle5 + v92
     q3_mm = v93 - angle5
-    q4_pp = v90 + (v85 + (whole_turn if v85 <= -half_turn else 0.0))
-    q4_pm = v91 + (v86 + (whole_turn if v86 <= -half_turn else 0.0))
-    q4_mp = v92 + (v87 + (whole_turn if v87 <= -half_turn else 0.0))
-    q4_mm = v93 + (v88 + (whole_turn if v88 <= -half_turn else 0.0))
+    q4_pp = v90 + (v85 + (turn if v85 <= -half_turn else 0.0))
+    q4_pm = v91 + (v86 + (turn if v86 <= -half_turn else 0.0))
+    q4_mp = v92 + (v87 + (turn if v87 <= -half_turn else 0.0))
+    q4_mm = v93 + (v88 + (turn if v88 <= -half_turn else 0.0))
     v96 = angle3 + v22
     v97 = v23 + (angle3 - math.copysign(half_turn, -S5))
     q5_pp = v90 + v96
@@ -1269,7 +1264,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1587,40 +1582,28 @@ def _in_tiles(T, q, status):
             v82 = angle2 - (angle7 - angle4) - offset4
             v83 = offset4 + (angle2 + (angle5 + angle8))
             v84 = offset4 + (angle2 + (angle9 - angle5))
-            v85 = (
-                v81 + (whole_turn if v81 <= -half_turn else (-whole_turn if half_turn < v81 else
-                0.0))
-            )
-            v86 = (
-                v82 + (whole_turn if v82 <= -half_turn else (-whole_turn if half_turn < v82 else
-                0.0))
-            )
-            v87 = (
-                (whole_turn if -v83 <= -half_turn else (-whole_turn if half_turn < -v83 else 0.0)) -
-                v83
-            )
-            v88 = (
-                (whole_turn if -v84 <= -half_turn else (-whole_turn if half_turn < -v84 else 0.0)) -
-                v84
-            )
+            v85 = v81 + (turn if v81 <= -half_turn else (-turn if half_turn < v81 else 0.0))
+            v86 = v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0))
+            v87 = (turn if -v83 <= -half_turn else (-turn if half_turn < -v83 else 0.0)) - v83
+            v88 = (turn if -v84 <= -half_turn else (-turn if half_turn < -v84 else 0.0)) - v84
             v94 = angle1 + v22
             v95 = v23 + (angle1 - math.copysign(half_turn, v3))
             q1_pp = v90 + v94
             q1_pm = v91 + v94
             q1_mp = v92 + v95
             q1_mm = v93 + v95
-            q2_pp = v90 + (v77 + (whole_turn if v77 <= -half_turn else 0.0))
-            q2_pm = v91 + (v78 + (whole_turn if v78 <= -half_turn else 0.0))
-            q2_mp = v92 + (v79 + (whole_turn if v79 <= -half_turn else 0.0))
-            q2_mm = v93 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
+            q2_pp = v90 + (v77 + (turn if v77 <= -half_turn else 0.0))
+            q2_pm = v91 + (v78 + (turn if v78 <= -half_turn else 0.0))
+            q2_mp = v92 + (v79 + (turn if v79 <= -half_turn else 0.0))
+            q2_mm = v93 + (v80 + (turn if v80 <= -half_turn else 0.0))
             q3_pp = angle4 + v90
             q3_pm = v91 - angle4
             q3_mp = angle5 + v92
             q3_mm = v93 - angle5
-            q4_pp = v90 + (v85 + (whole_turn if v85 <= -half_turn else 0.0))
-            q4_pm = v91 + (v86 + (whole_turn if v86 <= -half_turn else 0.0))
-            q4_mp = v92 + (v87 + (whole_turn if v87 <= -half_turn else 0.0))
-            q4_mm = v93 + (v88 + (whole_turn if v88 <= -half_turn else 0.0))
+            q4_pp = v90 + (v85 + (turn if v85 <= -half_turn else 0.0))
+            q4_pm = v91 + (v86 + (turn if v86 <= -half_turn else 0.0))
+            q4_mp = v92 + (v87 + (turn if v87 <= -half_turn else 0.0))
+            q4_mm = v93 + (v88 + (turn if v88 <= -half_turn else 0.0))
             v96 = angle3 + v22
             v97 = v23 + (angle3 - math.copysign(half_turn, -S5))
             q5_pp = v90 + v96

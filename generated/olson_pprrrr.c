@@ -175,7 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -190,7 +189,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -258,7 +257,6 @@ static const double
     blur_slack1 = 6.999999999999999e-11,
     doubt_limit_squared2 = 4.9e-05, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 4.0;
@@ -403,23 +401,19 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[24], wide_mask kind[4])
         (reach_slack1 + 2.0 * abs_wide(v5))) | (v1 <= m1);
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp;
-    q[3] = v20 + pick_wide(v20 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v20,
-        -whole_turn));
+    q[3] = v20 + pick_wide(v20 <= -half_turn, all_wide(turn), only_wide(half_turn < v20, -turn));
     q[4] = angle4; q[5] = q6_pp;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_pm; q[7] = q2_pm; q[8] = q3_pp;
-    q[9] = v21 + pick_wide(v21 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v21,
-        -whole_turn));
+    q[9] = v21 + pick_wide(v21 <= -half_turn, all_wide(turn), only_wide(half_turn < v21, -turn));
     q[10] = angle5; q[11] = q6_pp;
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_pm; q[13] = q2_pm; q[14] = q3_mp;
-    q[15] = pick_wide(-v22 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v22,
-        -whole_turn)) - v22;
+    q[15] = pick_wide(-v22 <= -half_turn, all_wide(turn), only_wide(half_turn < -v22, -turn)) - v22;
     q[16] = angle6; q[17] = q6_mp;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_pp; q[19] = q2_pp; q[20] = q3_mp;
-    q[21] = pick_wide(-v23 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v23,
-        -whole_turn)) - v23;
+    q[21] = pick_wide(-v23 <= -half_turn, all_wide(turn), only_wide(half_turn < -v23, -turn)) - v23;
     q[22] = angle7; q[23] = q6_mp;
     kind[3] = kind_of(q[18], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -477,8 +471,8 @@ HELPER int solve_regular(const double T[16], double q[4][6], unsigned char statu
         angle2 = shuffle(packed1, packed1, 1, 1, 1, 1),
         angle3 = shuffle(packed1, packed1, 2, 2, 2, 2), angle4 = angle_four(ratio2);
     const four v25 = e1 * angle2, v26 = v25 - angle4,
-        q4 = v26 + pick_four(v26 <= -half_turn, all_four(whole_turn), only_four(half_turn < v26,
-            -whole_turn)), q3 = v10 + (angle1 + v3 * v4), q6 = v10 + (angle3 + v4 * v7);
+        q4 = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26, -turn)),
+        q3 = v10 + (angle1 + v3 * v4), q6 = v10 + (angle3 + v4 * v7);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -800,37 +794,34 @@ static const double pace[6] = { 7.0, 7.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     olson_pprrrr_fk(x, P);
-    olson_pprrrr_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    olson_pprrrr_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -847,16 +838,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -864,13 +855,12 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -884,22 +874,21 @@ static void stay(
     const double T[16], const double seed[6], double q[4][6],
     unsigned char status[4])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != OLSON_PPRRRR_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = OLSON_PPRRRR_FREE_JOINT;
     take(x, q[place]);

@@ -155,7 +155,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -216,7 +215,6 @@ static const double
     free_limit1 = 1e-12, /* a length that fixes no angle [m] */
     offset1 = 1.5707963267948966, /* offset of joint 1 [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit1^2 [m^2] */
 
 /* The entries of a pose by their names. */
@@ -306,9 +304,9 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[4], wide_mask kind[2])
     const wide angle1 = atan2_wide(T14, -T24), v2 = angle1 - offset1,
         v3 = angle1 - signed_wide(half_turn, T14) - offset1;
 
-    q[0] = v2 + only_wide(v2 <= -half_turn, whole_turn); q[1] = q2_p;
+    q[0] = v2 + only_wide(v2 <= -half_turn, turn); q[1] = q2_p;
     kind[0] = kind_of(q[0], beyond(q2_p, 2));
-    q[2] = v3 + only_wide(v3 <= -half_turn, whole_turn); q[3] = -q2_p;
+    q[2] = v3 + only_wide(v3 <= -half_turn, turn); q[3] = -q2_p;
     kind[1] = kind_of(q[2], beyond(-q2_p, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -338,7 +336,7 @@ HELPER int solve_regular(const double T[16], double q[2][2], unsigned char statu
         -T24 });
     const four packed1 = angle_four(ratio1), angle1 = shuffle(packed1, packed1, 0, 0, 0, 0);
     const four v3 = angle1 + v2 * (m2 * (e1 - 1.0)) - offset1,
-        q1 = v3 + only_four(v3 <= -half_turn, whole_turn);
+        q1 = v3 + only_four(v3 <= -half_turn, turn);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
         return -1;
@@ -566,31 +564,29 @@ static const double pace[2] = { 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[2], double e[6], double J[12])
+static double off_pose(const double T[16], const double x[2], double e[6])
 {
     double P[16], square = 0.0;
     planar_rp_fk(x, P);
-    planar_rp_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
     }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[2], const double J[12], double e[6], double x[2])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[2], double miss, double e[6], double x[2])
 {
-    double A[6][8] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][8] = { { 0.0 } }, square[6] = { 0.0 }, J[12];
+    planar_rp_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 2; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[2 * i + j];
-        A[i][2 + i] = share;
+        A[i][2 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -607,19 +603,17 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[2])
 {
-    double x[2], half[2], J[12], last = HUGE_VAL;
+    double x[2], half[2], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[2] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -627,20 +621,17 @@ static int settle(const double T[16], double enough, double most, double q[2])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 2; i++) {
             const double off = stands && pace[i] > 0.0 ? overshoot(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -649,32 +640,43 @@ static int settle(const double T[16], double enough, double most, double q[2])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[2])
+{
+    double x[2], half[2], off = beyond_limits(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[2], double q[2][2],
     unsigned char status[2])
 {
-    double x[2], half[2], J[12], least = HUGE_VAL;
+    double x[2], half[2], e[6], least = HUGE_VAL;
     int place = 0;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2; i++)
         x[i] = seed[i] - overshoot(i, seed[i]);
-    }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (beyond_limits(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != PLANAR_RP_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = PLANAR_RP_FREE_JOINT;
     take(x, q[place]);
@@ -705,9 +707,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][2],
     for (int row = 0; row < 2; row++) {
         if (status[row] == PLANAR_RP_UNREACHABLE)
             continue;
-        const double off = beyond_limits(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 2; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -94,12 +94,11 @@ INVALID_POSE = 4  # NaN: T is no pose
 free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low2 = -1e-09
 high2 = 1.000000001
 m1 = 1e-06  # doubt_limit1^2 [m^2]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -147,7 +146,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -231,7 +230,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp 7870427d5ad8ecd8"
+_KEY = "planar_rp 091458ac6cc3d709"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -338,11 +337,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -353,8 +352,8 @@ def _overshoot(joint, value):
     if low <= value <= high:
         return 0.0
     off = value - high if value > high else value - low
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     if _REVOLUTE[joint]:
         off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
@@ -372,7 +371,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -521,33 +520,30 @@ _MISS_WEIGHT = np.array([1.0, 1.0, 0.0, 0.0, 0.0, 0.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    for j in range(2):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
+    e, P, square = np.zeros(6), fk(q), 0.0
     for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 8)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 8)), np.zeros(6)
     for i in range(6):
         for j in range(2):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 2 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -572,7 +568,7 @@ def _half_way(x, q, half):
     for i in range(2):
         off = q[i] - x[i]
         if _REVOLUTE[i]:
-            off -= _TURN * math.floor(off / _TURN + 0.5)
+            off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off) * (1.0 if _REVOLUTE[i] else 1.0))
         half[i] = x[i] + 0.5 * off
     return most
@@ -587,10 +583,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(2)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(2, np.bool_), np.empty((6, 2)), q.copy(), False
+    held, x, settled = np.zeros(2, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -605,7 +601,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(2):
             off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -629,6 +625,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(2), _beyond_limits(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -636,7 +648,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(2), np.empty(2), 0, math.inf
-    A = np.empty((6, 2))
     for i in range(2):
         x[i] = seed[i] - _overshoot(i, seed[i])
     if not _settle(pose, 1e-12, 0.15, x):
@@ -648,9 +659,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(2):
         q[place, i] = x[i]
@@ -670,9 +682,7 @@ def _whole(pose, seed, q, status):
     for row in range(2):
         if status[row] == UNREACHABLE:
             continue
-        off = _beyond_limits(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(2):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -704,8 +714,8 @@ def _regular(pose, q, status):
     # joint values
     v2 = angle1 - offset1
     v3 = angle1 - math.copysign(half_turn, T14) - offset1
-    q1_p = v2 + (whole_turn if v2 <= -half_turn else 0.0)
-    q1_m = v3 + (whole_turn if v3 <= -half_turn else 0.0)
+    q1_p = v2 + (turn if v2 <= -half_turn else 0.0)
+    q1_m = v3 + (turn if v3 <= -half_turn else 0.0)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -822,7 +832,7 @@ def _near(joint, value, towards, limits):
         return value
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -953,8 +963,8 @@ def _in_tiles(T, q, status):
             angle1 = work[336 + k]
             v2 = angle1 - offset1
             v3 = angle1 - math.copysign(half_turn, T14) - offset1
-            q1_p = v2 + (whole_turn if v2 <= -half_turn else 0.0)
-            q1_m = v3 + (whole_turn if v3 <= -half_turn else 0.0)
+            q1_p = v2 + (turn if v2 <= -half_turn else 0.0)
+            q1_m = v3 + (turn if v3 <= -half_turn else 0.0)
             _368 = q1_p
             work[368 + k] = _368
             _384 = q2_p

@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -197,7 +196,7 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -269,7 +268,6 @@ static const double
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * a2 * a1) [m^-2] */
     doubt_limit_squared2 = 7.224999999999999e-07, /* square of a length that fixes no angle [m^2] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
     m6 = 7.225e-11, /* pose_slack1^2 [m^2] */
@@ -395,12 +393,12 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         T31))))) | ((m6 < v18) & (v18 <= m8)) | ((m6 < v19) & (v19 <= m8));
 
     q[0] = angle3 + v23; q[1] = angle2 + v23;
-    q[2] = v23 + (v20 + pick_wide(v20 <= -half_turn, all_wide(whole_turn), only_wide(half_turn <
-        v20, -whole_turn)));
+    q[2] = v23 + (v20 + pick_wide(v20 <= -half_turn, all_wide(turn), only_wide(half_turn < v20,
+        -turn)));
     kind[0] = kind_of(q[0], 0);
     q[3] = angle4 + v24; q[4] = v24 - angle2;
-    q[5] = v24 + (v21 + pick_wide(v21 <= -half_turn, all_wide(whole_turn), only_wide(half_turn <
-        v21, -whole_turn)));
+    q[5] = v24 + (v21 + pick_wide(v21 <= -half_turn, all_wide(turn), only_wide(half_turn < v21,
+        -turn)));
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -452,8 +450,8 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
     const four v19 = e1 * angle2, v20 = angle1 - (angle3 + v19), q1 = angle3 + v22, q2 = v19 + v22,
-        q3 = v22 + (v20 + pick_four(v20 <= -half_turn, all_four(whole_turn), only_four(half_turn <
-            v20, -whole_turn)));
+        q3 = v22 + (v20 + pick_four(v20 <= -half_turn, all_four(turn), only_four(half_turn < v20,
+            -turn)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -746,37 +744,34 @@ static const double pace[3] = { 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[3], double e[6], double J[18])
+static double off_pose(const double T[16], const double x[3], double e[6])
 {
     double P[16], square = 0.0;
     planar_rrr_fk(x, P);
-    planar_rrr_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[3], const double J[18], double e[6], double x[3])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[3], double miss, double e[6], double x[3])
 {
-    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
+    planar_rrr_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
-        A[i][3 + i] = share;
+        A[i][3 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -793,16 +788,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[3])
 {
-    double x[3], half[3], J[18], last = HUGE_VAL;
+    double x[3], half[3], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[3] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -810,13 +805,12 @@ static int settle(const double T[16], double enough, double most, double q[3])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -830,22 +824,21 @@ static void stay(
     const double T[16], const double seed[3], double q[2][3],
     unsigned char status[2])
 {
-    double x[3], half[3], J[18], least = HUGE_VAL;
+    double x[3], half[3], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != PLANAR_RRR_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = PLANAR_RRR_FREE_JOINT;
     take(x, q[place]);

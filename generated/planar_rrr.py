@@ -108,7 +108,6 @@ pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 doubt_limit_squared2 = 7.224999999999999e-07  # square of a length that fixes no angle [m^2]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1e-12  # doubt_limit_squared^2
 m2 = 1.25  # a coefficient of S1
@@ -119,7 +118,7 @@ m6 = 7.225e-11  # pose_slack1^2 [m^2]
 m7 = 1.0000000000000002e-10  # pose_slack^2
 m8 = 1.445e-10  # 2 * pose_slack1^2 [m^2]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -164,7 +163,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -274,7 +273,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrr 87eae46a51dd39bb"
+_KEY = "planar_rrr 4dce9831ad701eb3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -473,18 +472,18 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -649,39 +648,35 @@ _MISS_WEIGHT = np.array([1.176, 1.176, 1.176, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(3):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 9)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 9)), np.zeros(6)
     for i in range(6):
         for j in range(3):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -705,7 +700,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(3):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -719,10 +714,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(3)
-    held, A, x, settled = np.zeros(3, np.bool_), np.empty((6, 3)), q.copy(), False
+    held, x, settled = np.zeros(3, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -737,7 +732,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -763,7 +758,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
-    A = np.empty((6, 3))
     for i in range(3):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -773,9 +767,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(3):
         q[place, i] = x[i]
@@ -886,14 +881,8 @@ def _regular(pose, q, status):
     q1_m = angle4 + v24
     q2_p = angle2 + v23
     q2_m = v24 - angle2
-    q3_p = (
-        v23 + (v20 + (whole_turn if v20 <= -half_turn else (-whole_turn if half_turn < v20 else
-        0.0)))
-    )
-    q3_m = (
-        v24 + (v21 + (whole_turn if v21 <= -half_turn else (-whole_turn if half_turn < v21 else
-        0.0)))
-    )
+    q3_p = v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
+    q3_m = v24 + (v21 + (turn if v21 <= -half_turn else (-turn if half_turn < v21 else 0.0)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1010,7 +999,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1199,12 +1188,10 @@ def _in_tiles(T, q, status):
             q2_p = angle2 + v23
             q2_m = v24 - angle2
             q3_p = (
-                v23 + (v20 + (whole_turn if v20 <= -half_turn else (-whole_turn if half_turn < v20
-                else 0.0)))
+                v23 + (v20 + (turn if v20 <= -half_turn else (-turn if half_turn < v20 else 0.0)))
             )
             q3_m = (
-                v24 + (v21 + (whole_turn if v21 <= -half_turn else (-whole_turn if half_turn < v21
-                else 0.0)))
+                v24 + (v21 + (turn if v21 <= -half_turn else (-turn if half_turn < v21 else 0.0)))
             )
             _448 = q1_p
             work[448 + k] = _448

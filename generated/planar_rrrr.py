@@ -95,7 +95,7 @@ INVALID_POSE = 4  # NaN: T is no pose
 
 a = 0.25  # link length 1 [m]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -226,7 +226,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr f3d812b1c0282f18"
+_KEY = "planar_rrrr 5f8f3aa74f8e7e5a"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -539,11 +539,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -553,8 +553,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -575,33 +575,30 @@ _MISS_WEIGHT = np.array([1.0, 1.0, 0.0, 0.0, 0.0, 0.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    for j in range(4):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
+    e, P, square = np.zeros(6), fk(q), 0.0
     for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 10)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 10)), np.zeros(6)
     for i in range(6):
         for j in range(4):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 4 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -625,7 +622,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(4):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -640,10 +637,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(4)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(4, np.bool_), np.empty((6, 4)), q.copy(), False
+    held, x, settled = np.zeros(4, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -658,7 +655,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(4):
             off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -681,6 +678,22 @@ def _settle(pose, enough, most, q):
     return settled
 
 
+@_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(4), _beyond_limits(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
 @_jit
 def _whole(pose, seed, q, status):
     """Any pose, singular ones too, into q and status; how many rows are OK or FREE_JOINT."""
@@ -693,9 +706,7 @@ def _whole(pose, seed, q, status):
     for row in range(1):
         if status[row] == UNREACHABLE:
             continue
-        off = _beyond_limits(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(4):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -802,7 +813,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit

@@ -167,7 +167,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -182,7 +181,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -261,7 +260,6 @@ static const double
     doubt_limit_squared2 = 2.9096854084e-06, /* square of a length that fixes no angle [m^2] */
     turn1 = 1.5238184104468135, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m7 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 0.12579382426107213, m2 = 0.9988973492016866, m3 = 2.675752380095121,
@@ -458,8 +456,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         angle19 = atan2_wide(v43, v21 * (c23_mm * v37 + s23_mm * T32) - c4_mm * v35);
 
     /* joint values */
-    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, whole_turn),
-        v45 = only_wide(-v12 <= -half_turn, whole_turn) - v12;
+    const wide v44 = q3__p + only_wide(q3__p <= -half_turn, turn),
+        v45 = only_wide(-v12 <= -half_turn, turn) - v12;
     const wide_mask v46 = beyond(angle1, 1), v47 = beyond(angle2, 1), v48 = beyond(v44, 3),
         v49 = beyond(v45, 3);
     const wide q1_ppp = angle1 + v7, q1_mpp = angle2 + v7, q3_ppp = v1 + v44, q3_pmp = v1 + v45;
@@ -551,7 +549,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q3_ = e2 * angle2 - turn1, q4_m = angle4 - v14,
         q6_m = angle6 - signed_four(half_turn, -(c4 * v17 + Y4 * (c23 * v18 + s23 * T31))),
-        v19 = q3_ + only_four(q3_ <= -half_turn, whole_turn);
+        v19 = q3_ + only_four(q3_ <= -half_turn, turn);
     const four_mask v20 = beyond_four(angle1, 1), v21 = beyond_four(v19, 3);
     const four q1_p = angle1 + v4, q3_p = v1 + v19;
     const four_mask v22 = v21 | v20 | beyond_four(angle3, 2),
@@ -866,37 +864,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     puma560_fk(x, P);
-    puma560_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    puma560_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -944,19 +939,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -964,20 +957,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -986,34 +976,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != PUMA560_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = PUMA560_FREE_JOINT;
     take(x, q[place]);
@@ -1049,9 +1051,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

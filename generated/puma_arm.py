@@ -115,12 +115,11 @@ k6 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k7 = 7.175474885806929  # 1 / (k4^2 + k5^2) [m^-4]
 doubt_limit_squared2 = 2.9096854084e-06  # square of a length that fixes no angle [m^2]
 turn1 = 1.5238184104468135  # a constant angle [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 half_turn = 3.141592653589793  # pi [rad]
 m1 = 1.1579434923575729  # a coefficient of X1_2
 m2 = 0.000477176933765627  # a coefficient of X1_2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -283,7 +282,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma_arm 2cfc39d7b4fbd89c"
+_KEY = "puma_arm a5afc6f1c15e78fc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -429,11 +428,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -444,34 +443,30 @@ _MISS_WEIGHT = np.array([0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
-    for j in range(3):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
+    e, P, square = np.zeros(6), fk(q), 0.0
     for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
         square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 9)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 9)), np.zeros(6)
     for i in range(6):
         for j in range(3):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -495,7 +490,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(3):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -509,10 +504,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(3)
-    held, A, x, settled = np.zeros(3, np.bool_), np.empty((6, 3)), q.copy(), False
+    held, x, settled = np.zeros(3, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -527,7 +522,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -553,7 +548,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(3), np.empty(3), 0, math.inf
-    A = np.empty((6, 3))
     for i in range(3):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -563,9 +557,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(3):
         q[place, i] = x[i]
@@ -671,8 +666,8 @@ def _regular(pose, q, status):
     # joint values
     q1_pp = v6 + angle6
     q1_mp = v6 + angle7
-    q3_pp = v1 + (q3__p + (whole_turn if q3__p <= -half_turn else 0.0))
-    q3_pm = v1 + ((whole_turn if -v7 <= -half_turn else 0.0) - v7)
+    q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
+    q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
 
     # a joint is free, or branches meet
     if doubt1:
@@ -797,7 +792,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -966,8 +961,8 @@ def _in_tiles(T, q, status):
             v7 = turn1 + angle1
             q1_pp = v6 + angle6
             q1_mp = v6 + angle7
-            q3_pp = v1 + (q3__p + (whole_turn if q3__p <= -half_turn else 0.0))
-            q3_pm = v1 + ((whole_turn if -v7 <= -half_turn else 0.0) - v7)
+            q3_pp = v1 + (q3__p + (turn if q3__p <= -half_turn else 0.0))
+            q3_pm = v1 + ((turn if -v7 <= -half_turn else 0.0) - v7)
             _544 = q1_pp
             work[544 + k] = _544
             _560 = angle2

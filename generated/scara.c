@@ -174,10 +174,9 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -249,7 +248,6 @@ static const double
     k1 = 0.25, /* L1^2 + L2^2 [m^2] */
     k2 = 4.166666666666667, /* 1 / (2 * L2 * L1) [m^-2] */
     doubt_limit_squared2 = 6.399999999999998e-07, /* square of a length that fixes no angle [m^2] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
     m1 = 1e-12, /* doubt_limit_squared^2 */
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
@@ -399,12 +397,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (T23 * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v9,
-        -whole_turn));
+    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
     kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v10,
-        -whole_turn));
+    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
     kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -449,8 +445,7 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3);
     const four q2 = e1 * angle2, v9 = angle1 - (angle3 + q2),
-        q4 = v9 + pick_four(v9 <= -half_turn, all_four(whole_turn), only_four(half_turn < v9,
-            -whole_turn));
+        q4 = v9 + pick_four(v9 <= -half_turn, all_four(turn), only_four(half_turn < v9, -turn));
     const four_mask outside = where_four(v10) | beyond_four(angle3, 1) | beyond_four(q2, 2);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0)) | (unsigned)(doubt1))
@@ -726,37 +721,34 @@ static const double pace[4] = { 1.0, 1.0, 0.8, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[4], double e[6], double J[24])
+static double off_pose(const double T[16], const double x[4], double e[6])
 {
     double P[16], square = 0.0;
     scara_fk(x, P);
-    scara_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[4], const double J[24], double e[6], double x[4])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[4], double miss, double e[6], double x[4])
 {
-    double A[6][10] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][10] = { { 0.0 } }, square[6] = { 0.0 }, J[24];
+    scara_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[4 * i + j];
-        A[i][4 + i] = share;
+        A[i][4 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -806,19 +798,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[4])
 {
-    double x[4], half[4], J[24], last = HUGE_VAL;
+    double x[4], half[4], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -826,20 +816,17 @@ static int settle(const double T[16], double enough, double most, double q[4])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 4; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -848,34 +835,46 @@ static int settle(const double T[16], double enough, double most, double q[4])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[4])
+{
+    double x[4], half[4], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[4], double q[2][4],
     unsigned char status[2])
 {
-    double x[4], half[4], J[24], least = HUGE_VAL;
+    double x[4], half[4], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 4; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != SCARA_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = SCARA_FREE_JOINT;
     take(x, q[place]);
@@ -911,9 +910,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[2][4],
             continue;
         for (int i = 0; i < 4; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 4; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

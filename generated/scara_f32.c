@@ -136,7 +136,6 @@ static const float
     k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
     k2 = 4.1666665f, /* 1 / (2 * L2 * L1) [m^-2] */
     doubt_limit_squared2 = 6.4e-07f, /* square of a length that fixes no angle [m^2] */
-    whole_turn = 6.2831855f, /* 2 pi [rad] */
     half_turn = 3.1415927f, /* pi [rad] */
     m1 = 1e-12f, /* doubt_limit_squared^2 */
     m4 = 1e-10f; /* pose_slack^2 */
@@ -288,12 +287,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         (T23 * T23 + (v6 * v6 + T31 * T31))))) | (N2 <= doubt_limit_squared2);
 
     q[0] = angle3; q[1] = angle2; q[2] = q3_p;
-    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v9,
-        -whole_turn));
+    q[3] = v9 + pick_wide(v9 <= -half_turn, all_wide(turn), only_wide(half_turn < v9, -turn));
     kind[0] = kind_of(q[0], v11 | beyond(angle3, 1) | beyond(angle2, 2));
     q[4] = angle4; q[5] = -angle2; q[6] = q3_p;
-    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v10,
-        -whole_turn));
+    q[7] = v10 + pick_wide(v10 <= -half_turn, all_wide(turn), only_wide(half_turn < v10, -turn));
     kind[1] = kind_of(q[4], v11 | beyond(angle4, 1) | beyond(-angle2, 2));
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
     return (exact == 0) | (doubt1);
@@ -533,37 +530,34 @@ static const float pace[4] = { 1.0f, 1.0f, 0.8f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static float off_pose(const float T[16], const float x[4], float e[6], float J[24])
+static float off_pose(const float T[16], const float x[4], float e[6])
 {
     float P[16], square = 0.0f;
     scara_f32_fk(x, P);
-    scara_f32_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0f ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0f;
+        e[3 + i] = 0.0f;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0f;
-    }
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    float share, const int held[4], const float J[24], float e[6], float x[4])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[4], float miss, float e[6], float x[4])
 {
-    float A[6][10] = { { 0.0f } }, square[6] = { 0.0f };
+    float A[6][10] = { { 0.0f } }, square[6] = { 0.0f }, J[24];
+    scara_f32_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 4; j++)
             A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[4 * i + j];
-        A[i][4 + i] = share;
+        A[i][4 + i] = sqrtf(0.1f * miss * miss + 1e-10f);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             float along = 0.0f;
@@ -613,19 +607,17 @@ static float at_an_end(int joint, float value, float seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const float T[16], float enough, float most, float q[4])
 {
-    float x[4], half[4], J[24], last = HUGE_VALF;
+    float x[4], half[4], e[6], last = HUGE_VALF;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[4] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        float e[6] = { 0.0f };
-        const float miss = off_pose(T, x, e, J);
+        const float miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-06f;
         } else {
@@ -633,20 +625,17 @@ static int settle(const float T[16], float enough, float most, float q[4])
                 take(x, q);
                 settled = 1;
                 enough = 0.5f * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrtf(0.1f * miss * miss + 1e-10f), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 4; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;
-            if (fabsf(off) > 0.0f) {
-                held[i] = 1;
-                last = HUGE_VALF;
-            }
+            held[i] |= fabsf(off) > 0.0f;
+            last = fabsf(off) > 0.0f ? HUGE_VALF : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -655,34 +644,46 @@ static int settle(const float T[16], float enough, float most, float q[4])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const float T[16], float q[4])
+{
+    float x[4], half[4], off = past_ends(q);
+    take(q, x);
+    if (!(0.0f < off && off < 0.01f)
+        || !settle(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const float T[16], const float seed[4], float q[2][4],
     unsigned char status[2])
 {
-    float x[4], half[4], J[24], least = HUGE_VALF;
+    float x[4], half[4], e[6], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 4; i++) {
         const float seen = seed[i], past = fabsf(past_an_end(i, seen));
         const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 5e-05f, 0.15f, x))
-        return;
-    if (past_ends(x) > 0.0f && !settle(T, NAN, 0.15f, x))
+    if (!settle(T, 5e-05f, 0.15f, x)
+        || (past_ends(x) > 0.0f && !settle(T, NAN, 0.15f, x)))
         return;
     for (int row = 2 - 1; row >= 0; row--) {
-        float e[6] = { 0.0f }, between = 0.0005f;
+        float between = 0.0005f;
         if (status[row] != SCARA_F32_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.03f)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmaxf(off_pose(T, half, e), 5e-05f);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0f * least)
             place = row;
-        }
+        least = fminf(least, between);
     }
     status[place] = SCARA_F32_FREE_JOINT;
     take(x, q[place]);
@@ -718,9 +719,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[2][4], un
             continue;
         for (int i = 0; i < 4; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const float off = past_ends(q[row]);
-        if (0.0f < off && off < 0.01f)
-            (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 4; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -157,7 +157,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 {
     *r0 = a[0];
@@ -498,7 +497,6 @@ static const double
     k1 = 0.097682, /* 2 * a3 * a2 [m^2] */
     k2 = 10.237300628570258, /* 1 / k1 [m^-2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 9.063039999999999e-07, /* doubt_limit1^2 [m^2] */
     m3 = 1e-12, /* doubt_limit_squared^2 */
     m6 = 8.213869404159994e-13, /* doubt_limit_squared2^2 [m^4] */
@@ -652,14 +650,12 @@ HELPER wide_mask solve_wide(
     const wide v76 = angle2 - (angle3 + angle5) - offset4,
         v77 = angle2 - (angle6 - angle3) - offset4, v78 = offset4 + (angle2 + (angle4 + angle7)),
         v79 = offset4 + (angle2 + (angle8 - angle4)),
-        v80 = v76 + pick_wide(v76 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v76,
-            -whole_turn)),
-        v81 = v77 + pick_wide(v77 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v77,
-            -whole_turn)),
-        v82 = pick_wide(-v78 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v78,
-            -whole_turn)) - v78,
-        v83 = pick_wide(-v79 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v79,
-            -whole_turn)) - v79;
+        v80 = v76 + pick_wide(v76 <= -half_turn, all_wide(turn), only_wide(half_turn < v76, -turn)),
+        v81 = v77 + pick_wide(v77 <= -half_turn, all_wide(turn), only_wide(half_turn < v77, -turn)),
+        v82 = pick_wide(-v78 <= -half_turn, all_wide(turn), only_wide(half_turn < -v78, -turn)) -
+            v78,
+        v83 = pick_wide(-v79 <= -half_turn, all_wide(turn), only_wide(half_turn < -v79, -turn)) -
+            v79;
     const double v84 = NAN;
     const wide v85 = only_wide((v72 <= m8) == 0, v84), v86 = only_wide((v73 <= m8) == 0, v84),
         v87 = only_wide((v74 <= m8) == 0, v84), v88 = only_wide((v75 <= m8) == 0, v84),
@@ -673,16 +669,16 @@ HELPER wide_mask solve_wide(
         (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
 
     q[0] = v85 + v89; q[1] = angle5 + v85; q[2] = angle3 + v85;
-    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, whole_turn)); q[4] = v85 + v91;
+    q[3] = v85 + (v80 + only_wide(v80 <= -half_turn, turn)); q[4] = v85 + v91;
     kind[0] = kind_of(q[0], 0);
     q[5] = v86 + v89; q[6] = angle6 + v86; q[7] = v86 - angle3;
-    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, whole_turn)); q[9] = v86 + v91;
+    q[8] = v86 + (v81 + only_wide(v81 <= -half_turn, turn)); q[9] = v86 + v91;
     kind[1] = kind_of(q[5], 0);
     q[10] = v87 + v90; q[11] = angle7 + v87; q[12] = angle4 + v87;
-    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, whole_turn)); q[14] = v87 + v92;
+    q[13] = v87 + (v82 + only_wide(v82 <= -half_turn, turn)); q[14] = v87 + v92;
     kind[2] = kind_of(q[10], 0);
     q[15] = v88 + v90; q[16] = angle8 + v88; q[17] = v88 - angle4;
-    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, whole_turn)); q[19] = v88 + v92;
+    q[18] = v88 + (v83 + only_wide(v83 <= -half_turn, turn)); q[19] = v88 + v92;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -752,10 +748,9 @@ HELPER int solve_regular(
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1),
         angle2 = shuffle(packed1, packed1, 3, 3, 3, 3), angle4 = angle_four(ratio2);
     const four v44 = e2 * angle3, v45 = e1 * angle2, v46 = v45 - (angle4 + v44) - offset4,
-        v47 = v46 + pick_four(v46 <= -half_turn, all_four(whole_turn), only_four(half_turn < v46,
-            -whole_turn)), v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50,
-        q2 = angle4 + v49, q3 = v44 + v49,
-        q4 = v49 + (v47 + only_four(v47 <= -half_turn, whole_turn));
+        v47 = v46 + pick_four(v46 <= -half_turn, all_four(turn), only_four(half_turn < v46, -turn)),
+        v50 = v24 + (angle1 + v8 * (m2 * (e1 - 1.0))), q1 = v49 + v50, q2 = angle4 + v49,
+        q3 = v44 + v49, q4 = v49 + (v47 + only_four(v47 <= -half_turn, turn));
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -1201,19 +1196,32 @@ static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 0.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[5], double e[6], double J[30])
+static double off_pose(const double T[16], const double x[5], double e[6])
 {
     double P[16], square = 0.0;
     scorbot_pointing_fk(x, P);
-    scorbot_pointing_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3 * 4 + 2, k = (i + 2) % 3 * 4 + 2;
         e[3 + i] = P[j] * T[k] - P[k] * T[j];
         square += (P[j] - T[j]) * (P[j] - T[j]);
     }
+    return sqrt(square);
+}
+
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[5], double miss, double e[6], double x[5])
+{
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
+    scorbot_pointing_jacobian(x, J);
+    double P[16];
+    scorbot_pointing_fk(x, P);
     for (int j = 0; j < 5; j++) { /* turning about z changes nothing */
         double *spin = J + 15 + j;
         const double along = P[2] * spin[0] + P[6] * spin[5] + P[10] * spin[10];
@@ -1221,23 +1229,9 @@ static double off_pose(const double T[16], const double x[5], double e[6], doubl
             spin[5 * i] -= along * P[4 * i + 2];
     }
     for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
-    return sqrt(square);
-}
-
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[5], const double J[30], double e[6], double x[5])
-{
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
-    for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = share;
+        A[i][5 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1254,16 +1248,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], half[5], J[30], last = HUGE_VAL;
+    double x[5], half[5], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1271,13 +1265,12 @@ static int settle(const double T[16], double enough, double most, double q[5])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -1291,23 +1284,22 @@ static void stay(
     const double T[16], const double free_joints[1], const double seed[5], double q[4][5],
     unsigned char status[4])
 {
-    double x[5], half[5], J[30], least = HUGE_VAL;
+    double x[5], half[5], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     x[4] = free_joints[0];
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != SCORBOT_POINTING_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = SCORBOT_POINTING_FREE_JOINT;
     take(x, q[place]);
@@ -1406,15 +1398,14 @@ void scorbot_pointing_ik_batch(
     size_t k = 0;
 #if LANES > 1
     for (; k + LANES <= n; k += LANES) {
-        unsigned left = solve_tile(T + 16 * k, free_joints + 1 * k, q + 20 * k, status + 4 * k);
+        unsigned left = solve_tile(T + 16 * k, free_joints + k, q + 20 * k, status + 4 * k);
         for (size_t i = k; left; i++, left >>= 1)
             if (left & 1u)
                 (void)scorbot_pointing_ik(
-                    T + 16 * i, free_joints + 1 * i, NULL, (double (*)[5])(q + 20 * i),
-                    status + 4 * i);
+                    T + 16 * i, free_joints + i, NULL, (double (*)[5])(q + 20 * i), status + 4 * i);
     }
 #endif
     for (; k < n; k++)
         (void)scorbot_pointing_ik(
-            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[5])(q + 20 * k), status + 4 * k);
+            T + 16 * k, free_joints + k, NULL, (double (*)[5])(q + 20 * k), status + 4 * k);
 }

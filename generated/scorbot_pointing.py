@@ -120,7 +120,6 @@ doubtful_slack1 = 0.009519999999999999  # a row may miss the pose by this before
 k1 = 0.097682  # 2 * a3 * a2 [m^2]
 k2 = 10.237300628570258  # 1 / k1 [m^-2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 9.063039999999999e-07  # doubt_limit1^2 [m^2]
 m3 = 1e-12  # doubt_limit_squared^2
 m4 = 4.524886877828054  # a coefficient of Y1_2
@@ -130,7 +129,7 @@ m7 = 1e-24  # exact_slack^2
 m8 = 9.063039999999996e-25  # exact_slack1^2 [m^2]
 m9 = 2.7189119999999995e-10  # 3 * pose_slack1^2 [m^2]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -175,7 +174,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -343,7 +342,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "scorbot_pointing 3457cbffdeaa87e1"
+_KEY = "scorbot_pointing 0e7678264c12957e"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -847,18 +846,18 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -1124,41 +1123,39 @@ _MISS_WEIGHT = np.array([1.05, 1.05, 1.05, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         e[3 + i] = P[j, 2] * T[4 * k + 2] - P[k, 2] * T[4 * j + 2]
         square += (P[j, 2] - T[4 * j + 2]) ** 2
-    for j in range(5):
-        along = P[0, 2] * J[3, j] + P[1, 2] * J[4, j] + P[2, 2] * J[5, j]
-        for i in range(3):  # turning about z changes nothing
-            J[3 + i, j] -= along * P[i, 2]
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 11)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 11)), np.zeros(6)
+    P = fk(q)
+    for j in range(5):  # turning about z changes nothing
+        along = P[0, 2] * J[3, j] + P[1, 2] * J[4, j] + P[2, 2] * J[5, j]
+        for i in range(3):
+            J[3 + i, j] -= along * P[i, 2]
     for i in range(6):
         for j in range(5):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 5 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -1182,7 +1179,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(5):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -1196,10 +1193,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(5)
-    held, A, x, settled = np.zeros(5, np.bool_), np.empty((6, 5)), q.copy(), False
+    held, x, settled = np.zeros(5, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -1214,7 +1211,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -1240,7 +1237,6 @@ def _stay(pose, q_free, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(5), np.empty(5), 0, math.inf
-    A = np.empty((6, 5))
     for i in range(5):
         x[i] = seed[i]
     x[4] = q_free[0]
@@ -1251,9 +1247,10 @@ def _stay(pose, q_free, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(5):
         q[place, i] = x[i]
@@ -1464,10 +1461,10 @@ def _regular(pose, q_free, q, status):
     v77 = angle2 - (angle6 - angle3) - offset4
     v78 = offset4 + (angle2 + (angle4 + angle7))
     v79 = offset4 + (angle2 + (angle8 - angle4))
-    v80 = v76 + (whole_turn if v76 <= -half_turn else (-whole_turn if half_turn < v76 else 0.0))
-    v81 = v77 + (whole_turn if v77 <= -half_turn else (-whole_turn if half_turn < v77 else 0.0))
-    v82 = (whole_turn if -v78 <= -half_turn else (-whole_turn if half_turn < -v78 else 0.0)) - v78
-    v83 = (whole_turn if -v79 <= -half_turn else (-whole_turn if half_turn < -v79 else 0.0)) - v79
+    v80 = v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0))
+    v81 = v77 + (turn if v77 <= -half_turn else (-turn if half_turn < v77 else 0.0))
+    v82 = (turn if -v78 <= -half_turn else (-turn if half_turn < -v78 else 0.0)) - v78
+    v83 = (turn if -v79 <= -half_turn else (-turn if half_turn < -v79 else 0.0)) - v79
     v89 = angle1 + v24
     v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
     q1_pp = v85 + v89
@@ -1482,10 +1479,10 @@ def _regular(pose, q_free, q, status):
     q3_pm = v86 - angle3
     q3_mp = angle4 + v87
     q3_mm = v88 - angle4
-    q4_pp = v85 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
-    q4_pm = v86 + (v81 + (whole_turn if v81 <= -half_turn else 0.0))
-    q4_mp = v87 + (v82 + (whole_turn if v82 <= -half_turn else 0.0))
-    q4_mm = v88 + (v83 + (whole_turn if v83 <= -half_turn else 0.0))
+    q4_pp = v85 + (v80 + (turn if v80 <= -half_turn else 0.0))
+    q4_pm = v86 + (v81 + (turn if v81 <= -half_turn else 0.0))
+    q4_mp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
+    q4_mm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1624,7 +1621,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1933,22 +1930,10 @@ def _in_tiles(T, q_free, q, status):
             v77 = angle2 - (angle6 - angle3) - offset4
             v78 = offset4 + (angle2 + (angle4 + angle7))
             v79 = offset4 + (angle2 + (angle8 - angle4))
-            v80 = (
-                v76 + (whole_turn if v76 <= -half_turn else (-whole_turn if half_turn < v76 else
-                0.0))
-            )
-            v81 = (
-                v77 + (whole_turn if v77 <= -half_turn else (-whole_turn if half_turn < v77 else
-                0.0))
-            )
-            v82 = (
-                (whole_turn if -v78 <= -half_turn else (-whole_turn if half_turn < -v78 else 0.0)) -
-                v78
-            )
-            v83 = (
-                (whole_turn if -v79 <= -half_turn else (-whole_turn if half_turn < -v79 else 0.0)) -
-                v79
-            )
+            v80 = v76 + (turn if v76 <= -half_turn else (-turn if half_turn < v76 else 0.0))
+            v81 = v77 + (turn if v77 <= -half_turn else (-turn if half_turn < v77 else 0.0))
+            v82 = (turn if -v78 <= -half_turn else (-turn if half_turn < -v78 else 0.0)) - v78
+            v83 = (turn if -v79 <= -half_turn else (-turn if half_turn < -v79 else 0.0)) - v79
             v89 = angle1 + v24
             v90 = v25 + (angle1 - math.copysign(half_turn, -v3))
             q1_pp = v85 + v89
@@ -1963,10 +1948,10 @@ def _in_tiles(T, q_free, q, status):
             q3_pm = v86 - angle3
             q3_mp = angle4 + v87
             q3_mm = v88 - angle4
-            q4_pp = v85 + (v80 + (whole_turn if v80 <= -half_turn else 0.0))
-            q4_pm = v86 + (v81 + (whole_turn if v81 <= -half_turn else 0.0))
-            q4_mp = v87 + (v82 + (whole_turn if v82 <= -half_turn else 0.0))
-            q4_mm = v88 + (v83 + (whole_turn if v83 <= -half_turn else 0.0))
+            q4_pp = v85 + (v80 + (turn if v80 <= -half_turn else 0.0))
+            q4_pm = v86 + (v81 + (turn if v81 <= -half_turn else 0.0))
+            q4_mp = v87 + (v82 + (turn if v82 <= -half_turn else 0.0))
+            q4_mm = v88 + (v83 + (turn if v83 <= -half_turn else 0.0))
             _736 = q1_pp
             work[736 + k] = _736
             _752 = q2_pp

@@ -170,7 +170,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -185,7 +184,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -269,7 +268,6 @@ static const double
     doubt_limit_squared2 = 3.1684000000000017e-06,
     turn1 = -1.3382393849899876, /* a constant angle [rad] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m7 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 1.1627906976744187, m2 = 0.03767441860465117, m3 = 0.29508196721311475,
@@ -451,10 +449,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             + Y4_m * (c23_mm * v42 - s23_mm * T32)));
 
     /* joint values */
-    const wide q3_ppp = q3__pp + only_wide(half_turn < q3__pp, -whole_turn),
-        q3_pmp = only_wide(half_turn < -v8, -whole_turn) - v8,
-        q3_mpp = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
-        q3_mmp = only_wide(half_turn < -v9, -whole_turn) - v9, angle19 = atan2_wide(s1_p, -v2),
+    const wide q3_ppp = q3__pp + only_wide(half_turn < q3__pp, -turn),
+        q3_pmp = only_wide(half_turn < -v8, -turn) - v8,
+        q3_mpp = q3__mp + only_wide(half_turn < q3__mp, -turn),
+        q3_mmp = only_wide(half_turn < -v9, -turn) - v9, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask doubt1 = (N3_m <= doubt_limit_squared2) | ((shortest3_reach <= N3_m) & (N3_m <=
@@ -552,7 +550,7 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle3 = angle_four(ratio3), angle5 = angle_four(ratio4), angle4 = angle_four(ratio5);
     const four q3_ = e2 * angle1 - turn1, q4_m = angle3 - v20,
         q6_m = angle5 - signed_four(half_turn, -(-X4 * v23 + Y4 * (c23 * v24 - s23 * T31))),
-        q3_p = q3_ + only_four(half_turn < q3_, -whole_turn), q1_p = angle6 + (w3 - w3);
+        q3_p = q3_ + only_four(half_turn < q3_, -turn), q1_p = angle6 + (w3 - w3);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -758,37 +756,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     spherical_wrist_all_offsets_fk(x, P);
-    spherical_wrist_all_offsets_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    spherical_wrist_all_offsets_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -805,16 +800,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -822,13 +817,12 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -842,22 +836,21 @@ static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != SPHERICAL_WRIST_ALL_OFFSETS_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT;
     take(x, q[place]);

@@ -175,7 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -190,7 +189,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -272,7 +271,6 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 2.3347840000000005e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m4 = 5.4512163266560024e-12, /* doubt_limit_squared2^2 [m^4] */
     m5 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -471,17 +469,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     const wide angle5 = atan2_wide(S2_pp, -v20), v54 = angle5 - offset2,
         angle6 = atan2_wide(-v15, -v21), v55 = angle6 - offset2, angle7 = atan2_wide(S2_mp, -v22),
         v56 = angle7 - offset2, angle8 = atan2_wide(S2_mm, -v23), v57 = angle8 - offset2,
-        q2_ppp = v54 + only_wide(half_turn < v54, -whole_turn),
-        q2_pmp = v55 + only_wide(half_turn < v55, -whole_turn),
-        q2_mpp = v56 + only_wide(half_turn < v56, -whole_turn),
-        q2_mmp = v57 + only_wide(half_turn < v57, -whole_turn), angle9 = atan2_wide(s3_p, -v10),
+        q2_ppp = v54 + only_wide(half_turn < v54, -turn),
+        q2_pmp = v55 + only_wide(half_turn < v55, -turn),
+        q2_mpp = v56 + only_wide(half_turn < v56, -turn),
+        q2_mmp = v57 + only_wide(half_turn < v57, -turn), angle9 = atan2_wide(s3_p, -v10),
         angle10 = atan2_wide(s3_m, -v11), v58 = angle9 - offset3,
         v59 = signed_wide(half_turn, s3_p) - angle9 - offset3, v60 = angle10 - offset3,
         v61 = signed_wide(half_turn, s3_m) - angle10 - offset3,
-        q3_ppp = v58 + only_wide(v58 <= -half_turn, whole_turn),
-        q3_pmp = v59 + only_wide(v59 <= -half_turn, whole_turn),
-        q3_mpp = v60 + only_wide(v60 <= -half_turn, whole_turn),
-        q3_mmp = v61 + only_wide(v61 <= -half_turn, whole_turn),
+        q3_ppp = v58 + only_wide(v58 <= -half_turn, turn),
+        q3_pmp = v59 + only_wide(v59 <= -half_turn, turn),
+        q3_mpp = v60 + only_wide(v60 <= -half_turn, turn),
+        q3_mmp = v61 + only_wide(v61 <= -half_turn, turn),
         angle11 = atan2_wide(-v38, factor2_pp * -X4_pp),
         angle12 = atan2_wide(-v38, factor2_pm * -X4_pm),
         angle13 = atan2_wide(-v39, factor2_mp * -X4_mp),
@@ -496,14 +494,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v72 = angle15 - offset5, v73 = offset5 + angle15, v74 = angle16 - offset5,
         v75 = offset5 + angle16, v76 = angle17 - offset5, v77 = offset5 + angle17,
         v78 = angle18 - offset5, v79 = offset5 + angle18,
-        q5_ppp = v72 + only_wide(v72 <= -half_turn, whole_turn),
-        q5_ppm = only_wide(-v73 <= -half_turn, whole_turn) - v73,
-        q5_pmp = v74 + only_wide(v74 <= -half_turn, whole_turn),
-        q5_pmm = only_wide(-v75 <= -half_turn, whole_turn) - v75,
-        q5_mpp = v76 + only_wide(v76 <= -half_turn, whole_turn),
-        q5_mpm = only_wide(-v77 <= -half_turn, whole_turn) - v77,
-        q5_mmp = v78 + only_wide(v78 <= -half_turn, whole_turn),
-        q5_mmm = only_wide(-v79 <= -half_turn, whole_turn) - v79, angle19 = atan2_wide(s1_p, -v2),
+        q5_ppp = v72 + only_wide(v72 <= -half_turn, turn),
+        q5_ppm = only_wide(-v73 <= -half_turn, turn) - v73,
+        q5_pmp = v74 + only_wide(v74 <= -half_turn, turn),
+        q5_pmm = only_wide(-v75 <= -half_turn, turn) - v75,
+        q5_mpp = v76 + only_wide(v76 <= -half_turn, turn),
+        q5_mpm = only_wide(-v77 <= -half_turn, turn) - v77,
+        q5_mmp = v78 + only_wide(v78 <= -half_turn, turn),
+        q5_mmm = only_wide(-v79 <= -half_turn, turn) - v79, angle19 = atan2_wide(s1_p, -v2),
         q1_ppp = angle19 + (w3_p - w3_p), angle20 = atan2_wide(s1_m, -v3),
         q1_mpp = angle20 + (w3_m - w3_m);
     const wide_mask v80 = beyond(q2_ppp, 2) | beyond(q3_ppp, 3),
@@ -515,32 +513,32 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             (N3_p < longest3_apart)) == 0)) | ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach)
             & (((shortest3_apart < N3_m) & (N3_m < longest3_apart)) == 0));
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
-    q[3] = v64 + only_wide(v64 <= -half_turn, whole_turn); q[4] = q5_ppp; q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v64 + only_wide(v64 <= -half_turn, turn);
+    q[4] = q5_ppp; q[5] = angle1;
     kind[0] = kind_of(q[0], v80 | beyond(q5_ppp, 5));
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
-    q[9] = v65 + only_wide(v65 <= -half_turn, whole_turn); q[10] = q5_ppm;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v65 + only_wide(v65 <= -half_turn, turn);
+    q[10] = q5_ppm;
     q[11] = angle1 - signed_wide(half_turn, -(v50 * -X4_pp + v38 * (v28 * v52 - v32 * T33)));
     kind[1] = kind_of(q[6], v80 | beyond(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v66 + only_wide(v66 <= -half_turn, whole_turn); q[16] = q5_pmp; q[17] = angle2;
+    q[15] = v66 + only_wide(v66 <= -half_turn, turn); q[16] = q5_pmp; q[17] = angle2;
     kind[2] = kind_of(q[12], v81 | beyond(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v67 + only_wide(v67 <= -half_turn, whole_turn); q[22] = q5_pmm;
+    q[21] = v67 + only_wide(v67 <= -half_turn, turn); q[22] = q5_pmm;
     q[23] = angle2 - signed_wide(half_turn, -(v50 * -X4_pm + v38 * (v29 * v52 - v33 * T33)));
     kind[3] = kind_of(q[18], v81 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp;
-    q[27] = v68 + only_wide(v68 <= -half_turn, whole_turn); q[28] = q5_mpp; q[29] = angle3;
+    q[27] = v68 + only_wide(v68 <= -half_turn, turn); q[28] = q5_mpp; q[29] = angle3;
     kind[4] = kind_of(q[24], v82 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp;
-    q[33] = v69 + only_wide(v69 <= -half_turn, whole_turn); q[34] = q5_mpm;
+    q[33] = v69 + only_wide(v69 <= -half_turn, turn); q[34] = q5_mpm;
     q[35] = angle3 - signed_wide(half_turn, -(v51 * -X4_mp + v39 * (v30 * v53 - v34 * T33)));
     kind[5] = kind_of(q[30], v82 | beyond(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp;
-    q[39] = v70 + only_wide(v70 <= -half_turn, whole_turn); q[40] = q5_mmp; q[41] = angle4;
+    q[39] = v70 + only_wide(v70 <= -half_turn, turn); q[40] = q5_mmp; q[41] = angle4;
     kind[6] = kind_of(q[36], v83 | beyond(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp;
-    q[45] = v71 + only_wide(v71 <= -half_turn, whole_turn); q[46] = q5_mmm;
+    q[45] = v71 + only_wide(v71 <= -half_turn, turn); q[46] = q5_mmm;
     q[47] = angle4 - signed_wide(half_turn, -(v51 * -X4_mm + v39 * (v31 * v53 - v35 * T33)));
     kind[7] = kind_of(q[42], v83 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -606,13 +604,13 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle6 = shuffle(packed2, packed2, 1, 1, 3, 3), angle1 = angle_four(ratio3),
         angle4 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, -(v21 * -X4 + v16 * (v13 * v22 - v14 * T33))),
-        v23 = angle2 - offset2, q2_p = v23 + only_four(half_turn < v23, -whole_turn),
-        v26 = e2 * angle3 + v24 * v25 - offset3,
-        q3_p = v26 + only_four(v26 <= -half_turn, whole_turn), v28 = angle4 - offset4,
-        v29 = angle4 - v27 - offset4, q4_p = v28 + only_four(v28 <= -half_turn, whole_turn),
-        q4_m = v29 + only_four(v29 <= -half_turn, whole_turn), v30 = angle5 - offset5,
-        v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, whole_turn),
-        q5_m = only_four(-v31 <= -half_turn, whole_turn) - v31, q1_p = angle6 + (w3 - w3);
+        v23 = angle2 - offset2, q2_p = v23 + only_four(half_turn < v23, -turn),
+        v26 = e2 * angle3 + v24 * v25 - offset3, q3_p = v26 + only_four(v26 <= -half_turn, turn),
+        v28 = angle4 - offset4, v29 = angle4 - v27 - offset4,
+        q4_p = v28 + only_four(v28 <= -half_turn, turn),
+        q4_m = v29 + only_four(v29 <= -half_turn, turn), v30 = angle5 - offset5,
+        v31 = offset5 + angle5, q5_p = v30 + only_four(v30 <= -half_turn, turn),
+        q5_m = only_four(-v31 <= -half_turn, turn) - v31, q1_p = angle6 + (w3 - w3);
     const four_mask v32 = beyond_four(q2_p, 2) | beyond_four(q3_p, 3),
         outside_p = v32 | beyond_four(q5_p, 5), outside_m = v32 | beyond_four(q5_m, 5);
 
@@ -943,37 +941,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     staubli_tx2_90_fk(x, P);
-    staubli_tx2_90_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    staubli_tx2_90_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1021,19 +1016,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1041,20 +1034,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1063,34 +1053,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != STAUBLI_TX2_90_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = STAUBLI_TX2_90_FREE_JOINT;
     take(x, q[place]);
@@ -1126,9 +1128,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

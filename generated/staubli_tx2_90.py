@@ -127,7 +127,6 @@ k4 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
 k5 = 7.662743501634321  # 1 / (k4^2) [m^-4]
 doubt_limit_squared2 = 2.3347840000000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low2 = -2.2689280285926285
 high2 = 2.5743606476916363
 low3 = -2.530727416391778
@@ -140,7 +139,7 @@ m3 = 1.1764705882352942  # a coefficient of Y1_2
 m4 = 5.4512163266560024e-12  # doubt_limit_squared2^2 [m^4]
 m5 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -185,7 +184,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -380,7 +379,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx2_90 8ca46f99a80486df"
+_KEY = "staubli_tx2_90 4e7878a238449244"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -619,11 +618,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -633,8 +632,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -651,7 +650,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -800,39 +799,35 @@ _MISS_WEIGHT = np.array([0.6545, 0.6545, 0.6545, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -856,7 +851,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -885,7 +880,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -901,10 +896,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -919,7 +914,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -943,6 +938,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -950,7 +961,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -965,9 +975,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -989,9 +1000,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1190,18 +1199,18 @@ def _regular(pose, q, status):
     v55 = angle6 - offset2
     v56 = angle7 - offset2
     v57 = angle8 - offset2
-    q2_ppp = v54 + (-whole_turn if half_turn < v54 else 0.0)
-    q2_pmp = v55 + (-whole_turn if half_turn < v55 else 0.0)
-    q2_mpp = v56 + (-whole_turn if half_turn < v56 else 0.0)
-    q2_mmp = v57 + (-whole_turn if half_turn < v57 else 0.0)
+    q2_ppp = v54 + (-turn if half_turn < v54 else 0.0)
+    q2_pmp = v55 + (-turn if half_turn < v55 else 0.0)
+    q2_mpp = v56 + (-turn if half_turn < v56 else 0.0)
+    q2_mmp = v57 + (-turn if half_turn < v57 else 0.0)
     v58 = angle9 - offset3
     v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
     v60 = angle10 - offset3
     v61 = math.copysign(half_turn, s3_m) - angle10 - offset3
-    q3_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-    q3_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
-    q3_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-    q3_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+    q3_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
+    q3_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
+    q3_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
+    q3_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
     v64 = angle11 - offset4
     v65 = angle11 - v62 - offset4
     v66 = angle12 - offset4
@@ -1210,14 +1219,14 @@ def _regular(pose, q, status):
     v69 = angle13 - v63 - offset4
     v70 = angle14 - offset4
     v71 = angle14 - v63 - offset4
-    q4_ppp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
-    q4_ppm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-    q4_pmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-    q4_pmm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-    q4_mpp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
-    q4_mpm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
-    q4_mmp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-    q4_mmm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+    q4_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
+    q4_ppm = v65 + (turn if v65 <= -half_turn else 0.0)
+    q4_pmp = v66 + (turn if v66 <= -half_turn else 0.0)
+    q4_pmm = v67 + (turn if v67 <= -half_turn else 0.0)
+    q4_mpp = v68 + (turn if v68 <= -half_turn else 0.0)
+    q4_mpm = v69 + (turn if v69 <= -half_turn else 0.0)
+    q4_mmp = v70 + (turn if v70 <= -half_turn else 0.0)
+    q4_mmm = v71 + (turn if v71 <= -half_turn else 0.0)
     v72 = angle15 - offset5
     v73 = offset5 + angle15
     v74 = angle16 - offset5
@@ -1226,14 +1235,14 @@ def _regular(pose, q, status):
     v77 = offset5 + angle17
     v78 = angle18 - offset5
     v79 = offset5 + angle18
-    q5_ppp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v73 <= -half_turn else 0.0) - v73
-    q5_pmp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
-    q5_mpp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
-    q5_mmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
+    q5_ppp = v72 + (turn if v72 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v73 <= -half_turn else 0.0) - v73
+    q5_pmp = v74 + (turn if v74 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v75 <= -half_turn else 0.0) - v75
+    q5_mpp = v76 + (turn if v76 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v77 <= -half_turn else 0.0) - v77
+    q5_mmp = v78 + (turn if v78 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v79 <= -half_turn else 0.0) - v79
     q1_ppp = angle19 + (w3_p - w3_p)
     q1_mpp = angle20 + (w3_m - w3_m)
     v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp
@@ -1412,7 +1421,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1765,18 +1774,18 @@ def _in_tiles(T, q, status):
             v55 = angle6 - offset2
             v56 = angle7 - offset2
             v57 = angle8 - offset2
-            q2_ppp = v54 + (-whole_turn if half_turn < v54 else 0.0)
-            q2_pmp = v55 + (-whole_turn if half_turn < v55 else 0.0)
-            q2_mpp = v56 + (-whole_turn if half_turn < v56 else 0.0)
-            q2_mmp = v57 + (-whole_turn if half_turn < v57 else 0.0)
+            q2_ppp = v54 + (-turn if half_turn < v54 else 0.0)
+            q2_pmp = v55 + (-turn if half_turn < v55 else 0.0)
+            q2_mpp = v56 + (-turn if half_turn < v56 else 0.0)
+            q2_mmp = v57 + (-turn if half_turn < v57 else 0.0)
             v58 = angle9 - offset3
             v59 = math.copysign(half_turn, s3_p) - angle9 - offset3
             v60 = angle10 - offset3
             v61 = math.copysign(half_turn, s3_m) - angle10 - offset3
-            q3_ppp = v58 + (whole_turn if v58 <= -half_turn else 0.0)
-            q3_pmp = v59 + (whole_turn if v59 <= -half_turn else 0.0)
-            q3_mpp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-            q3_mmp = v61 + (whole_turn if v61 <= -half_turn else 0.0)
+            q3_ppp = v58 + (turn if v58 <= -half_turn else 0.0)
+            q3_pmp = v59 + (turn if v59 <= -half_turn else 0.0)
+            q3_mpp = v60 + (turn if v60 <= -half_turn else 0.0)
+            q3_mmp = v61 + (turn if v61 <= -half_turn else 0.0)
             v64 = angle11 - offset4
             v65 = angle11 - v62 - offset4
             v66 = angle12 - offset4
@@ -1785,14 +1794,14 @@ def _in_tiles(T, q, status):
             v69 = angle13 - v63 - offset4
             v70 = angle14 - offset4
             v71 = angle14 - v63 - offset4
-            q4_ppp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
-            q4_ppm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-            q4_pmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-            q4_pmm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-            q4_mpp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
-            q4_mpm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
-            q4_mmp = v70 + (whole_turn if v70 <= -half_turn else 0.0)
-            q4_mmm = v71 + (whole_turn if v71 <= -half_turn else 0.0)
+            q4_ppp = v64 + (turn if v64 <= -half_turn else 0.0)
+            q4_ppm = v65 + (turn if v65 <= -half_turn else 0.0)
+            q4_pmp = v66 + (turn if v66 <= -half_turn else 0.0)
+            q4_pmm = v67 + (turn if v67 <= -half_turn else 0.0)
+            q4_mpp = v68 + (turn if v68 <= -half_turn else 0.0)
+            q4_mpm = v69 + (turn if v69 <= -half_turn else 0.0)
+            q4_mmp = v70 + (turn if v70 <= -half_turn else 0.0)
+            q4_mmm = v71 + (turn if v71 <= -half_turn else 0.0)
             v72 = angle15 - offset5
             v73 = offset5 + angle15
             v74 = angle16 - offset5
@@ -1801,14 +1810,14 @@ def _in_tiles(T, q, status):
             v77 = offset5 + angle17
             v78 = angle18 - offset5
             v79 = offset5 + angle18
-            q5_ppp = v72 + (whole_turn if v72 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v73 <= -half_turn else 0.0) - v73
-            q5_pmp = v74 + (whole_turn if v74 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v75 <= -half_turn else 0.0) - v75
-            q5_mpp = v76 + (whole_turn if v76 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v77 <= -half_turn else 0.0) - v77
-            q5_mmp = v78 + (whole_turn if v78 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v79 <= -half_turn else 0.0) - v79
+            q5_ppp = v72 + (turn if v72 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v73 <= -half_turn else 0.0) - v73
+            q5_pmp = v74 + (turn if v74 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v75 <= -half_turn else 0.0) - v75
+            q5_mpp = v76 + (turn if v76 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v77 <= -half_turn else 0.0) - v77
+            q5_mmp = v78 + (turn if v78 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v79 <= -half_turn else 0.0) - v79
             q1_ppp = angle19 + (w3_p - w3_p)
             q1_mpp = angle20 + (w3_m - w3_m)
             v80 = q2_ppp < low2 or high2 < q2_ppp or q3_ppp < low3 or high3 < q3_ppp

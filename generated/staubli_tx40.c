@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -189,7 +188,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -270,7 +269,6 @@ static const double
     k5 = 97.54610577655845, /* 1 / (k4^2) [m^-4] */
     doubt_limit_squared2 = 7.569000000000001e-07, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m2 = 5.728976100000001e-13, /* doubt_limit_squared2^2 [m^4] */
     m5 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -438,12 +436,11 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle7 - offset2, angle8 = atan2_wide(S2_pm, C2_pm), v43 = angle8 - offset2,
         angle9 = atan2_wide(S2_pm, C2_mp), v44 = angle9 - offset2,
         angle10 = atan2_wide(S2_pp, C2_mm), v45 = angle10 - offset2,
-        q2_ppp = v42 + only_wide(v42 <= -half_turn, whole_turn),
-        q2_pmp = v43 + only_wide(v43 <= -half_turn, whole_turn),
-        q2_mpp = v44 + only_wide(v44 <= -half_turn, whole_turn),
-        q2_mmp = v45 + only_wide(v45 <= -half_turn, whole_turn),
-        angle11 = atan2_wide(v7, -(k4 * w3)), v46 = angle11 - offset3,
-        v47 = signed_wide(half_turn, v7) - angle11 - offset3,
+        q2_ppp = v42 + only_wide(v42 <= -half_turn, turn),
+        q2_pmp = v43 + only_wide(v43 <= -half_turn, turn),
+        q2_mpp = v44 + only_wide(v44 <= -half_turn, turn),
+        q2_mmp = v45 + only_wide(v45 <= -half_turn, turn), angle11 = atan2_wide(v7, -(k4 * w3)),
+        v46 = angle11 - offset3, v47 = signed_wide(half_turn, v7) - angle11 - offset3,
         angle12 = atan2_wide(Y4_p, factor2_pp * -X4_pp),
         angle13 = atan2_wide(Y4_p, factor2_pm * -X4_pm),
         angle14 = atan2_wide(Y4_m, factor2_mp * -X4_mp),
@@ -460,49 +457,47 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle16 - offset5, v61 = offset5 + angle16, v62 = angle17 - offset5,
         v63 = offset5 + angle17, v64 = angle18 - offset5, v65 = offset5 + angle18,
         v66 = angle19 - offset5, v67 = offset5 + angle19,
-        q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, whole_turn)),
-        q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, whole_turn)),
-        q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, whole_turn)),
-        q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, whole_turn));
+        q1_ppp = v6 + (v40 + only_wide(v40 <= -half_turn, turn)),
+        q1_mpp = v6 + (v41 + only_wide(v41 <= -half_turn, turn)),
+        q3_ppp = v1 + (v46 + only_wide(v46 <= -half_turn, turn)),
+        q3_pmp = v1 + (v47 + only_wide(v47 <= -half_turn, turn));
     const wide_mask doubt1 = (abs_wide(D1) <= k2) | (N1 <= doubt_limit_squared2) | (v31 <= m5) |
         (v18 <= m2) | (v30 <= m5) | (v17 <= m2) | (v29 <= m5) | (v16 <= m2) | (v28 <= m5) |
         ((shortest3_reach <= N3) & (N3 <= longest3_reach) & (((shortest3_apart < N3) & (N3 <
         longest3_apart)) == 0)) | (v14 <= m2);
 
-    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp;
-    q[3] = v50 + only_wide(v50 <= -half_turn, whole_turn);
-    q[4] = v60 + only_wide(v60 <= -half_turn, whole_turn); q[5] = angle1;
+    q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = v50 + only_wide(v50 <= -half_turn, turn);
+    q[4] = v60 + only_wide(v60 <= -half_turn, turn); q[5] = angle1;
     kind[0] = kind_of(q[0], 0);
-    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp;
-    q[9] = v51 + only_wide(v51 <= -half_turn, whole_turn);
-    q[10] = only_wide(-v61 <= -half_turn, whole_turn) - v61;
+    q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = v51 + only_wide(v51 <= -half_turn, turn);
+    q[10] = only_wide(-v61 <= -half_turn, turn) - v61;
     q[11] = angle1 - signed_wide(half_turn, s6_pp);
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp;
-    q[15] = v52 + only_wide(v52 <= -half_turn, whole_turn);
-    q[16] = v62 + only_wide(v62 <= -half_turn, whole_turn); q[17] = angle2;
+    q[15] = v52 + only_wide(v52 <= -half_turn, turn);
+    q[16] = v62 + only_wide(v62 <= -half_turn, turn); q[17] = angle2;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp;
-    q[21] = v53 + only_wide(v53 <= -half_turn, whole_turn);
-    q[22] = only_wide(-v63 <= -half_turn, whole_turn) - v63;
+    q[21] = v53 + only_wide(v53 <= -half_turn, turn);
+    q[22] = only_wide(-v63 <= -half_turn, turn) - v63;
     q[23] = angle2 - signed_wide(half_turn, s6_pm);
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_ppp;
-    q[27] = v54 + only_wide(v54 <= -half_turn, whole_turn);
-    q[28] = v64 + only_wide(v64 <= -half_turn, whole_turn); q[29] = angle3;
+    q[27] = v54 + only_wide(v54 <= -half_turn, turn);
+    q[28] = v64 + only_wide(v64 <= -half_turn, turn); q[29] = angle3;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_ppp;
-    q[33] = v55 + only_wide(v55 <= -half_turn, whole_turn);
-    q[34] = only_wide(-v65 <= -half_turn, whole_turn) - v65;
+    q[33] = v55 + only_wide(v55 <= -half_turn, turn);
+    q[34] = only_wide(-v65 <= -half_turn, turn) - v65;
     q[35] = angle3 - signed_wide(half_turn, s6_mp);
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_pmp;
-    q[39] = v56 + only_wide(v56 <= -half_turn, whole_turn);
-    q[40] = v66 + only_wide(v66 <= -half_turn, whole_turn); q[41] = angle4;
+    q[39] = v56 + only_wide(v56 <= -half_turn, turn);
+    q[40] = v66 + only_wide(v66 <= -half_turn, turn); q[41] = angle4;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_pmp;
-    q[45] = v57 + only_wide(v57 <= -half_turn, whole_turn);
-    q[46] = only_wide(-v67 <= -half_turn, whole_turn) - v67;
+    q[45] = v57 + only_wide(v57 <= -half_turn, turn);
+    q[46] = only_wide(-v67 <= -half_turn, turn) - v67;
     q[47] = angle4 - signed_wide(half_turn, s6_mm);
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -568,14 +563,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle4 = shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = angle_four(ratio2),
         angle1 = angle_four(ratio3), angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four q6_m = angle1 - signed_four(half_turn, s6), v25 = angle2 - offset1,
-        v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, whole_turn),
+        v26 = angle3 - offset2, q2_p = v26 + only_four(v26 <= -half_turn, turn),
         v28 = e2 * angle4 + v27 * (m6 * (1.0 - e2)) - offset3, v30 = angle5 - offset4,
-        v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, whole_turn),
-        q4_m = v31 + only_four(v31 <= -half_turn, whole_turn), v32 = angle6 - offset5,
-        v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, whole_turn),
-        q5_m = only_four(-v33 <= -half_turn, whole_turn) - v33,
-        q1_p = v5 + (v25 + only_four(v25 <= -half_turn, whole_turn)),
-        q3_p = v1 + (v28 + only_four(v28 <= -half_turn, whole_turn));
+        v31 = angle5 - v29 - offset4, q4_p = v30 + only_four(v30 <= -half_turn, turn),
+        q4_m = v31 + only_four(v31 <= -half_turn, turn), v32 = angle6 - offset5,
+        v33 = offset5 + angle6, q5_p = v32 + only_four(v32 <= -half_turn, turn),
+        q5_m = only_four(-v33 <= -half_turn, turn) - v33,
+        q1_p = v5 + (v25 + only_four(v25 <= -half_turn, turn)),
+        q3_p = v1 + (v28 + only_four(v28 <= -half_turn, turn));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -790,37 +785,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     staubli_tx40_fk(x, P);
-    staubli_tx40_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    staubli_tx40_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -837,16 +829,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -854,13 +846,12 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -874,22 +865,21 @@ static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != STAUBLI_TX40_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = STAUBLI_TX40_FREE_JOINT;
     take(x, q[place]);

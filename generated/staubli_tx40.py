@@ -127,14 +127,13 @@ k4 = 0.10125  # 2 * d4 * a2 [m^2]
 k5 = 97.54610577655845  # 1 / (k4^2) [m^-4]
 doubt_limit_squared2 = 7.569000000000001e-07  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 m1 = 2.2222222222222223  # a coefficient of S2
 m2 = 5.728976100000001e-13  # doubt_limit_squared2^2 [m^4]
 m3 = 21.947873799725652  # a coefficient of v9
 m4 = 4.4444444444444455  # a coefficient of s23
 m5 = 1e-06  # doubt_limit^2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -179,7 +178,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -376,7 +375,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_tx40 9f0e9162bd2db822"
+_KEY = "staubli_tx40 2a2b1d0721fa63bb"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -614,11 +613,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -629,39 +628,35 @@ _MISS_WEIGHT = np.array([1.149, 1.149, 1.149, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -685,7 +680,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -699,10 +694,10 @@ def _settled(T, enough, most, q):
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
     """
     half = np.empty(6)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -717,7 +712,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled
@@ -743,7 +738,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         x[i] = seed[i]
     if not _settle(pose, 1e-12, 0.15, x):
@@ -753,9 +747,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -964,10 +959,10 @@ def _regular(pose, q, status):
     v43 = angle8 - offset2
     v44 = angle9 - offset2
     v45 = angle10 - offset2
-    q2_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
-    q2_pmp = v43 + (whole_turn if v43 <= -half_turn else 0.0)
-    q2_mpp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
-    q2_mmp = v45 + (whole_turn if v45 <= -half_turn else 0.0)
+    q2_ppp = v42 + (turn if v42 <= -half_turn else 0.0)
+    q2_pmp = v43 + (turn if v43 <= -half_turn else 0.0)
+    q2_mpp = v44 + (turn if v44 <= -half_turn else 0.0)
+    q2_mmp = v45 + (turn if v45 <= -half_turn else 0.0)
     v46 = angle11 - offset3
     v47 = math.copysign(half_turn, v7) - angle11 - offset3
     v50 = angle12 - offset4
@@ -978,14 +973,14 @@ def _regular(pose, q, status):
     v55 = angle14 - v49 - offset4
     v56 = angle15 - offset4
     v57 = angle15 - v49 - offset4
-    q4_ppp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
-    q4_ppm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-    q4_pmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
-    q4_pmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-    q4_mpp = v54 + (whole_turn if v54 <= -half_turn else 0.0)
-    q4_mpm = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-    q4_mmp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
-    q4_mmm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+    q4_ppp = v50 + (turn if v50 <= -half_turn else 0.0)
+    q4_ppm = v51 + (turn if v51 <= -half_turn else 0.0)
+    q4_pmp = v52 + (turn if v52 <= -half_turn else 0.0)
+    q4_pmm = v53 + (turn if v53 <= -half_turn else 0.0)
+    q4_mpp = v54 + (turn if v54 <= -half_turn else 0.0)
+    q4_mpm = v55 + (turn if v55 <= -half_turn else 0.0)
+    q4_mmp = v56 + (turn if v56 <= -half_turn else 0.0)
+    q4_mmm = v57 + (turn if v57 <= -half_turn else 0.0)
     v60 = angle16 - offset5
     v61 = offset5 + angle16
     v62 = angle17 - offset5
@@ -994,18 +989,18 @@ def _regular(pose, q, status):
     v65 = offset5 + angle18
     v66 = angle19 - offset5
     v67 = offset5 + angle19
-    q5_ppp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-    q5_ppm = (whole_turn if -v61 <= -half_turn else 0.0) - v61
-    q5_pmp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
-    q5_pmm = (whole_turn if -v63 <= -half_turn else 0.0) - v63
-    q5_mpp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
-    q5_mpm = (whole_turn if -v65 <= -half_turn else 0.0) - v65
-    q5_mmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-    q5_mmm = (whole_turn if -v67 <= -half_turn else 0.0) - v67
-    q1_ppp = v6 + (v40 + (whole_turn if v40 <= -half_turn else 0.0))
-    q1_mpp = v6 + (v41 + (whole_turn if v41 <= -half_turn else 0.0))
-    q3_ppp = v1 + (v46 + (whole_turn if v46 <= -half_turn else 0.0))
-    q3_pmp = v1 + (v47 + (whole_turn if v47 <= -half_turn else 0.0))
+    q5_ppp = v60 + (turn if v60 <= -half_turn else 0.0)
+    q5_ppm = (turn if -v61 <= -half_turn else 0.0) - v61
+    q5_pmp = v62 + (turn if v62 <= -half_turn else 0.0)
+    q5_pmm = (turn if -v63 <= -half_turn else 0.0) - v63
+    q5_mpp = v64 + (turn if v64 <= -half_turn else 0.0)
+    q5_mpm = (turn if -v65 <= -half_turn else 0.0) - v65
+    q5_mmp = v66 + (turn if v66 <= -half_turn else 0.0)
+    q5_mmm = (turn if -v67 <= -half_turn else 0.0) - v67
+    q1_ppp = v6 + (v40 + (turn if v40 <= -half_turn else 0.0))
+    q1_mpp = v6 + (v41 + (turn if v41 <= -half_turn else 0.0))
+    q3_ppp = v1 + (v46 + (turn if v46 <= -half_turn else 0.0))
+    q3_pmp = v1 + (v47 + (turn if v47 <= -half_turn else 0.0))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1170,7 +1165,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1477,10 +1472,10 @@ def _in_tiles(T, q, status):
             v43 = angle8 - offset2
             v44 = angle9 - offset2
             v45 = angle10 - offset2
-            q2_ppp = v42 + (whole_turn if v42 <= -half_turn else 0.0)
-            q2_pmp = v43 + (whole_turn if v43 <= -half_turn else 0.0)
-            q2_mpp = v44 + (whole_turn if v44 <= -half_turn else 0.0)
-            q2_mmp = v45 + (whole_turn if v45 <= -half_turn else 0.0)
+            q2_ppp = v42 + (turn if v42 <= -half_turn else 0.0)
+            q2_pmp = v43 + (turn if v43 <= -half_turn else 0.0)
+            q2_mpp = v44 + (turn if v44 <= -half_turn else 0.0)
+            q2_mmp = v45 + (turn if v45 <= -half_turn else 0.0)
             v46 = angle11 - offset3
             v47 = math.copysign(half_turn, v7) - angle11 - offset3
             v50 = angle12 - offset4
@@ -1491,14 +1486,14 @@ def _in_tiles(T, q, status):
             v55 = angle14 - v49 - offset4
             v56 = angle15 - offset4
             v57 = angle15 - v49 - offset4
-            q4_ppp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
-            q4_ppm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-            q4_pmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
-            q4_pmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
-            q4_mpp = v54 + (whole_turn if v54 <= -half_turn else 0.0)
-            q4_mpm = v55 + (whole_turn if v55 <= -half_turn else 0.0)
-            q4_mmp = v56 + (whole_turn if v56 <= -half_turn else 0.0)
-            q4_mmm = v57 + (whole_turn if v57 <= -half_turn else 0.0)
+            q4_ppp = v50 + (turn if v50 <= -half_turn else 0.0)
+            q4_ppm = v51 + (turn if v51 <= -half_turn else 0.0)
+            q4_pmp = v52 + (turn if v52 <= -half_turn else 0.0)
+            q4_pmm = v53 + (turn if v53 <= -half_turn else 0.0)
+            q4_mpp = v54 + (turn if v54 <= -half_turn else 0.0)
+            q4_mpm = v55 + (turn if v55 <= -half_turn else 0.0)
+            q4_mmp = v56 + (turn if v56 <= -half_turn else 0.0)
+            q4_mmm = v57 + (turn if v57 <= -half_turn else 0.0)
             v60 = angle16 - offset5
             v61 = offset5 + angle16
             v62 = angle17 - offset5
@@ -1507,18 +1502,18 @@ def _in_tiles(T, q, status):
             v65 = offset5 + angle18
             v66 = angle19 - offset5
             v67 = offset5 + angle19
-            q5_ppp = v60 + (whole_turn if v60 <= -half_turn else 0.0)
-            q5_ppm = (whole_turn if -v61 <= -half_turn else 0.0) - v61
-            q5_pmp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
-            q5_pmm = (whole_turn if -v63 <= -half_turn else 0.0) - v63
-            q5_mpp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
-            q5_mpm = (whole_turn if -v65 <= -half_turn else 0.0) - v65
-            q5_mmp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-            q5_mmm = (whole_turn if -v67 <= -half_turn else 0.0) - v67
-            q1_ppp = v6 + (v40 + (whole_turn if v40 <= -half_turn else 0.0))
-            q1_mpp = v6 + (v41 + (whole_turn if v41 <= -half_turn else 0.0))
-            q3_ppp = v1 + (v46 + (whole_turn if v46 <= -half_turn else 0.0))
-            q3_pmp = v1 + (v47 + (whole_turn if v47 <= -half_turn else 0.0))
+            q5_ppp = v60 + (turn if v60 <= -half_turn else 0.0)
+            q5_ppm = (turn if -v61 <= -half_turn else 0.0) - v61
+            q5_pmp = v62 + (turn if v62 <= -half_turn else 0.0)
+            q5_pmm = (turn if -v63 <= -half_turn else 0.0) - v63
+            q5_mpp = v64 + (turn if v64 <= -half_turn else 0.0)
+            q5_mpm = (turn if -v65 <= -half_turn else 0.0) - v65
+            q5_mmp = v66 + (turn if v66 <= -half_turn else 0.0)
+            q5_mmm = (turn if -v67 <= -half_turn else 0.0) - v67
+            q1_ppp = v6 + (v40 + (turn if v40 <= -half_turn else 0.0))
+            q1_mpp = v6 + (v41 + (turn if v41 <= -half_turn else 0.0))
+            q3_ppp = v1 + (v46 + (turn if v46 <= -half_turn else 0.0))
+            q3_pmp = v1 + (v47 + (turn if v47 <= -half_turn else 0.0))
             _1040 = q1_ppp
             work[1040 + k] = _1040
             _1056 = q2_ppp

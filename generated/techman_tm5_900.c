@@ -175,7 +175,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -190,7 +189,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -274,7 +273,6 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.7613271225000005e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 1.1655011655011656, m4 = 0.017143065268065267;
@@ -479,8 +477,8 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
     /* joint values */
     const wide angle19 = atan2_wide(s1_p, c1_p), v44 = angle19 - offset1,
         angle20 = atan2_wide(s1_m, c1_m), v45 = angle20 - offset1,
-        q1__p = v44 + only_wide(v44 <= -half_turn, whole_turn),
-        q1__m = v45 + only_wide(v45 <= -half_turn, whole_turn), v46 = angle11 - offset2,
+        q1__p = v44 + only_wide(v44 <= -half_turn, turn),
+        q1__m = v45 + only_wide(v45 <= -half_turn, turn), v46 = angle11 - offset2,
         v47 = angle12 - offset2, v48 = angle13 - offset2, v49 = angle14 - offset2,
         v50 = angle15 - offset2, v51 = angle16 - offset2, v52 = angle17 - offset2,
         v53 = angle18 - offset2, v54 = angle5 - (angle7 + angle11) - offset4,
@@ -490,26 +488,18 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v58 = angle6 - (angle9 + angle15) - offset4, v59 = angle6 - (angle16 - angle9) - offset4,
         v60 = theta234_mm - (angle10 + angle17) - offset4,
         v61 = theta234_mm - (angle18 - angle10) - offset4,
-        v62 = v54 + pick_wide(v54 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v54,
-            -whole_turn)),
-        v63 = v55 + pick_wide(v55 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v55,
-            -whole_turn)),
-        v64 = v56 + pick_wide(v56 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v56,
-            -whole_turn)),
-        v65 = v57 + pick_wide(v57 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v57,
-            -whole_turn)),
-        v66 = v58 + pick_wide(v58 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v58,
-            -whole_turn)),
-        v67 = v59 + pick_wide(v59 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v59,
-            -whole_turn)),
-        v68 = v60 + pick_wide(v60 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v60,
-            -whole_turn)),
-        v69 = v61 + pick_wide(v61 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v61,
-            -whole_turn)), q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m,
-        q1_mmp = v27 + q1__m, q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26,
-        q5_mmp = v27 - angle4, q6_ppp = angle1 + v24,
-        q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)), q6_mpp = angle2 + v26,
-        q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
+        v62 = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn)),
+        v63 = v55 + pick_wide(v55 <= -half_turn, all_wide(turn), only_wide(half_turn < v55, -turn)),
+        v64 = v56 + pick_wide(v56 <= -half_turn, all_wide(turn), only_wide(half_turn < v56, -turn)),
+        v65 = v57 + pick_wide(v57 <= -half_turn, all_wide(turn), only_wide(half_turn < v57, -turn)),
+        v66 = v58 + pick_wide(v58 <= -half_turn, all_wide(turn), only_wide(half_turn < v58, -turn)),
+        v67 = v59 + pick_wide(v59 <= -half_turn, all_wide(turn), only_wide(half_turn < v59, -turn)),
+        v68 = v60 + pick_wide(v60 <= -half_turn, all_wide(turn), only_wide(half_turn < v60, -turn)),
+        v69 = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn)),
+        q1_ppp = v24 + q1__p, q1_pmp = v25 + q1__p, q1_mpp = v26 + q1__m, q1_mmp = v27 + q1__m,
+        q5_ppp = angle3 + v24, q5_pmp = v25 - angle3, q5_mpp = angle4 + v26, q5_mmp = v27 - angle4,
+        q6_ppp = angle1 + v24, q6_pmp = v25 + (angle1 - signed_wide(half_turn, Y6_p)),
+        q6_mpp = angle2 + v26, q6_mmp = v27 + (angle2 - signed_wide(half_turn, Y6_m));
     const wide_mask doubt1 = (N3_mm <= doubt_limit_squared2) | ((shortest3_reach <= N3_mm) & (N3_mm
         <= longest3_reach) & (((shortest3_apart < N3_mm) & (N3_mm < longest3_apart)) == 0)) | (N3_mp
         <= doubt_limit_squared2) | ((shortest3_reach <= N3_mp) & (N3_mp <= longest3_reach) &
@@ -520,29 +510,29 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         (((shortest3_apart < N3_pp) & (N3_pp < longest3_apart)) == 0)) | (abs_wide(D1) <= k2) | (N1
         <= doubt_limit_squared2) | (v3 <= m1) | (v4 <= m1);
 
-    q[0] = q1_ppp; q[1] = v46 + only_wide(v46 <= -half_turn, whole_turn); q[2] = angle7;
-    q[3] = v62 + only_wide(v62 <= -half_turn, whole_turn); q[4] = q5_ppp; q[5] = q6_ppp;
+    q[0] = q1_ppp; q[1] = v46 + only_wide(v46 <= -half_turn, turn); q[2] = angle7;
+    q[3] = v62 + only_wide(v62 <= -half_turn, turn); q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0], beyond(angle7, 3));
-    q[6] = q1_ppp; q[7] = v47 + only_wide(v47 <= -half_turn, whole_turn); q[8] = -angle7;
-    q[9] = v63 + only_wide(v63 <= -half_turn, whole_turn); q[10] = q5_ppp; q[11] = q6_ppp;
+    q[6] = q1_ppp; q[7] = v47 + only_wide(v47 <= -half_turn, turn); q[8] = -angle7;
+    q[9] = v63 + only_wide(v63 <= -half_turn, turn); q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6], beyond(-angle7, 3));
-    q[12] = q1_pmp; q[13] = v48 + only_wide(v48 <= -half_turn, whole_turn); q[14] = angle8;
-    q[15] = v64 + only_wide(v64 <= -half_turn, whole_turn); q[16] = q5_pmp; q[17] = q6_pmp;
+    q[12] = q1_pmp; q[13] = v48 + only_wide(v48 <= -half_turn, turn); q[14] = angle8;
+    q[15] = v64 + only_wide(v64 <= -half_turn, turn); q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], beyond(angle8, 3));
-    q[18] = q1_pmp; q[19] = v49 + only_wide(v49 <= -half_turn, whole_turn); q[20] = -angle8;
-    q[21] = v65 + only_wide(v65 <= -half_turn, whole_turn); q[22] = q5_pmp; q[23] = q6_pmp;
+    q[18] = q1_pmp; q[19] = v49 + only_wide(v49 <= -half_turn, turn); q[20] = -angle8;
+    q[21] = v65 + only_wide(v65 <= -half_turn, turn); q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], beyond(-angle8, 3));
-    q[24] = q1_mpp; q[25] = v50 + only_wide(v50 <= -half_turn, whole_turn); q[26] = angle9;
-    q[27] = v66 + only_wide(v66 <= -half_turn, whole_turn); q[28] = q5_mpp; q[29] = q6_mpp;
+    q[24] = q1_mpp; q[25] = v50 + only_wide(v50 <= -half_turn, turn); q[26] = angle9;
+    q[27] = v66 + only_wide(v66 <= -half_turn, turn); q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], beyond(angle9, 3));
-    q[30] = q1_mpp; q[31] = v51 + only_wide(v51 <= -half_turn, whole_turn); q[32] = -angle9;
-    q[33] = v67 + only_wide(v67 <= -half_turn, whole_turn); q[34] = q5_mpp; q[35] = q6_mpp;
+    q[30] = q1_mpp; q[31] = v51 + only_wide(v51 <= -half_turn, turn); q[32] = -angle9;
+    q[33] = v67 + only_wide(v67 <= -half_turn, turn); q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], beyond(-angle9, 3));
-    q[36] = q1_mmp; q[37] = v52 + only_wide(v52 <= -half_turn, whole_turn); q[38] = angle10;
-    q[39] = v68 + only_wide(v68 <= -half_turn, whole_turn); q[40] = q5_mmp; q[41] = q6_mmp;
+    q[36] = q1_mmp; q[37] = v52 + only_wide(v52 <= -half_turn, turn); q[38] = angle10;
+    q[39] = v68 + only_wide(v68 <= -half_turn, turn); q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], beyond(angle10, 3));
-    q[42] = q1_mmp; q[43] = v53 + only_wide(v53 <= -half_turn, whole_turn); q[44] = -angle10;
-    q[45] = v69 + only_wide(v69 <= -half_turn, whole_turn); q[46] = q5_mmp; q[47] = q6_mmp;
+    q[42] = q1_mmp; q[43] = v53 + only_wide(v53 <= -half_turn, turn); q[44] = -angle10;
+    q[45] = v69 + only_wide(v69 <= -half_turn, turn); q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], beyond(-angle10, 3));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -607,15 +597,14 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle7 = shuffle(packed2, packed2, 1, 1, 3, 3), angle4 = angle_four(ratio3),
         angle5 = angle_four(ratio4), angle6 = angle_four(ratio5);
     const four theta234 = angle3 + v6 * v9, v22 = angle7 - offset1,
-        q1_ = v22 + only_four(v22 <= -half_turn, whole_turn), v23 = angle5 - offset2,
-        v24 = angle6 - offset2, q2_p = v23 + only_four(v23 <= -half_turn, whole_turn),
-        q2_m = v24 + only_four(v24 <= -half_turn, whole_turn),
+        q1_ = v22 + only_four(v22 <= -half_turn, turn), v23 = angle5 - offset2,
+        v24 = angle6 - offset2, q2_p = v23 + only_four(v23 <= -half_turn, turn),
+        q2_m = v24 + only_four(v24 <= -half_turn, turn),
         v25 = theta234 - (angle4 + angle5) - offset4, v26 = theta234 - (angle6 - angle4) - offset4,
-        v27 = v25 + pick_four(v25 <= -half_turn, all_four(whole_turn), only_four(half_turn < v25,
-            -whole_turn)),
-        v28 = v26 + pick_four(v26 <= -half_turn, all_four(whole_turn), only_four(half_turn < v26,
-            -whole_turn)), q4_p = v27 + only_four(v27 <= -half_turn, whole_turn),
-        q4_m = v28 + only_four(v28 <= -half_turn, whole_turn);
+        v27 = v25 + pick_four(v25 <= -half_turn, all_four(turn), only_four(half_turn < v25, -turn)),
+        v28 = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26, -turn)),
+        q4_p = v27 + only_four(v27 <= -half_turn, turn),
+        q4_m = v28 + only_four(v28 <= -half_turn, turn);
     const four_mask outside_p = beyond_four(angle4, 3), outside_m = beyond_four(-angle4, 3);
     const four q1_p = v17 + q1_, q5_p = v17 + e2 * angle2, q6_p = v17 + (angle1 + v5 * v6);
 
@@ -1019,37 +1008,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     techman_tm5_900_fk(x, P);
-    techman_tm5_900_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    techman_tm5_900_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1097,19 +1083,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1117,20 +1101,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1139,34 +1120,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != TECHMAN_TM5_900_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = TECHMAN_TM5_900_FREE_JOINT;
     take(x, q[place]);
@@ -1205,9 +1198,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

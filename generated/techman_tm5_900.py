@@ -129,14 +129,13 @@ k4 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k5 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 doubt_limit_squared2 = 1.7613271225000005e-06  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
-whole_turn = 6.283185307179586  # 2 pi [rad]
 low3 = -2.705260341591211
 high3 = 2.705260341591211
 m1 = 1e-06  # doubt_limit^2
 m3 = 1.1655011655011656  # a coefficient of S2
 m4 = 0.017143065268065267  # a coefficient of S2
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -181,7 +180,7 @@ def _atan2(y, x):
 @_inner
 def _wrap(angle):
     """The angle moved by whole turns to (-pi, pi]."""
-    return angle - _TURN * np.ceil(angle / _TURN - 0.5)
+    return angle - turn * np.ceil(angle / turn - 0.5)
 
 
 def _numbers(values, shape, name):
@@ -379,7 +378,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "techman_tm5_900 f5b44184c39b4c39"
+_KEY = "techman_tm5_900 c166970d455a58d9"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -630,11 +629,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -644,8 +643,8 @@ def _overshoot(joint, value):
     low, high = _LOWEST[joint] + 1e-09, _HIGHEST[joint] - 1e-09
     if low <= value <= high:
         return 0.0
-    gap, over = _TURN - (high - low), value - high
-    rest = over - _TURN * math.floor(over / _TURN)
+    gap, over = turn - (high - low), value - high
+    rest = over - turn * math.floor(over / turn)
     off = 0.0 if rest >= gap else rest if rest <= gap - rest else rest - gap
     return 0.0 if abs(off) <= 0.5 * 1e-09 else off
 
@@ -662,7 +661,7 @@ def _beyond_limits(values):
 @_inner
 def _without_turns(angle):
     """An angle without its whole turns, by which a search could not tell small moves."""
-    return math.copysign(abs(angle) % _TURN, angle)
+    return math.copysign(abs(angle) % turn, angle)
 
 
 @_inner
@@ -878,39 +877,35 @@ _MISS_WEIGHT = np.array([0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0])
 
 
 @_inner
-def _miss(T, q, A):
-    """By how much joint values miss the pose (6,), and its length; into A how joints change that.
+def _miss(T, q):
+    """By how much joint values miss the pose (6,), and its length.
 
     The former is zero half a turn away, too.
     """
-    e, P, J, square = np.zeros(6), fk(q), jacobian(q), 0.0
-    e[0] = _MISS_WEIGHT[0] * (T[3] - P[0, 3])
-    e[1] = _MISS_WEIGHT[1] * (T[7] - P[1, 3])
-    e[2] = _MISS_WEIGHT[2] * (T[11] - P[2, 3])
+    e, P, square = np.zeros(6), fk(q), 0.0
+    for i in range(3):
+        if _MISS_WEIGHT[i] > 0.0:
+            e[i] = _MISS_WEIGHT[i] * (T[4 * i + 3] - P[i, 3])
+        square += e[i] * e[i]
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         for c in range(3):
             e[3 + i] += 0.5 * (P[j, c] * T[4 * k + c] - P[k, c] * T[4 * j + c])
             square += 0.5 * (P[j, c] - T[4 * j + c]) ** 2
-    for j in range(6):
-        for i in range(6):
-            A[i, j] = _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-    for i in range(3):
-        square += e[i] * e[i]
     return e, math.sqrt(square)
 
 
 @_inner
-def _add_step(A, e, miss, held, q):
+def _add_step(held, miss, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
-    The rows of A, each with its share of the damping's root, are made orthogonal one after another
-    (modified Gram-Schmidt), twice: once would not do beside singular places.
+    The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
+    after another (modified Gram-Schmidt), twice: once would not do beside singular places.
     """
-    rows, square = np.zeros((6, 12)), np.zeros(6)
+    J, rows, square = jacobian(q), np.zeros((6, 12)), np.zeros(6)
     for i in range(6):
         for j in range(6):
-            rows[i, j] = 0.0 if held[j] else A[i, j]
+            rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
         rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
@@ -934,7 +929,7 @@ def _half_way(x, q, half):
     most = 0.0
     for i in range(6):
         off = q[i] - x[i]
-        off -= _TURN * math.floor(off / _TURN + 0.5)
+        off -= turn * math.floor(off / turn + 0.5)
         most = max(most, abs(off))
         half[i] = x[i] + 0.5 * off
     return most
@@ -963,7 +958,7 @@ def _past_ends(values):
 def _at_an_end(joint, value, seed):
     """A joint value moved by whole turns inside its limits, or next to the seed's if it is just
     beyond an end there."""
-    near = value + _TURN * math.floor((seed - value) / _TURN + 0.5)
+    near = value + turn * math.floor((seed - value) / turn + 0.5)
     if 0.0 < abs(_past_an_end(joint, near)) < 0.01:
         if abs(near - seed) < 0.15:
             return near
@@ -979,10 +974,10 @@ def _settled(T, enough, most, q):
     """
     half = np.empty(6)
     stands = math.isnan(enough)
-    held, A, x, settled = np.zeros(6, np.bool_), np.empty((6, 6)), q.copy(), False
+    held, x, settled = np.zeros(6, np.bool_), q.copy(), False
     last, lost = math.inf, 0
     for _ in range(20):
-        e, miss = _miss(T, x, A)
+        e, miss = _miss(T, x)
         if math.isnan(enough):
             enough = miss + 1e-14
         else:
@@ -997,7 +992,7 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(A, e, miss, held, x)
+            _add_step(held, miss, e, x)
         for j in range(6):
             off = _past_an_end(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:
@@ -1021,6 +1016,22 @@ def _settle(pose, enough, most, q):
 
 
 @_inner
+def _stand(pose, q):
+    """Puts joints just beyond their limits on them, unless that is another solution.
+
+    Half way to the same there is one.
+    """
+    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    if not 0.0 < off < 0.01:
+        return
+    if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
+        return
+    off = _half_way(q, x, half)
+    if off < 0.001 or _settle(pose, 1e-12, 0.25 * off, half):
+        q[:] = x
+
+
+@_inner
 def _stay(pose, seed, q, status):
     """Where rounding can't tell solutions apart the arm goes on with the one that it is at.
 
@@ -1028,7 +1039,6 @@ def _stay(pose, seed, q, status):
     nothing, one that is left, or any.
     """
     x, half, place, least = np.empty(6), np.empty(6), 0, math.inf
-    A = np.empty((6, 6))
     for i in range(6):
         here = seed[i]
         if abs(_past_an_end(i, here)) > 0.15:
@@ -1043,9 +1053,10 @@ def _stay(pose, seed, q, status):
         if status[row] != UNREACHABLE:
             if _half_way(x, q[row], half) < 0.001:
                 return
-            between = _miss(pose, half, A)[1]
-        if between <= least:
-            place, least = row, between
+            between = max(_miss(pose, half)[1], 1e-12)
+        if between <= 2.0 * least:
+            place = row
+        least = min(least, between)
     status[place] = FREE_JOINT
     for i in range(6):
         q[place, i] = x[i]
@@ -1067,9 +1078,7 @@ def _whole(pose, seed, q, status):
             continue
         for i in range(6):
             q[row, i] = _at_an_end(i, q[row, i], seed[i])
-        off = _past_ends(q[row])
-        if 0.0 < off < 0.01:
-            _settle(pose, math.nan, max(10.0 * off, 0.001), q[row])
+        _stand(pose, q[row])
         for i in range(6):
             if not _LOWEST[i] <= q[row, i] <= _HIGHEST[i]:
                 q[row, i] = _turned(i, q[row, i], q[row, i])
@@ -1267,8 +1276,8 @@ def _regular(pose, q, status):
     # joint values
     v44 = angle19 - offset1
     v45 = angle20 - offset1
-    q1__p = v44 + (whole_turn if v44 <= -half_turn else 0.0)
-    q1__m = v45 + (whole_turn if v45 <= -half_turn else 0.0)
+    q1__p = v44 + (turn if v44 <= -half_turn else 0.0)
+    q1__m = v45 + (turn if v45 <= -half_turn else 0.0)
     v46 = angle11 - offset2
     v47 = angle12 - offset2
     v48 = angle13 - offset2
@@ -1277,14 +1286,14 @@ def _regular(pose, q, status):
     v51 = angle16 - offset2
     v52 = angle17 - offset2
     v53 = angle18 - offset2
-    q2_ppp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
-    q2_ppm = v47 + (whole_turn if v47 <= -half_turn else 0.0)
-    q2_pmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
-    q2_pmm = v49 + (whole_turn if v49 <= -half_turn else 0.0)
-    q2_mpp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
-    q2_mpm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-    q2_mmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
-    q2_mmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+    q2_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
+    q2_ppm = v47 + (turn if v47 <= -half_turn else 0.0)
+    q2_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
+    q2_pmm = v49 + (turn if v49 <= -half_turn else 0.0)
+    q2_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
+    q2_mpm = v51 + (turn if v51 <= -half_turn else 0.0)
+    q2_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
+    q2_mmm = v53 + (turn if v53 <= -half_turn else 0.0)
     v54 = angle5 - (angle7 + angle11) - offset4
     v55 = angle5 - (angle12 - angle7) - offset4
     v56 = theta234_pm - (angle8 + angle13) - offset4
@@ -1293,22 +1302,22 @@ def _regular(pose, q, status):
     v59 = angle6 - (angle16 - angle9) - offset4
     v60 = theta234_mm - (angle10 + angle17) - offset4
     v61 = theta234_mm - (angle18 - angle10) - offset4
-    v62 = v54 + (whole_turn if v54 <= -half_turn else (-whole_turn if half_turn < v54 else 0.0))
-    v63 = v55 + (whole_turn if v55 <= -half_turn else (-whole_turn if half_turn < v55 else 0.0))
-    v64 = v56 + (whole_turn if v56 <= -half_turn else (-whole_turn if half_turn < v56 else 0.0))
-    v65 = v57 + (whole_turn if v57 <= -half_turn else (-whole_turn if half_turn < v57 else 0.0))
-    v66 = v58 + (whole_turn if v58 <= -half_turn else (-whole_turn if half_turn < v58 else 0.0))
-    v67 = v59 + (whole_turn if v59 <= -half_turn else (-whole_turn if half_turn < v59 else 0.0))
-    v68 = v60 + (whole_turn if v60 <= -half_turn else (-whole_turn if half_turn < v60 else 0.0))
-    v69 = v61 + (whole_turn if v61 <= -half_turn else (-whole_turn if half_turn < v61 else 0.0))
-    q4_ppp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
-    q4_ppm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
-    q4_pmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
-    q4_pmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-    q4_mpp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-    q4_mpm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-    q4_mmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
-    q4_mmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+    v62 = v54 + (turn if v54 <= -half_turn else (-turn if half_turn < v54 else 0.0))
+    v63 = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
+    v64 = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
+    v65 = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
+    v66 = v58 + (turn if v58 <= -half_turn else (-turn if half_turn < v58 else 0.0))
+    v67 = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
+    v68 = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
+    v69 = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
+    q4_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
+    q4_ppm = v63 + (turn if v63 <= -half_turn else 0.0)
+    q4_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
+    q4_pmm = v65 + (turn if v65 <= -half_turn else 0.0)
+    q4_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
+    q4_mpm = v67 + (turn if v67 <= -half_turn else 0.0)
+    q4_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
+    q4_mmm = v69 + (turn if v69 <= -half_turn else 0.0)
     outside_ppp = angle7 < low3 or high3 < angle7
     outside_ppm = -angle7 < low3 or high3 < -angle7
     outside_pmp = angle8 < low3 or high3 < angle8
@@ -1493,7 +1502,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit
@@ -1803,8 +1812,8 @@ def _in_tiles(T, q, status):
             theta234_mm = angle6 - math.copysign(half_turn, v10)
             v44 = angle19 - offset1
             v45 = angle20 - offset1
-            q1__p = v44 + (whole_turn if v44 <= -half_turn else 0.0)
-            q1__m = v45 + (whole_turn if v45 <= -half_turn else 0.0)
+            q1__p = v44 + (turn if v44 <= -half_turn else 0.0)
+            q1__m = v45 + (turn if v45 <= -half_turn else 0.0)
             v46 = angle11 - offset2
             v47 = angle12 - offset2
             v48 = angle13 - offset2
@@ -1813,14 +1822,14 @@ def _in_tiles(T, q, status):
             v51 = angle16 - offset2
             v52 = angle17 - offset2
             v53 = angle18 - offset2
-            q2_ppp = v46 + (whole_turn if v46 <= -half_turn else 0.0)
-            q2_ppm = v47 + (whole_turn if v47 <= -half_turn else 0.0)
-            q2_pmp = v48 + (whole_turn if v48 <= -half_turn else 0.0)
-            q2_pmm = v49 + (whole_turn if v49 <= -half_turn else 0.0)
-            q2_mpp = v50 + (whole_turn if v50 <= -half_turn else 0.0)
-            q2_mpm = v51 + (whole_turn if v51 <= -half_turn else 0.0)
-            q2_mmp = v52 + (whole_turn if v52 <= -half_turn else 0.0)
-            q2_mmm = v53 + (whole_turn if v53 <= -half_turn else 0.0)
+            q2_ppp = v46 + (turn if v46 <= -half_turn else 0.0)
+            q2_ppm = v47 + (turn if v47 <= -half_turn else 0.0)
+            q2_pmp = v48 + (turn if v48 <= -half_turn else 0.0)
+            q2_pmm = v49 + (turn if v49 <= -half_turn else 0.0)
+            q2_mpp = v50 + (turn if v50 <= -half_turn else 0.0)
+            q2_mpm = v51 + (turn if v51 <= -half_turn else 0.0)
+            q2_mmp = v52 + (turn if v52 <= -half_turn else 0.0)
+            q2_mmm = v53 + (turn if v53 <= -half_turn else 0.0)
             v54 = angle5 - (angle7 + angle11) - offset4
             v55 = angle5 - (angle12 - angle7) - offset4
             v56 = theta234_pm - (angle8 + angle13) - offset4
@@ -1829,46 +1838,22 @@ def _in_tiles(T, q, status):
             v59 = angle6 - (angle16 - angle9) - offset4
             v60 = theta234_mm - (angle10 + angle17) - offset4
             v61 = theta234_mm - (angle18 - angle10) - offset4
-            v62 = (
-                v54 + (whole_turn if v54 <= -half_turn else (-whole_turn if half_turn < v54 else
-                0.0))
-            )
-            v63 = (
-                v55 + (whole_turn if v55 <= -half_turn else (-whole_turn if half_turn < v55 else
-                0.0))
-            )
-            v64 = (
-                v56 + (whole_turn if v56 <= -half_turn else (-whole_turn if half_turn < v56 else
-                0.0))
-            )
-            v65 = (
-                v57 + (whole_turn if v57 <= -half_turn else (-whole_turn if half_turn < v57 else
-                0.0))
-            )
-            v66 = (
-                v58 + (whole_turn if v58 <= -half_turn else (-whole_turn if half_turn < v58 else
-                0.0))
-            )
-            v67 = (
-                v59 + (whole_turn if v59 <= -half_turn else (-whole_turn if half_turn < v59 else
-                0.0))
-            )
-            v68 = (
-                v60 + (whole_turn if v60 <= -half_turn else (-whole_turn if half_turn < v60 else
-                0.0))
-            )
-            v69 = (
-                v61 + (whole_turn if v61 <= -half_turn else (-whole_turn if half_turn < v61 else
-                0.0))
-            )
-            q4_ppp = v62 + (whole_turn if v62 <= -half_turn else 0.0)
-            q4_ppm = v63 + (whole_turn if v63 <= -half_turn else 0.0)
-            q4_pmp = v64 + (whole_turn if v64 <= -half_turn else 0.0)
-            q4_pmm = v65 + (whole_turn if v65 <= -half_turn else 0.0)
-            q4_mpp = v66 + (whole_turn if v66 <= -half_turn else 0.0)
-            q4_mpm = v67 + (whole_turn if v67 <= -half_turn else 0.0)
-            q4_mmp = v68 + (whole_turn if v68 <= -half_turn else 0.0)
-            q4_mmm = v69 + (whole_turn if v69 <= -half_turn else 0.0)
+            v62 = v54 + (turn if v54 <= -half_turn else (-turn if half_turn < v54 else 0.0))
+            v63 = v55 + (turn if v55 <= -half_turn else (-turn if half_turn < v55 else 0.0))
+            v64 = v56 + (turn if v56 <= -half_turn else (-turn if half_turn < v56 else 0.0))
+            v65 = v57 + (turn if v57 <= -half_turn else (-turn if half_turn < v57 else 0.0))
+            v66 = v58 + (turn if v58 <= -half_turn else (-turn if half_turn < v58 else 0.0))
+            v67 = v59 + (turn if v59 <= -half_turn else (-turn if half_turn < v59 else 0.0))
+            v68 = v60 + (turn if v60 <= -half_turn else (-turn if half_turn < v60 else 0.0))
+            v69 = v61 + (turn if v61 <= -half_turn else (-turn if half_turn < v61 else 0.0))
+            q4_ppp = v62 + (turn if v62 <= -half_turn else 0.0)
+            q4_ppm = v63 + (turn if v63 <= -half_turn else 0.0)
+            q4_pmp = v64 + (turn if v64 <= -half_turn else 0.0)
+            q4_pmm = v65 + (turn if v65 <= -half_turn else 0.0)
+            q4_mpp = v66 + (turn if v66 <= -half_turn else 0.0)
+            q4_mpm = v67 + (turn if v67 <= -half_turn else 0.0)
+            q4_mmp = v68 + (turn if v68 <= -half_turn else 0.0)
+            q4_mmm = v69 + (turn if v69 <= -half_turn else 0.0)
             outside_ppp = angle7 < low3 or high3 < angle7
             outside_ppm = -angle7 < low3 or high3 < -angle7
             outside_pmp = angle8 < low3 or high3 < angle8

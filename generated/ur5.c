@@ -173,7 +173,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -188,7 +187,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -269,7 +268,6 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.4220777150809997e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 1.1764705882352942, m4 = 0.031488161764705896;
@@ -489,43 +487,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v54,
-        -whole_turn));
+    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn));
     q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v55,
-        -whole_turn));
+    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(turn), only_wide(half_turn < v55, -turn));
     q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v56,
-        -whole_turn));
+    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(turn), only_wide(half_turn < v56, -turn));
     q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v57,
-        -whole_turn));
+    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(turn), only_wide(half_turn < v57, -turn));
     q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v58,
-        -whole_turn));
+    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(turn), only_wide(half_turn < v58, -turn));
     q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v59,
-        -whole_turn));
+    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(turn), only_wide(half_turn < v59, -turn));
     q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v60,
-        -whole_turn));
+    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(turn), only_wide(half_turn < v60, -turn));
     q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v61,
-        -whole_turn));
+    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn));
     q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -593,11 +583,10 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle6 = angle_four(ratio4), angle7 = angle_four(ratio5);
     const four theta234 = angle4 + v9 * v12, v26 = theta234 - (angle5 + angle6),
         v27 = theta234 - (angle7 - angle5),
-        q4_p = v26 + pick_four(v26 <= -half_turn, all_four(whole_turn), only_four(half_turn < v26,
-            -whole_turn)),
-        q4_m = v27 + pick_four(v27 <= -half_turn, all_four(whole_turn), only_four(half_turn < v27,
-            -whole_turn)), q1_p = angle1 + v20, q5_p = v20 + e2 * angle3,
-        q6_p = v20 + (angle2 + v8 * v9);
+        q4_p = v26 + pick_four(v26 <= -half_turn, all_four(turn), only_four(half_turn < v26,
+            -turn)),
+        q4_m = v27 + pick_four(v27 <= -half_turn, all_four(turn), only_four(half_turn < v27,
+            -turn)), q1_p = angle1 + v20, q5_p = v20 + e2 * angle3, q6_p = v20 + (angle2 + v8 * v9);
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -988,37 +977,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     ur5_fk(x, P);
-    ur5_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    ur5_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1066,19 +1052,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1086,20 +1070,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1108,34 +1089,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != UR5_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = UR5_FREE_JOINT;
     take(x, q[place]);
@@ -1174,9 +1167,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

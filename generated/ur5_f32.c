@@ -143,7 +143,6 @@ static const float
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.4220777e-06f,
     half_turn = 3.1415927f, /* pi [rad] */
-    whole_turn = 6.2831855f, /* 2 pi [rad] */
     m1 = 1e-06f; /* doubt_limit^2 */
 /* coefficients */
 static const float m3 = 1.1764706f, m4 = 0.03148816f;
@@ -363,43 +362,35 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         <= doubt_limit_squared2) | (v9 <= m1) | (v10 <= m1);
 
     q[0] = q1_ppp; q[1] = angle13; q[2] = angle9;
-    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v54,
-        -whole_turn));
+    q[3] = v54 + pick_wide(v54 <= -half_turn, all_wide(turn), only_wide(half_turn < v54, -turn));
     q[4] = q5_ppp; q[5] = q6_ppp;
     kind[0] = kind_of(q[0], 0);
     q[6] = q1_ppp; q[7] = angle14; q[8] = -angle9;
-    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v55,
-        -whole_turn));
+    q[9] = v55 + pick_wide(v55 <= -half_turn, all_wide(turn), only_wide(half_turn < v55, -turn));
     q[10] = q5_ppp; q[11] = q6_ppp;
     kind[1] = kind_of(q[6], 0);
     q[12] = q1_pmp; q[13] = angle15; q[14] = angle10;
-    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v56,
-        -whole_turn));
+    q[15] = v56 + pick_wide(v56 <= -half_turn, all_wide(turn), only_wide(half_turn < v56, -turn));
     q[16] = q5_pmp; q[17] = q6_pmp;
     kind[2] = kind_of(q[12], 0);
     q[18] = q1_pmp; q[19] = angle16; q[20] = -angle10;
-    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v57,
-        -whole_turn));
+    q[21] = v57 + pick_wide(v57 <= -half_turn, all_wide(turn), only_wide(half_turn < v57, -turn));
     q[22] = q5_pmp; q[23] = q6_pmp;
     kind[3] = kind_of(q[18], 0);
     q[24] = q1_mpp; q[25] = angle17; q[26] = angle11;
-    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v58,
-        -whole_turn));
+    q[27] = v58 + pick_wide(v58 <= -half_turn, all_wide(turn), only_wide(half_turn < v58, -turn));
     q[28] = q5_mpp; q[29] = q6_mpp;
     kind[4] = kind_of(q[24], 0);
     q[30] = q1_mpp; q[31] = angle18; q[32] = -angle11;
-    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v59,
-        -whole_turn));
+    q[33] = v59 + pick_wide(v59 <= -half_turn, all_wide(turn), only_wide(half_turn < v59, -turn));
     q[34] = q5_mpp; q[35] = q6_mpp;
     kind[5] = kind_of(q[30], 0);
     q[36] = q1_mmp; q[37] = angle19; q[38] = angle12;
-    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v60,
-        -whole_turn));
+    q[39] = v60 + pick_wide(v60 <= -half_turn, all_wide(turn), only_wide(half_turn < v60, -turn));
     q[40] = q5_mmp; q[41] = q6_mmp;
     kind[6] = kind_of(q[36], 0);
     q[42] = q1_mmp; q[43] = angle20; q[44] = -angle12;
-    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v61,
-        -whole_turn));
+    q[45] = v61 + pick_wide(v61 <= -half_turn, all_wide(turn), only_wide(half_turn < v61, -turn));
     q[46] = q5_mmp; q[47] = q6_mmp;
     kind[7] = kind_of(q[42], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-12f;
@@ -753,37 +744,34 @@ static const float pace[6] = { 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static float off_pose(const float T[16], const float x[6], float e[6], float J[36])
+static float off_pose(const float T[16], const float x[6], float e[6])
 {
     float P[16], square = 0.0f;
     ur5_f32_fk(x, P);
-    ur5_f32_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0f ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0f;
+        e[3 + i] = 0.0f;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5f * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5f * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0f;
-    }
     return sqrtf(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    float share, const int held[6], const float J[36], float e[6], float x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], float miss, float e[6], float x[6])
 {
-    float A[6][12] = { { 0.0f } }, square[6] = { 0.0f };
+    float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
+    ur5_f32_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrtf(0.1f * miss * miss + 1e-10f);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             float along = 0.0f;
@@ -831,19 +819,17 @@ static float at_an_end(int joint, float value, float seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const float T[16], float enough, float most, float q[6])
 {
-    float x[6], half[6], J[36], last = HUGE_VALF;
+    float x[6], half[6], e[6], last = HUGE_VALF;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        float e[6] = { 0.0f };
-        const float miss = off_pose(T, x, e, J);
+        const float miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-06f;
         } else {
@@ -851,20 +837,17 @@ static int settle(const float T[16], float enough, float most, float q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5f * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmaxf(0.7f * last, 100.0f * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrtf(0.1f * miss * miss + 1e-10f), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;
-            if (fabsf(off) > 0.0f) {
-                held[i] = 1;
-                last = HUGE_VALF;
-            }
+            held[i] |= fabsf(off) > 0.0f;
+            last = fabsf(off) > 0.0f ? HUGE_VALF : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -873,34 +856,46 @@ static int settle(const float T[16], float enough, float most, float q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const float T[16], float q[6])
+{
+    float x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0f < off && off < 0.01f)
+        || !settle(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const float T[16], const float seed[6], float q[8][6],
     unsigned char status[8])
 {
-    float x[6], half[6], J[36], least = HUGE_VALF;
+    float x[6], half[6], e[6], least = HUGE_VALF;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const float seen = seed[i], past = fabsf(past_an_end(i, seen));
         const float here = past <= 0.15f ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 5e-05f, 0.15f, x))
-        return;
-    if (past_ends(x) > 0.0f && !settle(T, NAN, 0.15f, x))
+    if (!settle(T, 5e-05f, 0.15f, x)
+        || (past_ends(x) > 0.0f && !settle(T, NAN, 0.15f, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        float e[6] = { 0.0f }, between = 0.0005f;
+        float between = 0.0005f;
         if (status[row] != UR5_F32_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.03f)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmaxf(off_pose(T, half, e), 5e-05f);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0f * least)
             place = row;
-        }
+        least = fminf(least, between);
     }
     status[place] = UR5_F32_FREE_JOINT;
     take(x, q[place]);
@@ -939,9 +934,7 @@ APART int ik_carefully(const float T[16], const float *q_seed, float q[8][6], un
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const float off = past_ends(q[row]);
-        if (0.0f < off && off < 0.01f)
-            (void)settle(pose, NAN, fmaxf(10.0f * off, 0.03f), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             float *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

@@ -173,7 +173,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 {
     *r0 = a[0];
@@ -184,7 +183,7 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -266,7 +265,6 @@ static const double
     /* square of a length that fixes no angle [m^2] */
     doubt_limit_squared2 = 1.1677971055248617e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1.1677971055248613e-06, /* doubt_limit1^2 [m^2] */
     m2 = 1e-12, /* doubt_limit_squared^2 */
     m10 = 1.0000000000000002e-10, /* pose_slack^2 */
@@ -441,19 +439,17 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         v70 = offset3 + angle4, v71 = angle1 - (angle3 + angle5) - offset4,
         v72 = angle1 - (angle6 - angle3) - offset4, v73 = offset4 + (angle1 + (angle4 + angle7)),
         v74 = offset4 + (angle1 + (angle8 - angle4)),
-        v75 = v71 + pick_wide(v71 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v71,
-            -whole_turn)),
-        v76 = v72 + pick_wide(v72 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < v72,
-            -whole_turn)),
-        v77 = pick_wide(-v73 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v73,
-            -whole_turn)) - v73,
-        v78 = pick_wide(-v74 <= -half_turn, all_wide(whole_turn), only_wide(half_turn < -v74,
-            -whole_turn)) - v74;
+        v75 = v71 + pick_wide(v71 <= -half_turn, all_wide(turn), only_wide(half_turn < v71, -turn)),
+        v76 = v72 + pick_wide(v72 <= -half_turn, all_wide(turn), only_wide(half_turn < v72, -turn)),
+        v77 = pick_wide(-v73 <= -half_turn, all_wide(turn), only_wide(half_turn < -v73, -turn)) -
+            v73,
+        v78 = pick_wide(-v74 <= -half_turn, all_wide(turn), only_wide(half_turn < -v74, -turn)) -
+            v74;
     const double v79 = NAN;
     const wide v80 = only_wide((v57 <= m11) == 0, v79), v81 = only_wide((v58 <= m11) == 0, v79),
         v82 = only_wide((v59 <= m11) == 0, v79), v83 = only_wide((v60 <= m11) == 0, v79),
-        v84 = v23 + (v61 + only_wide(v61 <= -half_turn, whole_turn)),
-        v85 = v24 + (v62 + only_wide(v62 <= -half_turn, whole_turn)), v86 = angle2 + v23,
+        v84 = v23 + (v61 + only_wide(v61 <= -half_turn, turn)),
+        v85 = v24 + (v62 + only_wide(v62 <= -half_turn, turn)), v86 = angle2 + v23,
         v87 = v24 + (angle2 - signed_wide(half_turn, -Z2_5));
     const wide_mask doubt1 = (v7 <= m2) | (v4 <= m1) | (v8 <= m2) | (N3_m <= doubt_limit_squared2) |
         ((shortest3_reach <= N3_m) & (N3_m <= longest3_reach) & (((shortest3_apart < N3_m) & (N3_m <
@@ -463,21 +459,21 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[20], wide_mask kind[4])
         ((m11 < v60) & (v60 <= m12)) | ((m11 < v59) & (v59 <= m12)) | ((m11 < v57) & (v57 <= m12)) |
         ((m11 < v58) & (v58 <= m12));
 
-    q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, whole_turn));
-    q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, whole_turn));
-    q[3] = v80 + (v75 + only_wide(half_turn < v75, -whole_turn)); q[4] = v80 + v86;
+    q[0] = v80 + v84; q[1] = v80 + (v63 + only_wide(v63 <= -half_turn, turn));
+    q[2] = v80 + (v67 + only_wide(v67 <= -half_turn, turn));
+    q[3] = v80 + (v75 + only_wide(half_turn < v75, -turn)); q[4] = v80 + v86;
     kind[0] = kind_of(q[0], 0);
-    q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, whole_turn));
-    q[7] = v81 + (only_wide(-v68 <= -half_turn, whole_turn) - v68);
-    q[8] = v81 + (v76 + only_wide(half_turn < v76, -whole_turn)); q[9] = v81 + v86;
+    q[5] = v81 + v84; q[6] = v81 + (v64 + only_wide(v64 <= -half_turn, turn));
+    q[7] = v81 + (only_wide(-v68 <= -half_turn, turn) - v68);
+    q[8] = v81 + (v76 + only_wide(half_turn < v76, -turn)); q[9] = v81 + v86;
     kind[1] = kind_of(q[5], 0);
-    q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, whole_turn));
-    q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, whole_turn));
-    q[13] = v82 + (v77 + only_wide(half_turn < v77, -whole_turn)); q[14] = v82 + v87;
+    q[10] = v82 + v85; q[11] = v82 + (v65 + only_wide(v65 <= -half_turn, turn));
+    q[12] = v82 + (v69 + only_wide(v69 <= -half_turn, turn));
+    q[13] = v82 + (v77 + only_wide(half_turn < v77, -turn)); q[14] = v82 + v87;
     kind[2] = kind_of(q[10], 0);
-    q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, whole_turn));
-    q[17] = v83 + (only_wide(-v70 <= -half_turn, whole_turn) - v70);
-    q[18] = v83 + (v78 + only_wide(half_turn < v78, -whole_turn)); q[19] = v83 + v87;
+    q[15] = v83 + v85; q[16] = v83 + (v66 + only_wide(v66 <= -half_turn, turn));
+    q[17] = v83 + (only_wide(-v70 <= -half_turn, turn) - v70);
+    q[18] = v83 + (v78 + only_wide(half_turn < v78, -turn)); q[19] = v83 + v87;
     kind[3] = kind_of(q[15], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -554,12 +550,12 @@ HELPER int solve_regular(const double T[16], double q[4][5], unsigned char statu
         angle2 = shuffle(packed2, packed2, 3, 3, 3, 3), angle4 = angle_four(ratio3);
     const four v42 = angle5 + v13 * v41 - offset1, v43 = angle4 - offset2, v44 = e2 * angle3,
         v45 = v44 - offset3, v46 = e1 * angle1, v47 = v46 - (angle4 + v44) - offset4,
-        v48 = v47 + pick_four(v47 <= -half_turn, all_four(whole_turn), only_four(half_turn < v47,
-            -whole_turn)), v51 = v21 + (v42 + only_four(v42 <= -half_turn, whole_turn)),
-        q1 = v50 + v51, q2 = v50 + (v43 + only_four(v43 <= -half_turn, whole_turn)),
-        q3 = v50 + (v45 + only_four(v45 <= -half_turn, whole_turn)),
-        q4 = v50 + (v48 + only_four(half_turn < v48, -whole_turn)),
-        v52 = v21 + (angle2 + v12 * v13), q5 = v50 + v52;
+        v48 = v47 + pick_four(v47 <= -half_turn, all_four(turn), only_four(half_turn < v47, -turn)),
+        v51 = v21 + (v42 + only_four(v42 <= -half_turn, turn)), q1 = v50 + v51,
+        q2 = v50 + (v43 + only_four(v43 <= -half_turn, turn)),
+        q3 = v50 + (v45 + only_four(v45 <= -half_turn, turn)),
+        q4 = v50 + (v48 + only_four(half_turn < v48, -turn)), v52 = v21 + (angle2 + v12 * v13),
+        q5 = v50 + v52;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2 | doubt3) | (unsigned)(doubt1))
         return -1;
@@ -901,37 +897,34 @@ static const double pace[5] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[5], double e[6], double J[30])
+static double off_pose(const double T[16], const double x[5], double e[6])
 {
     double P[16], square = 0.0;
     xarm5_fk(x, P);
-    xarm5_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[5], const double J[30], double e[6], double x[5])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[5], double miss, double e[6], double x[5])
 {
-    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][11] = { { 0.0 } }, square[6] = { 0.0 }, J[30];
+    xarm5_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 5; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[5 * i + j];
-        A[i][5 + i] = share;
+        A[i][5 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -948,16 +941,16 @@ static void add_step(
     }
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough; returns
- * if so. Goes on while that gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[5])
 {
-    double x[5], half[5], J[30], last = HUGE_VAL;
+    double x[5], half[5], e[6], last = HUGE_VAL;
     int settled = 0, lost = 0, held[5] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -965,13 +958,12 @@ static int settle(const double T[16], double enough, double most, double q[5])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */
@@ -985,22 +977,21 @@ static void stay(
     const double T[16], const double seed[5], double q[4][5],
     unsigned char status[4])
 {
-    double x[5], half[5], J[30], least = HUGE_VAL;
+    double x[5], half[5], e[6], least = HUGE_VAL;
     int place = 0;
     take(seed, x);
     if (!settle(T, 1e-12, 0.15, x))
         return;
     for (int row = 4 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != XARM5_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = XARM5_FREE_JOINT;
     take(x, q[place]);

@@ -117,7 +117,7 @@ d4 = 0.3425  # z of axis 5 [m]
 a5 = 0.076  # x of axis 6 [m]
 d6 = 0.097  # z of the home pose [m]
 
-_TURN = 6.283185307179586
+turn = 6.283185307179586  # 2 pi [rad]
 # The limits with what rounding may add.
 _LOWEST = np.array([pair[0] for pair in JOINT_LIMITS]) - 1e-09
 _HIGHEST = np.array([pair[1] for pair in JOINT_LIMITS]) + 1e-09
@@ -327,7 +327,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 76747893e8c2e86e"
+_KEY = "xarm6 e226c8b02174fa64"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2241,11 +2241,11 @@ def _turned(joint, given, towards):
     low, high = _LOWEST[joint], _HIGHEST[joint]
     value = given
     if abs(towards) < 100000.0:
-        value += _TURN * math.floor((towards - given) / _TURN + 0.5)
+        value += turn * math.floor((towards - given) / turn + 0.5)
     if value > high:
-        value -= _TURN * math.ceil((value - high) / _TURN)
+        value -= turn * math.ceil((value - high) / turn)
     if value < low:
-        value += _TURN * math.ceil((low - value) / _TURN)
+        value += turn * math.ceil((low - value) / turn)
     return value if value <= high else given
 
 
@@ -2367,7 +2367,7 @@ def _near(joint, value, towards, limits):
         return _turned(joint, value, towards)
     if not abs(towards) < 100000.0:
         return value
-    return value + _TURN * math.floor((towards - value) / _TURN + 0.5)
+    return value + turn * math.floor((towards - value) / turn + 0.5)
 
 
 @_jit

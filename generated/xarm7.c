@@ -3470,5 +3470,5 @@ void xarm7_ik_batch(
     size_t k = 0;
     for (; k < n; k++)
         (void)xarm7_ik(
-            T + 16 * k, free_joints + 1 * k, NULL, (double (*)[7])(q + 112 * k), status + 16 * k);
+            T + 16 * k, free_joints + k, NULL, (double (*)[7])(q + 112 * k), status + 16 * k);
 }

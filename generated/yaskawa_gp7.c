@@ -174,7 +174,6 @@ HELPER void store_4(
     *(four_at *)r3 = shuffle(ab1, cd1, 2, 3, 6, 7);
 }
 
-
 typedef double two_at __attribute__((vector_size(16), aligned(8), may_alias)); /* in memory */
 
 HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four b)
@@ -189,7 +188,7 @@ HELPER void store_2(double *r0, double *r1, double *r2, double *r3, four a, four
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)(T + 0);
+    const four x = *(const four_at *)T;
     const four y = *(const four_at *)(T + 4);
     const four z = *(const four_at *)(T + 8);
     const four x1 = shuffle(x, x, 1, 2, 0, 3);
@@ -270,7 +269,6 @@ static const double
     doubt_limit_squared2 = 1.890625e-06, /* square of a length that fixes no angle [m^2] */
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = -1.4801364395941514, /* a constant angle [rad] */
-    whole_turn = 6.283185307179586, /* 2 pi [rad] */
     m1 = 1.8906249999999998e-06, /* doubt_limit1^2 [m^2] */
     m9 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
@@ -452,10 +450,10 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v42 = angle8 - offset2, angle9 = atan2_wide(v41 - v8, w3_p * v13 - v10),
         v43 = angle9 - offset2, angle10 = atan2_wide(-(v9 + w3_m * (m3 * v4)), w3_m * v12 - v11),
         v44 = angle10 - offset2, angle11 = atan2_wide(-(v9 + w3_m * (m3 * -v4)), w3_m * v13 - v11),
-        v45 = angle11 - offset2, q2_ppp = v42 + only_wide(half_turn < v42, -whole_turn),
-        q2_pmp = v43 + only_wide(half_turn < v43, -whole_turn),
-        q2_mpp = v44 + only_wide(half_turn < v44, -whole_turn),
-        q2_mmp = v45 + only_wide(half_turn < v45, -whole_turn),
+        v45 = angle11 - offset2, q2_ppp = v42 + only_wide(half_turn < v42, -turn),
+        q2_pmp = v43 + only_wide(half_turn < v43, -turn),
+        q2_mpp = v44 + only_wide(half_turn < v44, -turn),
+        q2_mmp = v45 + only_wide(half_turn < v45, -turn),
         angle12 = atan2_wide(-sqrt_wide(v31), T33 * c2m3_pp + s2m3_pp * v28),
         angle13 = atan2_wide(-sqrt_wide(v32), T33 * c2m3_pm + s2m3_pm * v28),
         angle14 = atan2_wide(-sqrt_wide(v33), T33 * c2m3_mp - s2m3_mp * v28),
@@ -463,14 +461,14 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v46 = angle12 - offset5, v47 = offset5 + angle12, v48 = angle13 - offset5,
         v49 = offset5 + angle13, v50 = angle14 - offset5, v51 = offset5 + angle14,
         v52 = angle15 - offset5, v53 = offset5 + angle15,
-        q5_ppp = v46 + only_wide(v46 <= -half_turn, whole_turn),
-        q5_ppm = only_wide(-v47 <= -half_turn, whole_turn) - v47,
-        q5_pmp = v48 + only_wide(v48 <= -half_turn, whole_turn),
-        q5_pmm = only_wide(-v49 <= -half_turn, whole_turn) - v49,
-        q5_mpp = v50 + only_wide(v50 <= -half_turn, whole_turn),
-        q5_mpm = only_wide(-v51 <= -half_turn, whole_turn) - v51,
-        q5_mmp = v52 + only_wide(v52 <= -half_turn, whole_turn),
-        q5_mmm = only_wide(-v53 <= -half_turn, whole_turn) - v53,
+        q5_ppp = v46 + only_wide(v46 <= -half_turn, turn),
+        q5_ppm = only_wide(-v47 <= -half_turn, turn) - v47,
+        q5_pmp = v48 + only_wide(v48 <= -half_turn, turn),
+        q5_pmm = only_wide(-v49 <= -half_turn, turn) - v49,
+        q5_mpp = v50 + only_wide(v50 <= -half_turn, turn),
+        q5_mpm = only_wide(-v51 <= -half_turn, turn) - v51,
+        q5_mmp = v52 + only_wide(v52 <= -half_turn, turn),
+        q5_mmm = only_wide(-v53 <= -half_turn, turn) - v53,
         v54 = -X4_pp * v39 - v29 * (c2m3_pp * v40 - s2m3_pp * T31),
         v55 = -X4_pm * v39 - v29 * (c2m3_pm * v40 - s2m3_pm * T31),
         v56 = X4_mp * v39 - v29 * (c2m3_mp * v40 + s2m3_mp * T31),
@@ -483,15 +481,13 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
         v60 = angle17 - offset6, v61 = angle17 - signed_wide(half_turn, v55) - offset6,
         v62 = angle18 - offset6, v63 = angle18 - signed_wide(half_turn, v56) - offset6,
         v64 = angle19 - offset6, v65 = angle19 - signed_wide(half_turn, v57) - offset6,
-        v66 = q3__pp + only_wide(half_turn < q3__pp, -whole_turn),
-        v67 = only_wide(half_turn < -v6, -whole_turn) - v6,
-        v68 = q3__mp + only_wide(half_turn < q3__mp, -whole_turn),
-        v69 = only_wide(half_turn < -v7, -whole_turn) - v7;
+        v66 = q3__pp + only_wide(half_turn < q3__pp, -turn),
+        v67 = only_wide(half_turn < -v6, -turn) - v6,
+        v68 = q3__mp + only_wide(half_turn < q3__mp, -turn),
+        v69 = only_wide(half_turn < -v7, -turn) - v7;
     const wide_mask v70 = beyond(angle1, 1), v71 = beyond(q1__m, 1);
-    const wide v72 = v66 + only_wide(v66 < low(3), whole_turn),
-        v73 = v67 + only_wide(v67 < low(3), whole_turn),
-        v74 = v68 + only_wide(v68 < low(3), whole_turn),
-        v75 = v69 + only_wide(v69 < low(3), whole_turn);
+    const wide v72 = v66 + only_wide(v66 < low(3), turn), v73 = v67 + only_wide(v67 < low(3), turn),
+        v74 = v68 + only_wide(v68 < low(3), turn), v75 = v69 + only_wide(v69 < low(3), turn);
     const wide_mask v76 = beyond(v72, 3), v77 = beyond(v73, 3), v78 = beyond(v74, 3),
         v79 = beyond(v75, 3);
     const wide q3_ppp = pick_wide(v76, v66, v72), q3_pmp = pick_wide(v77, v67, v73),
@@ -506,28 +502,28 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[48], wide_mask kind[8])
             | (v32 <= m9) | (v1 <= m1) | (v31 <= m9);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = angle4; q[4] = q5_ppp;
-    q[5] = v58 + only_wide(v58 <= -half_turn, whole_turn);
+    q[5] = v58 + only_wide(v58 <= -half_turn, turn);
     kind[0] = kind_of(q[0], v80 | beyond(q5_ppp, 5));
     q[6] = q1_ppp; q[7] = q2_ppp; q[8] = q3_ppp; q[9] = angle4 - v35; q[10] = q5_ppm;
-    q[11] = v59 + only_wide(v59 <= -half_turn, whole_turn);
+    q[11] = v59 + only_wide(v59 <= -half_turn, turn);
     kind[1] = kind_of(q[6], v80 | beyond(q5_ppm, 5));
     q[12] = q1_ppp; q[13] = q2_pmp; q[14] = q3_pmp; q[15] = angle5; q[16] = q5_pmp;
-    q[17] = v60 + only_wide(v60 <= -half_turn, whole_turn);
+    q[17] = v60 + only_wide(v60 <= -half_turn, turn);
     kind[2] = kind_of(q[12], v81 | beyond(q5_pmp, 5));
     q[18] = q1_ppp; q[19] = q2_pmp; q[20] = q3_pmp; q[21] = angle5 - v35; q[22] = q5_pmm;
-    q[23] = v61 + only_wide(v61 <= -half_turn, whole_turn);
+    q[23] = v61 + only_wide(v61 <= -half_turn, turn);
     kind[3] = kind_of(q[18], v81 | beyond(q5_pmm, 5));
     q[24] = q1_mpp; q[25] = q2_mpp; q[26] = q3_mpp; q[27] = angle6; q[28] = q5_mpp;
-    q[29] = v62 + only_wide(v62 <= -half_turn, whole_turn);
+    q[29] = v62 + only_wide(v62 <= -half_turn, turn);
     kind[4] = kind_of(q[24], v82 | beyond(q5_mpp, 5));
     q[30] = q1_mpp; q[31] = q2_mpp; q[32] = q3_mpp; q[33] = angle6 - v36; q[34] = q5_mpm;
-    q[35] = v63 + only_wide(v63 <= -half_turn, whole_turn);
+    q[35] = v63 + only_wide(v63 <= -half_turn, turn);
     kind[5] = kind_of(q[30], v82 | beyond(q5_mpm, 5));
     q[36] = q1_mpp; q[37] = q2_mmp; q[38] = q3_mmp; q[39] = angle7; q[40] = q5_mmp;
-    q[41] = v64 + only_wide(v64 <= -half_turn, whole_turn);
+    q[41] = v64 + only_wide(v64 <= -half_turn, turn);
     kind[6] = kind_of(q[36], v83 | beyond(q5_mmp, 5));
     q[42] = q1_mpp; q[43] = q2_mmp; q[44] = q3_mmp; q[45] = angle7 - v36; q[46] = q5_mmm;
-    q[47] = v65 + only_wide(v65 <= -half_turn, whole_turn);
+    q[47] = v65 + only_wide(v65 <= -half_turn, turn);
     kind[7] = kind_of(q[42], v83 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -593,16 +589,16 @@ HELPER int solve_regular(const double T[16], double q[8][6], unsigned char statu
         angle1 = shuffle(packed1, packed1, 1, 1, 1, 1), angle4 = angle_four(ratio2),
         angle3 = angle_four(ratio3), angle6 = angle_four(ratio4), angle5 = angle_four(ratio5);
     const four q1_ = angle1 + v3 * (m2 * (e1 - 1.0)), q3_ = e2 * angle2 - turn1,
-        q4_m = angle3 - v21, v26 = angle4 - offset2,
-        q2_p = v26 + only_four(half_turn < v26, -whole_turn), v27 = angle5 - offset5,
-        v28 = offset5 + angle5, q5_p = v27 + only_four(v27 <= -half_turn, whole_turn),
-        q5_m = only_four(-v28 <= -half_turn, whole_turn) - v28, v30 = angle6 - offset6,
+        q4_m = angle3 - v21, v26 = angle4 - offset2, q2_p = v26 + only_four(half_turn < v26, -turn),
+        v27 = angle5 - offset5, v28 = offset5 + angle5,
+        q5_p = v27 + only_four(v27 <= -half_turn, turn),
+        q5_m = only_four(-v28 <= -half_turn, turn) - v28, v30 = angle6 - offset6,
         v31 = angle6 - signed_four(half_turn, v29) - offset6,
-        q6_p = v30 + only_four(v30 <= -half_turn, whole_turn),
-        q6_m = v31 + only_four(v31 <= -half_turn, whole_turn),
-        v32 = q3_ + only_four(half_turn < q3_, -whole_turn);
+        q6_p = v30 + only_four(v30 <= -half_turn, turn),
+        q6_m = v31 + only_four(v31 <= -half_turn, turn),
+        v32 = q3_ + only_four(half_turn < q3_, -turn);
     const four_mask v33 = beyond_four(q1_, 1);
-    const four v34 = v32 + only_four(v32 < low(3), whole_turn);
+    const four v34 = v32 + only_four(v32 < low(3), turn);
     const four_mask v35 = beyond_four(v34, 3);
     const four q3_p = pick_four(v35, v32, v34), q1_p = q1_ + (w3 - w3);
     const four_mask v36 = v35 | v33 | beyond_four(q2_p, 2), outside_p = v36 | beyond_four(q5_p, 5),
@@ -923,37 +919,34 @@ static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* By how much joint values miss the pose, into e, and its length: the former is 0 half a turn away,
  * too. */
-static double off_pose(const double T[16], const double x[6], double e[6], double J[36])
+static double off_pose(const double T[16], const double x[6], double e[6])
 {
     double P[16], square = 0.0;
     yaskawa_gp7_fk(x, P);
-    yaskawa_gp7_jacobian(x, J);
-    e[0] = T[3] - P[3];
-    e[1] = T[7] - P[7];
-    e[2] = T[11] - P[11];
+    for (int i = 0; i < 3; i++) {
+        e[i] = weights[i] > 0.0 ? weights[i] * (T[4 * i + 3] - P[4 * i + 3]) : 0.0;
+        e[3 + i] = 0.0;
+        square += e[i] * e[i];
+    }
     for (int i = 0; i < 9; i++) {
         const int j = (i / 3 + 1) % 3 * 4 + i % 3, k = (i / 3 + 2) % 3 * 4 + i % 3;
         e[3 + i / 3] += 0.5 * (P[j] * T[k] - P[k] * T[j]);
         square += 0.5 * (P[j] - T[j]) * (P[j] - T[j]);
     }
-    for (int i = 0; i < 6; i++) {
-        e[i] *= weights[i];
-        square += i < 3 ? e[i] * e[i] : 0.0;
-    }
     return sqrt(square);
 }
 
-/* Adds the damped least squares step that the miss e asks for: the rows of J, each with its share
- * of the damping's root, are made orthogonal one after another, twice: once would not do beside
- * singular places. */
-static void add_step(
-    double share, const int held[6], const double J[36], double e[6], double x[6])
+/* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
+ * its share of the damping's root, are made orthogonal one after another, twice: once would not do
+ * beside singular places. */
+static void add_step(const int held[6], double miss, double e[6], double x[6])
 {
-    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 };
+    double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
+    yaskawa_gp7_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = share;
+        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1001,19 +994,17 @@ static double at_an_end(int joint, double value, double seed)
     return turned(joint, value, value);
 }
 
-/* Takes joint values to some not farther than most that miss the pose by less than enough or, if
- * that is
- * NaN, to some inside their limits that miss it hardly more; returns if so. Goes on while that
- * gains. */
+/* Takes joint values to some not farther than most that miss the pose by less than enough;
+ * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
+ * Goes on while that gains. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
-    double x[6], half[6], J[36], last = HUGE_VAL;
+    double x[6], half[6], e[6], last = HUGE_VAL;
     const int stands = isnan(enough);
     int settled = 0, lost = 0, held[6] = { 0 };
     take(q, x);
     for (int k = 0; k < 20; k++) {
-        double e[6] = { 0.0 };
-        const double miss = off_pose(T, x, e, J);
+        const double miss = off_pose(T, x, e);
         if (isnan(enough)) {
             enough = miss + 1e-14;
         } else {
@@ -1021,20 +1012,17 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 take(x, q);
                 settled = 1;
                 enough = 0.5 * miss;
-            } else if (settled) {
-                break;
-            } else if (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4) {
+            } else if (settled
+                || (miss > fmax(0.7 * last, 100.0 * enough) && ++lost == 4)) {
                 break;
             }
             last = miss;
-            add_step(sqrt(0.1 * miss * miss + 1e-26), held, J, e, x);
+            add_step(held, miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;
-            if (fabs(off) > 0.0) {
-                held[i] = 1;
-                last = HUGE_VAL;
-            }
+            held[i] |= fabs(off) > 0.0;
+            last = fabs(off) > 0.0 ? HUGE_VAL : last;
             x[i] -= off;
         }
         if (!(half_way(x, q, half) <= most))
@@ -1043,34 +1031,46 @@ static int settle(const double T[16], double enough, double most, double q[6])
     return settled;
 }
 
+/* Puts joints just beyond their limits on them, unless that is another solution: half way to the
+ * same there is one. */
+static void stand(const double T[16], double q[6])
+{
+    double x[6], half[6], off = past_ends(q);
+    take(q, x);
+    if (!(0.0 < off && off < 0.01)
+        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+        return;
+    off = half_way(q, x, half);
+    if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))
+        take(x, q);
+}
+
 /* Where rounding can't tell solutions apart the arm goes on with the one next to the seed. It gets
  * a row unless it has one: that of one it is told from by nothing, one that is left, or any. */
 static void stay(
     const double T[16], const double seed[6], double q[8][6],
     unsigned char status[8])
 {
-    double x[6], half[6], J[36], least = HUGE_VAL;
+    double x[6], half[6], e[6], least = HUGE_VAL;
     int place = 0;
     for (int i = 0; i < 6; i++) {
         const double seen = seed[i], past = fabs(past_an_end(i, seen));
         const double here = past <= 0.15 ? seen : turned(i, seen, seen);
         x[i] = here - past_an_end(i, here);
     }
-    if (!settle(T, 1e-12, 0.15, x))
-        return;
-    if (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x))
+    if (!settle(T, 1e-12, 0.15, x)
+        || (past_ends(x) > 0.0 && !settle(T, NAN, 0.15, x)))
         return;
     for (int row = 8 - 1; row >= 0; row--) {
-        double e[6] = { 0.0 }, between = 1e-06;
+        double between = 1e-06;
         if (status[row] != YASKAWA_GP7_UNREACHABLE) {
             if (half_way(x, q[row], half) < 0.001)
                 return;
-            between = off_pose(T, half, e, J);
+            between = fmax(off_pose(T, half, e), 1e-12);
         }
-        if (between <= least) {
-            least = between;
+        if (between <= 2.0 * least)
             place = row;
-        }
+        least = fmin(least, between);
     }
     status[place] = YASKAWA_GP7_FREE_JOINT;
     take(x, q[place]);
@@ -1106,9 +1106,7 @@ APART int ik_carefully(const double T[16], const double *q_seed, double q[8][6],
             continue;
         for (int i = 0; i < 6; i++)
             q[row][i] = at_an_end(i, q[row][i], seed[i]);
-        const double off = past_ends(q[row]);
-        if (0.0 < off && off < 0.01)
-            (void)settle(pose, NAN, fmax(10.0 * off, 0.001), q[row]);
+        stand(pose, q[row]);
         for (int i = 0; i < 6; i++) {
             double *value = &q[row][i];
             if (*value < lowest[i] || highest[i] < *value)

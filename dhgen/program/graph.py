@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.formulas import Formula, combined
 from dhgen.program.ir import Axis, Expression, Integer, Joint, NamedConstant, Pose, Variable
-from dhgen.program.reserved import RESERVED, is_kept_from_constants
+from dhgen.program.reserved import RESERVED, TURN, is_kept_from_constants
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Operator
@@ -176,6 +176,8 @@ class Graph:
 
     def _constant_name(self, name: str, *, derived: bool) -> str:
         """The same in every program of an arm: it depends on the arm's own names alone."""
+        if derived and name == TURN:
+            return name
         if (name, derived) not in self._renamed:
             wanted, own = name, not derived
             while is_kept_from_constants(wanted) or (wanted in self._reserved and not own):

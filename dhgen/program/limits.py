@@ -12,6 +12,7 @@ from functools import reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Variable
+from dhgen.program.reserved import TURN
 
 if TYPE_CHECKING:
     from dhgen.program.builder import Builder
@@ -80,7 +81,7 @@ class Limiting:
 
 def whole_turn(builder: Builder) -> Node:
     """2 pi, by a name."""
-    return builder.constant("whole_turn", 2 * math.pi, "2 pi [rad]")
+    return builder.constant(TURN, 2 * math.pi, "2 pi [rad]")
 
 
 def limit_of(name: str) -> tuple[str, str] | None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 
+TURN = "turn"  # 2 pi: files define it, and it is the programs' constant too
+
 _SOLVER = """
 J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into jacobian joint
 lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap
@@ -25,6 +27,7 @@ exact exactly beyond_limits choosable fan_step gap here hopeless inside keep_lim
 shortfall within begun fault seek take settle P e p s w weights tried held slope A add_step half
 half_way between most low high off_pose pace stands place settled share stay along spin part to bend
 rest other d u any next steps past past_an_end past_ends at_an_end seen
+stand
 """
 
 _LANES = """

@@ -143,14 +143,15 @@ def _functions(module: SolverModule) -> dict[str, str]:
     inputs = [pose, *free, "const double *q_seed", *table]
     of_a_row = [pose, *free, f"const double seed[{dof}]", "int row", *table]
 
+    def inputs_at(k: str) -> list[str]:
+        return [_part("T", 16, k), *(_part(each, count, k) for each in given)]
+
     def one(k: str) -> list[str]:
-        inputs = [f"T + 16 * {k}", *(f"{each} + {count} * {k}" for each in given), "NULL"]
-        table = f"(double (*)[{dof}])(q + {rows * dof} * {k})"
-        return [*inputs, table, f"status + {rows} * {k}"]
+        table = f"(double (*)[{dof}])({_part('q', rows * dof, k)})"
+        return [*inputs_at(k), "NULL", table, _part("status", rows, k)]
 
     def tile(k: str) -> list[str]:
-        inputs = [f"T + 16 * {k}", *(f"{each} + {count} * {k}" for each in given)]
-        return [*inputs, f"q + {rows * dof} * {k}", f"status + {rows} * {k}"]
+        return [*inputs_at(k), _part("q", rows * dof, k), _part("status", rows, k)]
 
     return {
         "ik_prototype": call(f"int {name}_ik", inputs, ""),
@@ -171,6 +172,11 @@ def _functions(module: SolverModule) -> dict[str, str]:
         "free_parameter": "".join(f", {each}" for each in free),
         "free_argument": "".join(f", {each}" for each in given),
     }
+
+
+def _part(array: str, size: int, place: str) -> str:
+    """Where the part of an array begins that is one of several of a size."""
+    return f"{array} + {place}" if size == 1 else f"{array} + {size} * {place}"
 
 
 def _bodies(module: SolverModule) -> dict[str, object]:

@@ -67,7 +67,8 @@ def _side_by_side(module: SolverModule) -> list[str]:
     """The columns in lanes: their lengths and angles, and whether the rows are right-handed."""
     pose = module.chain.task.kind is TaskKind.POSE
     rotated = "const four {0}{1} = shuffle({0}, {0}, {2}, 3);".format
-    lines = [f"const four {n} = *(const four_at *)(T + {4 * row});" for row, n in enumerate("xyz")]
+    rows = {"x": "T", "y": "(T + 4)", "z": "(T + 8)"}
+    lines = [f"const four {name} = *(const four_at *){row};" for name, row in rows.items()]
     lines += [rotated(name, 1, "1, 2, 0") for name in "xyz"]
     lines += [rotated(name, 2, "2, 0, 1") for name in "xy"]
     lines += [

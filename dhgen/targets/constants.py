@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from dhgen.program.reserved import TURN
 from dhgen.targets.module import plain
 from dhgen.targets.walk import merged_constants
 
@@ -20,10 +21,14 @@ if TYPE_CHECKING:
 def constant_texts(
     module: SolverModule, others: tuple[Program, ...] = ()
 ) -> list[tuple[str, str, str]]:
-    """Name, value and comment of every constant, of all programs and others."""
+    """Name, value and comment of every constant, of all programs and others, but the whole turn."""
     own = [constant.name for constant in module.chain.constants]
     constants = _told_by_others(merged_constants([*module.programs, *others], own))
-    return [(c.name, repr(c.value), _comment(c, module.length_unit)) for c in constants]
+    return [
+        (c.name, repr(c.value), _comment(c, module.length_unit))
+        for c in constants
+        if c.name != TURN
+    ]
 
 
 def _told_by_others(constants: Iterable[NamedConstant]) -> list[NamedConstant]:

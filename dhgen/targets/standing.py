@@ -11,7 +11,7 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import DAMPING, TOGETHER
-from dhgen.numerical.texts import given_places, position_rows
+from dhgen.numerical.texts import given_places
 from dhgen.robot.robot import JointKind, TaskKind
 from dhgen.targets.walk import whole_arm
 
@@ -29,9 +29,10 @@ FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
 # be longer than the whole way; and times what a joint is beyond its limit.
 MOVED = 0.15
 LED = 10.0
+ASIDE = 0.25  # times the whole way: from half way to the same solution steps lead no farther
 NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
 LEAST_WHOLE = 2.0 * math.pi - 1e-6  # limits so far apart leave no gap [rad]
-# Half way to two rows is missed by as much if by no more than so many times: then rounding says which
+# Half way to two rows as much is missed if by no more than so many times: then rounding says which
 # is least, and not alike in both languages. The first row is taken.
 ALIKE = 2.0
 BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
@@ -53,7 +54,6 @@ def standing(module: SolverModule) -> dict[str, object]:
         "given_places": given_places(chain),
         "together": repr(max(TOGETHER, BEYOND_TOLD * module.precision.tolerances.told)),
         "doubts_limits": stands_on_limits(module) and module.precision.tolerances.blur_limits,
-        "coordinates": position_rows(rows),
         "per_length": length,
         "miss_weights": ", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
         "paces": ", ".join(_pace(joint, chain) for joint in chain.joints),
@@ -68,6 +68,7 @@ def standing(module: SolverModule) -> dict[str, object]:
         "fine": repr(module.precision.tolerances.fine),
         "most_moved": MOVED,
         "led_by_limit": LED,
+        "aside": ASIDE,
         "alike": ALIKE,
         "told_by_nothing": max(NOTHING, BEYOND_TOLD * module.precision.tolerances.exact),
     }

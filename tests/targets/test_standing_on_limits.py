@@ -20,6 +20,7 @@ from tests.targets.calling import (
     OK,
     OUT_OF_LIMITS,
     Solver,
+    gap,
     in_single,
 )
 from tests.targets.made import apart, poses_of, residual, robot, without_numba
@@ -155,3 +156,28 @@ def test_where_many_roots_meet_a_joint_stands_on_its_limit(tmp_path: Path) -> No
         np.testing.assert_allclose(solver.fk(nearest)[:3, 2:], T[:3, 2:], atol=1e-10)
         if k in IN_PYTHON:
             assert nearest == pytest.approx(python.ik(T, seed), abs=1e-4)
+
+
+# Joint 4, and joint 5, on a limit; the neighbour is 0.05 rad away and less than 0.01 beyond.
+PAIRS = (
+    (2.964361747661, -0.653272339, 1.576689153997, -3.05432619099, 0.259248386970, 2.537758300),
+    (0.414626909283, -2.496362182, -0.840350768202, 2.726142525809, -3.05432619099, -0.794635542),
+)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("joints", PAIRS)
+def test_a_solution_beyond_a_limit_is_not_led_to_its_neighbour(
+    joints: tuple[float, ...], language: str
+) -> None:
+    """At a regular pose it is known to all digits, and stays where it is."""
+    q = np.array(joints)
+    T = poses_of("close_pair", q[None])[0]
+    rows, status = Solver("close_pair", language).all(T)
+    held = np.isin(status, HELD)
+    rows, status = rows[held], status[held]
+    near = gap(rows, q) < 0.1
+    assert sorted(status[near]) == [OK, OUT_OF_LIMITS]
+    assert gap(rows[near & (status == OK)], q).max() < 1e-9
+    assert gap(rows[near & (status == OUT_OF_LIMITS)], q).min() > 0.01
+    assert residual("close_pair", rows, T) < 1e-9

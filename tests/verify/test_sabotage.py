@@ -119,7 +119,7 @@ def test_every_fifth_sign_of_c(
         ("math.isfinite(px * px * px)", "True"),
         ("valid = valid and miss <= ", "valid = valid and miss <= 1e9 + "),
         ("status[row] = OUT_OF_LIMITS", "pass"),
-        ("value += _TURN * math.floor((t", "value -= _TURN * math.floor((t"),
+        ("value += turn * math.floor((t", "value -= turn * math.floor((t"),
         ("moved = rows[row, i] - seed[i]", "moved = rows[row, i] + seed[i]"),
         ("or distance < least:", "or distance > least:"),
         ("else OK\n", "else FREE_JOINT\n"),
