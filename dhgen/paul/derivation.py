@@ -89,7 +89,8 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     if chain.arm_angle:
         pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
-    for route in closed.routes():
+    route = closed.best()
+    if route is not None:
         steps = with_second_equations(pool, route.steps)
         return Derivation(pool, steps, route.alternatives)
     found = _by_polynomial(with_inverse_forms(pool), chain)
@@ -103,7 +104,8 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
 def _by_polynomial(pool: Pool, chain: Chain) -> Derivation | None:
     """By steps of which one is a quartic, or by a general algorithm."""
     if not is_better_polished(chain):
-        for route in Search(pool, QUARTIC).routes():
+        route = Search(pool, QUARTIC).best()
+        if route is not None:
             return Derivation(pool, route.steps, route.alternatives)
     kernel = general_kernel(chain)
     return None if kernel is None else Derivation(pool, (), (), kernel)

@@ -21,8 +21,6 @@ from dhgen.paul.step import Kind, View
 from dhgen.paul.witness import OWN_LENGTHS, VANISHING, build_witnesses
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from numpy.typing import NDArray
 
     from dhgen.kinematics.constants import Polynomial
@@ -66,8 +64,8 @@ class Search:
         self._lines = _lines(pool.equations)
         self.deepest: Knowledge = self._start
 
-    def routes(self) -> Iterator[Route]:
-        """Every cheapest order to a complete state, cheapest first (one for each last state)."""
+    def best(self) -> Route | None:
+        """The cheapest order to a complete state; None where there is none."""
         tie = count()
         start: tuple[int, int, Knowledge, tuple[Step, ...]] = (0, next(tie), self._start, ())
         queue = [start]
@@ -75,8 +73,7 @@ class Search:
         while queue:
             cost, _, knowledge, steps = heapq.heappop(queue)
             if knowledge.complete:
-                yield self._route(steps)
-                continue
+                return self._route(steps)
             if knowledge.state in closed:
                 continue
             closed.add(knowledge.state)
@@ -85,6 +82,7 @@ class Search:
             for step in self.offers(knowledge):
                 price = cost + step.penalty + DOUBLING * (step.roots - 1)
                 heapq.heappush(queue, (price, next(tie), learn(knowledge, step), (*steps, step)))
+        return None
 
     def offers(self, knowledge: Knowledge) -> tuple[Step, ...]:
         """The steps that a state allows, cheapest first."""
