@@ -1,16 +1,17 @@
 """The program: straight-line single assignment over real numbers, typed by branch axes.
 
 A value is not one number but an array over the branch axes it depends on: a value of type () is
-one number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, or the choice among the
-roots of a polynomial, and these are the only source of axes: the type of every other value is the
-union of its operands' types. A scalar target
-loops over the axes, a vector target makes them lanes, a batch adds the axis of poses; nothing is
-computed twice.
+one number, a value of type (e1, e3) four. An axis is a sign, +1 or -1, the choice among the roots
+of a polynomial, or among the solutions of an algorithm that takes the whole arm, and these are the
+only source of axes: the type of every other value is the union of its operands' types. A scalar
+target loops over the axes, a vector target makes them lanes, a batch adds the axis of poses;
+nothing is computed twice.
 
-What the language does not have: loops, jumps, memory, calls, types other than real and truth
-value, and floating-point exceptions as a means of control. Divisors are guarded by selects, so
-that no operand is ever infinite because of a branch that is not taken. A branch that has no
-solution fails a guard: its rows are then without a solution, whatever its values are.
+What the language does not have: loops, jumps, memory, functions of its own (the two algorithms,
+`Roots` and `AllJoints`, are statements), types other than real and truth value, and floating-point
+exceptions as a means of control. Divisors are guarded by selects, so that no operand is ever
+infinite because of a branch that is not taken. A branch that has no solution fails a guard: its
+rows are then without a solution, whatever its values are.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -207,8 +208,10 @@ class AllJoints:
             solutions are singular.
         general: The general algorithm where it goes first.
         given: Whether the caller gives the values of some joints.
-        axes: None: the pose, the seed and the given joints decide.
+        axes: None of any such statement: the pose, the seed and the given joints decide.
     """
+
+    axes: ClassVar[tuple[int, ...]] = ()
 
     axis: int
     names: tuple[str, ...]
@@ -217,7 +220,6 @@ class AllJoints:
     descent: NumericalKernel
     general: GeneralKernel | None = None
     given: bool = False
-    axes: tuple[int, ...] = ()
 
     @property
     def method(self) -> str:
@@ -275,7 +277,9 @@ class Program:
             after roots of a polynomial, to the digits of a row.
         tightened: Damped least squares for this arm, where rows that are not exact take some steps
             of it in the end; where a pose may be none of the arm's, only those stay that then fit.
-            Where roots nearly meet, rows of both of their sides are looked for with it.
+            Where roots nearly meet, rows of both of their sides are looked for with it. It holds
+            arrays, which can't be hashed, and programs are: of those that are made from this one
+            none depends on it.
     """
 
     name: str

@@ -1,7 +1,8 @@
 """The kernels: one closed form for each equation type, with what happens where it degenerates.
 
 Sources: the table of types of document 003 (after W. Khalil and E. Dombre, Modeling, Identification
-and Control of Robots, 2002, chapter 4); the forms without division are those of DESIGN, section 3.
+and Control of Robots, 2002, chapter 4). An angle is found as its cosine and sine, which later steps
+take; its value is taken from both of them.
 """
 
 from __future__ import annotations
