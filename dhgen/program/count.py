@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Guard, Let, Roots
+from dhgen.program.walk import parts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -50,16 +51,17 @@ def count_operations(program: Program) -> OperationCount:
     """Counts a program; a statement counts once for each combination of the signs it depends on."""
     totals = dict.fromkeys(_FIELDS.values(), 0)
     for expression, times in _expressions(program):
-        for operator in _operators(expression):
-            if operator in _FIELDS:
-                totals[_FIELDS[operator]] += times
+        for part in parts(expression):
+            if isinstance(part, Apply) and part.operator in _FIELDS:
+                totals[_FIELDS[part.operator]] += times
     return OperationCount(**totals)
 
 
 def _expressions(program: Program) -> Iterator[tuple[Expression, int]]:
     """Every expression, with how often it is evaluated.
 
-    The margin of a guard is what is printed when a pose is refused; it costs nothing otherwise.
+    Of a guard the condition alone: its margin and what may be chosen again are for the poses that
+    it refuses.
     """
     for statement in program.body:
         match statement:
@@ -68,10 +70,3 @@ def _expressions(program: Program) -> Iterator[tuple[Expression, int]]:
             case Roots(coefficients=coefficients, axes=axes):
                 for coefficient in coefficients:
                     yield coefficient, program.combinations(axes)
-
-
-def _operators(expression: Expression) -> Iterator[str]:
-    if isinstance(expression, Apply):
-        yield expression.operator
-        for operand in expression.operands:
-            yield from _operators(operand)

@@ -21,10 +21,9 @@ from dhgen.program.ir import (
     Roots,
     Variable,
 )
+from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
-
     from dhgen.program.graph import Entry, Graph, Node
     from dhgen.program.ir import Expression, Statement
 
@@ -123,16 +122,17 @@ def scheduled(
     schedule = _Schedule(graph, marks, names, [*results, *(node for _, node in free), *near])
     body = tuple(schedule.statements())
     outputs = tuple(schedule.expression(node) for node in results)
-    used = _names_in(body, outputs)
-    return Program(
+    program = Program(
         name=name,
-        constants=tuple(c for c in schedule.constants if c.name in used),
+        constants=(),
         axes=tuple(graph.axes),
         body=body,
         outputs=outputs,
         free=tuple((number, names.given[node]) for number, node in free),
         near=tuple(names.given[node] for node in near),
     )
+    used = {each.name for each in expressions(program) if isinstance(each, Variable)}
+    return replace(program, constants=tuple(c for c in schedule.constants if c.name in used))
 
 
 class _Schedule:
@@ -269,29 +269,3 @@ class _Schedule:
             for operand in entry.operands
             for leaf in self._graph.leaves(operand)
         )
-
-
-def names_in(expressions: Iterable[Expression]) -> set[str]:
-    """The names that occur in expressions."""
-    names: set[str] = set()
-    pending = list(expressions)
-    while pending:
-        expression = pending.pop()
-        if isinstance(expression, Variable):
-            names.add(expression.name)
-        elif isinstance(expression, Apply):
-            pending += expression.operands
-    return names
-
-
-def _names_in(body: Iterable[Statement], outputs: Iterable[Expression]) -> set[str]:
-    pending = list(outputs)
-    for statement in body:
-        match statement:
-            case Let(_, expression):
-                pending.append(expression)
-            case Guard(condition, margin=margin):
-                pending += [condition] if margin is None else [condition, margin]
-            case Roots(coefficients=coefficients):
-                pending += coefficients
-    return names_in(pending)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
 from dhgen.program.limits import limit_of, limited_joint
+from dhgen.program.walk import expressions
 from dhgen.targets.c_declared import Declaration
 from dhgen.targets.c_language import C
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
@@ -158,10 +159,5 @@ class LaneText:
 
 
 def operators(program: Program) -> Iterable[str]:
-    """All operators of a program."""
-    pending = [*program.outputs, *(s.expression for s in program.body if isinstance(s, Let))]
-    while pending:
-        expression = pending.pop()
-        if isinstance(expression, Apply):
-            yield expression.operator
-            pending += expression.operands
+    """All operators of a program, each as often as it occurs."""
+    return (each.operator for each in expressions(program) if isinstance(each, Apply))

@@ -11,7 +11,7 @@ from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.arrival import arrivals
 from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let, Variable
-from dhgen.program.schedule import names_in
+from dhgen.program.walk import names_in
 from dhgen.targets.c_declared import dense
 from dhgen.targets.c_irregular import irregularities
 from dhgen.targets.c_lanes import LaneText, operators
@@ -150,7 +150,7 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
     for statement in flat.program.body:
         if not isinstance(statement, Let):
             first.append(statement)
-        elif names_in([statement.expression]) & late:
+        elif names_in(statement.expression) & late:
             late.add(statement.name)
             last.append(statement)
         elif isinstance(statement.expression, Apply) and statement.expression.operator == "atan2":
@@ -195,7 +195,7 @@ def _needed_once(flat: Flat) -> dict[Expression, Let]:
     lets = [statement for statement in flat.program.body if isinstance(statement, Let)]
     outputs = flat.program.outputs
     composed = [output for output in outputs if not isinstance(output, Variable)]
-    elsewhere = names_in([*composed, *(let.expression for let in lets)])
+    elsewhere = names_in(*composed, *(let.expression for let in lets))
     needed = Counter(outputs)
     written = [*(each for group in flat.groups for each in group), *flat.outside]
     joints = {each for each in written if needed[each] == 1}

@@ -10,7 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Apply, Joint, Let, Pose, Variable
+from dhgen.program.ir import Joint, Let, Pose, Variable
+from dhgen.program.walk import parts
 from dhgen.robot.robot import TaskKind
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import INDENT
@@ -200,18 +201,14 @@ class _Tiling:
 
 
 def _names(expression: Expression) -> Iterable[str]:
-    pending = [expression]
-    while pending:
-        each = pending.pop()
-        match each:
+    for part in parts(expression):
+        match part:
             case Variable(name):
                 yield name
             case Pose(row, column):
                 yield f"T{row}{column}"
             case Joint(number):
                 yield f"given{number}"
-            case Apply(operands=operands):
-                pending += operands
 
 
 def _rows(table: tuple[tuple[int, ...], ...]) -> list[str]:

@@ -15,10 +15,10 @@ from dhgen.program.ir import (
     Roots,
     Variable,
 )
+from dhgen.program.walk import expressions
 from dhgen.targets.dialect import Dialect, NamedText, expression_text
 from dhgen.targets.layout import INDENT, WIDTH, wrapped
 from dhgen.targets.nest import Loop, nest
-from dhgen.targets.walk import expressions
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Axis, Choice, Expression, Program

@@ -1,34 +1,17 @@
-"""What occurs in a program."""
+"""What the targets ask of programs."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Let, Roots
+from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Roots
+from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Sequence
 
     from dhgen.numerical.kernel import NumericalKernel
-    from dhgen.program.ir import Expression, NamedConstant, Program
-
-
-def expressions(program: Program) -> Iterator[Expression]:
-    """Every expression and its parts."""
-    pending: list[Expression] = list(program.outputs)
-    for statement in program.body:
-        if isinstance(statement, Let):
-            pending.append(statement.expression)
-        elif isinstance(statement, Guard):
-            margin = () if statement.margin is None else (statement.margin,)
-            pending += [statement.condition, *margin]
-        elif isinstance(statement, Roots):
-            pending += statement.coefficients
-    while pending:
-        expression = pending.pop()
-        yield expression
-        if isinstance(expression, Apply):
-            pending += expression.operands
+    from dhgen.program.ir import NamedConstant, Program
 
 
 def uses(program: Program, operator: str) -> bool:

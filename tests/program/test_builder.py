@@ -12,14 +12,14 @@ from hypothesis import strategies as st
 from dhgen.program.builder import Builder
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
-from dhgen.program.ir import Apply, Choice, Failure, Integer, Let, Program, Variable
+from dhgen.program.ir import Apply, Choice, Failure, Integer, Let, Pose, Program, Variable
 from dhgen.program.schedule import Option
+from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
 
     from dhgen.program.graph import Node
-    from dhgen.program.ir import Expression
 
 POSE = np.array(
     [[0.5, -1.5, 3.0, 0.0], [2.0, 0.25, -7.0, 1.0], [1.0, 1.0, 0.5, -0.5], [0, 0, 0, 1]]
@@ -88,16 +88,6 @@ def built(builder: Builder, formula: Formula) -> Node:
 def value(program: Program) -> float:
     """The first result at the test's pose."""
     return float(interpret(program, POSE[None]).q[0, 0, 0])
-
-
-def expressions(program: Program) -> Iterator[Expression]:
-    """Every expression and part of one."""
-    pending = [*program.outputs, *(s.expression for s in program.body if isinstance(s, Let))]
-    while pending:
-        expression = pending.pop()
-        yield expression
-        if isinstance(expression, Apply):
-            pending += expression.operands
 
 
 @given(FORMULAS)
@@ -212,3 +202,16 @@ def test_guards_keep_only_choices_that_matter() -> None:
     program = builder.finish("t", {"q1": builder.pose(1, 1)}, flags)
     (guard,) = [s for s in program.body if type(s).__name__ == "Guard"]
     assert guard.chosen == (Choice(2, dict(program.free)[2]),)  # type: ignore[union-attr]
+
+
+def test_what_a_joint_would_be_chosen_by_counts_as_needed() -> None:
+    """The value of a joint that is nearly free, where nothing else names its constants."""
+    builder = Builder(set())
+    flag = builder.apply("at_most", builder.pose(1, 1), builder.integer(0))
+    near = builder.mul(builder.constant("a", 0.3, "a test"), builder.pose(2, 3))
+    margin = builder.sub(builder.pose(1, 4), builder.seed(2))
+    inside = builder.apply("at_most", builder.integer(0), margin)
+    builder.guard(inside, Failure.REACH, margin, [Option(2, flag, near)])
+    program = builder.finish("t", {"q1": builder.pose(1, 2)}, [(2, flag)])
+    assert [constant.name for constant in program.constants] == ["a"]
+    assert Pose(2, 3) in expressions(program)
