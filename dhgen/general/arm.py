@@ -14,7 +14,8 @@ from dhgen.general.no_turn import with_no_turn
 from dhgen.general.rigid import IDENTITY
 from dhgen.general.setup import setup
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -17,7 +17,8 @@ import numpy as np
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

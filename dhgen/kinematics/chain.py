@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Constant
-    from dhgen.robot.robot import Task
+    from dhgen.robot.task import Task
 
 
 @dataclass(frozen=True, slots=True)

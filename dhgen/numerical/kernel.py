@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.problem import is_redundant
 from dhgen.program.tolerances import TOLERANCES
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -136,11 +137,6 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
     units = [1.0 if each else chain.size for each in turns]
     limits = [joint.limits or (-inf, inf) for joint in joints]
     task = chain.task
-    position: tuple[int, ...] = (0, 1, 2)
-    if task.kind is TaskKind.ORIENTATION:
-        position = ()
-    elif task.kind is TaskKind.COORDINATES:
-        position = tuple("xyz".index(name) for name in task.coordinates)
     return NumericalKernel(
         arm=numeric_arm(chain),
         solved=tuple(joint.number - 1 for joint in joints),
@@ -148,8 +144,8 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
         units=tuple(units),
         lowest=tuple(low / unit for (low, _), unit in zip(limits, units, strict=True)),
         highest=tuple(high / unit for (_, high), unit in zip(limits, units, strict=True)),
-        position=position,
-        turning=task.kind in {TaskKind.POSE, TaskKind.ORIENTATION},
+        position=task.position_rows,
+        turning=task.names_rotation,
         pointing=task.kind is TaskKind.POINTING,
         redundant=redundant,
         checked=is_redundant(chain),

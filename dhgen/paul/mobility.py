@@ -16,7 +16,7 @@ import numpy as np
 
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -82,10 +82,10 @@ def open_from_the_start(chain: Chain, spare: Surplus) -> tuple[Chain, Surplus]:
 
 def still_coordinates(chain: Chain) -> tuple[str, ...]:
     """Those of x, y, z that the task names and no joint moves, if others of them move."""
-    named = {TaskKind.POSITION: "xyz", TaskKind.COORDINATES: chain.task.coordinates}
+    named = [] if chain.task.names_direction else ["xyz"[row] for row in chain.task.position_rows]
     moves = moving_coordinates(chain)
-    still = tuple(name for name in named.get(chain.task.kind, ()) if name not in moves)
-    return () if len(still) == len(named.get(chain.task.kind, ())) else still
+    still = tuple(name for name in named if name not in moves)
+    return () if len(still) == len(named) else still
 
 
 def moving_coordinates(chain: Chain) -> tuple[str, ...]:
@@ -108,20 +108,13 @@ def task_jacobian(arm: NumericArm, q: Array) -> Array:
     chain = arm.chain
     full = arm.jacobian(q)
     full[..., :3, :] /= chain.size
-    position, rotation = full[..., :3, :], full[..., 3:, :]
-    match chain.task.kind:
-        case TaskKind.POSE:
-            return full
-        case TaskKind.POSITION:
-            return position
-        case TaskKind.ORIENTATION:
-            return rotation
-        case TaskKind.POINTING:
-            # of the rotations those about the tool's x and y
-            across = np.swapaxes(arm.pose(q)[..., :3, :2], -1, -2)
-            return np.concatenate([position, across @ rotation], axis=-2)
-        case TaskKind.COORDINATES:
-            return position[..., ["xyz".index(name) for name in chain.task.coordinates], :]
+    named = [full[..., list(chain.task.position_rows), :]]
+    rotation = full[..., 3:, :]
+    if chain.task.names_rotation:
+        named.append(rotation)
+    elif chain.task.names_direction:  # of the rotations those about the tool's x and y
+        named.append(np.swapaxes(arm.pose(q)[..., :3, :2], -1, -2) @ rotation)
+    return np.concatenate(named, axis=-2)
 
 
 def crowded_axes(chain: Chain) -> list[str]:

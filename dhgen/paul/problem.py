@@ -14,13 +14,13 @@ from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import Spans
 from dhgen.kinematics.transform import Transform, identity
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.chain import Chain, Element
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.robot.robot import Task
+    from dhgen.robot.task import Task
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,28 +87,17 @@ def telling_entries(task: Task) -> frozenset[str]:
     return task_entries(task) - _SECOND
 
 
-def task_dimension(task: Task) -> int:
-    """How many independent numbers a task gives."""
-    dimensions = {
-        TaskKind.POSE: 6,
-        TaskKind.POSITION: 3,
-        TaskKind.ORIENTATION: 3,
-        TaskKind.POINTING: 5,
-    }
-    return dimensions.get(task.kind, len(task.coordinates))
-
-
 def is_redundant(chain: Chain) -> bool:
     """Whether the task gives more independent numbers than the arm can choose."""
-    return chain.dof - chain.given < task_dimension(chain.task)
+    return chain.dof - chain.given < chain.task.dimension
 
 
 def build_problem(algebra: Algebra) -> Problem:
     """The inverse problem of an arm and its task."""
     chain = algebra.chain
-    kind = chain.task.kind
-    base_left = kind is not TaskKind.COORDINATES
-    tool_left = kind in {TaskKind.POSE, TaskKind.ORIENTATION}
+    task = chain.task
+    base_left = task.kind is not TaskKind.COORDINATES
+    tool_left = task.names_rotation
     links = [algebra.lifted(link) for link in chain.links]
     still = identity(algebra.ring)
     if not base_left and algebra.lift(chain.base) != still:
@@ -116,7 +105,7 @@ def build_problem(algebra: Algebra) -> Problem:
     if not tool_left and algebra.lift(chain.tool) != still:
         links[-1] = (*links[-1], Fixed(algebra.lift(chain.tool)))
     spans = Spans(tuple(links), algebra)
-    given = task_entries(chain.task)
+    given = task_entries(task)
     target, known = _target(algebra, spans.product(0, len(links)), given)
     return Problem(
         algebra=algebra,

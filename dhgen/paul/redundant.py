@@ -14,7 +14,7 @@ from dhgen.paul.mobility import (
     still_coordinates,
     surplus,
 )
-from dhgen.robot.robot import Task, TaskKind
+from dhgen.robot.task import Task, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from dhgen.errors import Diagnostic
     from dhgen.robot.expression import Expression
+    from dhgen.robot.task import Task
 
 
 class JointKind(Enum):
@@ -23,16 +24,6 @@ class Convention(Enum):
 
     STANDARD = "standard"  # Rz(theta) Tz(d) Tx(a) Rx(alpha)
     MODIFIED = "modified"  # Rx(alpha) Tx(a) Rz(theta) Tz(d)
-
-
-class TaskKind(Enum):
-    """What of the tool's pose the caller means."""
-
-    POSE = "pose"
-    POSITION = "position"
-    ORIENTATION = "orientation"
-    POINTING = "pointing"  # position and the tool's z axis
-    COORDINATES = "coordinates"  # a list out of x, y, z
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,19 +112,6 @@ class Frame:
 
     xyz: tuple[Expression, Expression, Expression]
     rotation: tuple[Expression, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Task:
-    """What of T the caller means; `coordinates` is filled for TaskKind.COORDINATES only.
-
-    Attributes:
-        kind: Which entries.
-        coordinates: Out of "x", "y", "z", in this order.
-    """
-
-    kind: TaskKind
-    coordinates: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

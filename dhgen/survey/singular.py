@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.robot import Robot, TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.arm_angle import elbow_rates, given_values
 from dhgen.survey.oracle.forward import forward, jacobian
@@ -22,6 +22,7 @@ from dhgen.survey.oracle.problem import state
 from dhgen.verify.singular import SINGULAR, TRIED, singular_places, whole_turns
 
 if TYPE_CHECKING:
+    from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import Arm, FloatArray
 
 STEP, CORRECTIONS = 1e-2, 20
@@ -118,7 +119,7 @@ def task_jacobian(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:
         case TaskKind.ORIENTATION:
             return J[..., 3:, :]
         case TaskKind.COORDINATES:
-            return J[..., ["xyz".index(name) for name in robot.task.coordinates], :]
+            return J[..., list(robot.task.position_rows), :]
         case TaskKind.POINTING:
             across = np.swapaxes(forward(model, q)[..., :3, :2], -1, -2)
             return np.concatenate([J[..., :3, :], across @ J[..., 3:, :]], axis=-2)

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.module import has_to_be_finite
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
-
-ROTATIONS = frozenset({TaskKind.POSE, TaskKind.ORIENTATION})
 
 
 def irregularities(module: SolverModule, inputs: list[str]) -> dict[str, object]:
@@ -21,7 +19,7 @@ def irregularities(module: SolverModule, inputs: list[str]) -> dict[str, object]
         module: The robot.
         inputs: The parameters, % for the type of a number.
     """
-    rotation = module.chain.task.kind in ROTATIONS
+    rotation = module.chain.task.names_rotation
     one = _side_by_side(module) if rotation else _plain(module, "double", "all_four({})")
     return {
         "wide": _function("wide", "wide", inputs, _plain(module, "wide", "{}")),
@@ -36,7 +34,9 @@ def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> 
 
 def finite_entries(module: SolverModule) -> list[str]:
     """What has to be finite of a pose besides its rotation."""
-    return has_to_be_finite(module, (f"T[{4 * row + 3}]" for row in module.position_entries))
+    return has_to_be_finite(
+        module, (f"T[{4 * row + 3}]" for row in module.chain.task.position_rows)
+    )
 
 
 def finite_given(module: SolverModule) -> list[str]:
@@ -46,15 +46,15 @@ def finite_given(module: SolverModule) -> list[str]:
 
 def _plain(module: SolverModule, number: str, result: str) -> list[str]:
     """Statements without lanes of their own; the result has {} in place of the sum."""
-    kind = module.chain.task.kind
+    task = module.chain.task
     finite = finite_entries(module) + finite_given(module)
     lines, terms = [], []
-    if kind in ROTATIONS:
+    if task.names_rotation:
         terms.append(f"misfit_{number}(T)")
-    elif kind is TaskKind.POINTING:
+    elif task.kind is TaskKind.POINTING:
         lines.append(f"const {number} zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;")
         terms.append("zz * zz")
-    if kind is TaskKind.POSE:
+    if task.kind is TaskKind.POSE:
         lines.append(f"const {number} w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;")
         terms.append("w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3")
     if finite:

@@ -14,7 +14,8 @@ from dhgen.program.circle import DIRECTIONS, NEWTON_STEPS
 from dhgen.program.limits import Limits
 from dhgen.program.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.layout import paragraph
 from dhgen.targets.standing import settles, standing, stands_on_limits, winds
 from dhgen.targets.walk import (
@@ -124,23 +125,11 @@ class SolverModule:
             for kind, length in zip(self.joint_types, lengths, strict=True)
         )
 
-    @property
-    def position_entries(self) -> tuple[int, ...]:
-        """Rows, from 0, of the translation that the task names."""
-        task = self.chain.task
-        match task.kind:
-            case TaskKind.ORIENTATION:
-                return ()
-            case TaskKind.COORDINATES:
-                return tuple("xyz".index(name) for name in task.coordinates)
-            case _:
-                return 0, 1, 2
-
 
 def module_values(module: SolverModule) -> dict[str, object]:
     """What the templates of every language name."""
     chain = module.chain
-    kind = chain.task.kind
+    task = chain.task
     return {
         "name": module.name,
         "upper": module.name.upper(),
@@ -170,10 +159,10 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "jacobian_uses_q": reads(module.jacobian, "q"),
         "checks_again": checks_again(module.solver),
         "measures_miss": checks_again(module.solver) or module.solver.tightened is not None,
-        "checks_directions": kind in {TaskKind.POSE, TaskKind.ORIENTATION, TaskKind.POINTING},
-        "checks_rotation": kind in {TaskKind.POSE, TaskKind.ORIENTATION},
-        "checks_approach": kind is TaskKind.POINTING,
-        "checks_last_row": kind is TaskKind.POSE,
+        "checks_directions": task.names_direction,
+        "checks_rotation": task.names_rotation,
+        "checks_approach": task.kind is TaskKind.POINTING,
+        "checks_last_row": task.kind is TaskKind.POSE,
         "tolerances": module.precision.tolerances,
         "turn": repr(2.0 * math.pi),
         **_searches(module),
@@ -301,7 +290,8 @@ def _task_text(module: SolverModule) -> str:
         case TaskKind.POINTING:
             meant = "the position T[0:3, 3] and the tool's z axis T[0:3, 2]"
         case TaskKind.COORDINATES:
-            meant = " and ".join(f"{name} = T[{'xyz'.index(name)}, 3]" for name in task.coordinates)
+            places = zip(task.coordinates, task.position_rows, strict=True)
+            meant = " and ".join(f"{name} = T[{row}, 3]" for name, row in places)
     return f"Of a pose, {meant} counts; other entries are ignored."
 
 

@@ -16,7 +16,7 @@ from dhgen.numerical.emit import (
 )
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
@@ -74,7 +74,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         f"{module.length_unit}, angles in rad. {values['task']}"
     )
     count = module.chain.given
-    entries = [f"p{'xyz'[row]}" for row in module.position_entries]
+    entries = [f"p{'xyz'[row]}" for row in module.chain.task.position_rows]
     entries += [f"q_free[{place}]" for place in range(count)]
     finite = [f"math.isfinite({each})" for each in has_to_be_finite(module, entries)]
     return {
@@ -201,13 +201,13 @@ def _allocates(module: SolverModule) -> str:
 
 def _no_pose(module: SolverModule) -> str:
     """What is wrong with a pose that is none."""
-    kind = module.chain.task.kind
+    task = module.chain.task
     what = "the arm angle" if module.chain.arm_angle else "the value of a free joint"
     free = f", or {what} not finite" if module.chain.given else ""
-    if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
+    if task.names_rotation:
         last = ", or its last row not 0, 0, 0, 1 (is it transposed?)"
         return f"not finite, or not a right-handed rotation to six digits{last}{free}"
-    if kind is TaskKind.POINTING:
+    if task.kind is TaskKind.POINTING:
         return f"not finite, or its z axis not of length one to six digits{free}"
     return f"not finite{free}"
 

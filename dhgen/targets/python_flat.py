@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Joint, Let, Pose, Variable
 from dhgen.program.walk import parts
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import has_to_be_finite
@@ -218,10 +218,10 @@ def _rows(table: tuple[tuple[int, ...], ...]) -> list[str]:
 
 def _exact(module: SolverModule) -> list[str]:
     """The statements that say of pose k of a tile whether it needs no straightening."""
-    kind = module.chain.task.kind
+    task = module.chain.task
     lines: list[str] = []
     terms = []
-    if kind in {TaskKind.POSE, TaskKind.ORIENTATION}:
+    if task.names_rotation:
         for row, letter in enumerate("xyz"):
             entries = [f"work[{TILE * (4 * row + column)} + k]" for column in range(3)]
             lines.append(f"{letter}0, {letter}1, {letter}2 = {', '.join(entries)}")
@@ -232,18 +232,18 @@ def _exact(module: SolverModule) -> list[str]:
             "u, v, w = x1 * y2 - x2 * y1 - z0, x2 * y0 - x0 * y2 - z1, x0 * y1 - x1 * y0 - z2",
         ]
         terms.append("xx * xx + yy * yy + 2.0 * xy * xy + u * u + v * v + w * w")
-    elif kind is TaskKind.POINTING:
+    elif task.kind is TaskKind.POINTING:
         tool = [f"work[{TILE * (4 * row + 2)} + k]" for row in range(3)]
         lines = [
             f"x, y, z = {', '.join(tool)}",
             "square = x * x + y * y + z * z - 1.0",
         ]
         terms.append("square * square")
-    if kind is TaskKind.POSE:
+    if task.kind is TaskKind.POSE:
         last = [f"work[{TILE * (12 + column)} + k]" for column in range(4)]
         lines.append(f"rest = abs({last[0]}) + abs({last[1]}) + abs({last[2]})")
         terms.append(f"rest + abs({last[3]} - 1.0)")
-    given = [TILE * (4 * row + 3) for row in module.position_entries]
+    given = [TILE * (4 * row + 3) for row in module.chain.task.position_rows]
     given += [TILE * (16 + place) for place in range(module.chain.given)]
     finite = has_to_be_finite(module, (f"work[{place} + k]" for place in given))
     terms += [f"0.0 * ({' + '.join(finite)})"] if finite else []  # NaN where one is not finite

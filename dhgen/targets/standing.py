@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import DAMPING, TOGETHER
 from dhgen.numerical.texts import given_places
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
 from dhgen.targets.walk import whole_arm
 
 if TYPE_CHECKING:
@@ -40,9 +40,9 @@ BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more tha
 
 def standing(module: SolverModule) -> dict[str, object]:
     """Whether joints are put on limits and follow the seed, and what a pose is missed by."""
-    chain, rows, winding = module.chain, module.position_entries, winds(module)
+    chain, rows, winding = module.chain, module.chain.task.position_rows, winds(module)
     length = _scale(1.0 / chain.size)
-    turns = "0.0" if chain.task.kind in {TaskKind.POSITION, TaskKind.COORDINATES} else "1.0"
+    turns = "1.0" if chain.task.names_direction else "0.0"
     return {
         "stands_on_limits": stands_on_limits(module),
         "stays": stays(module),

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.robot.robot import JointKind, TaskKind
+from dhgen.robot.robot import JointKind
+from dhgen.robot.task import TaskKind
 from dhgen.verify.measures import task_rates
 from dhgen.verify.singular import TRIED, singular_places, whole_turns
 
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.chain import Chain
-    from dhgen.robot.robot import Task
+    from dhgen.robot.task import Task
 
     Array = NDArray[np.float64]
 
@@ -128,16 +129,14 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Arra
 
 def spoiled_poses(task: Task, T: Array) -> list[Array]:
     """Poses like T that are none: not finite, mirrored, stretched, in other coordinates."""
-    rotation = task.kind in {TaskKind.POSE, TaskKind.ORIENTATION}
-    row = "xyz".index(task.coordinates[0]) if task.coordinates else 0
-    column = 0 if task.kind is TaskKind.ORIENTATION else 3
-    spoiled = [T.copy() for _ in range(4 if rotation else 2)]
+    row, column = (task.position_rows[0], 3) if task.position_rows else (0, 0)
+    spoiled = [T.copy() for _ in range(4 if task.names_rotation else 2)]
     spoiled[0][row, column] = np.nan
     spoiled[1][row, column] = np.inf
     if task.kind is TaskKind.POSE:
         spoiled.append(T.copy())
         spoiled[-1][3, 3] = 0.5
-    if rotation:
+    if task.names_rotation:
         spoiled[2][:3, 0] *= -1.0
         spoiled[3][:3, :3] *= 1.01
     return spoiled

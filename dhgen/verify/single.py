@@ -15,7 +15,7 @@ import numpy as np
 from dhgen.errors import VerificationError
 from dhgen.program.given import given_values
 from dhgen.program.tolerances import SINGLE
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.verify.measures import Measures
 from dhgen.verify.native import compile_solver
 from dhgen.verify.samples import samples, spoiled_poses

@@ -16,7 +16,7 @@ from dhgen.errors import VerificationError
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.tolerances import TOLERANCES
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.walk import whole_arm
 from dhgen.verify.measures import Measures
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver, import_module

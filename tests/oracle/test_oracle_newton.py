@@ -9,15 +9,8 @@ import numpy as np
 import pytest
 
 from dhgen.robot.expression import DEGREE, ZERO, Binary, Number
-from dhgen.robot.robot import (
-    Convention,
-    DhRow,
-    DhTable,
-    JointKind,
-    Robot,
-    Task,
-    TaskKind,
-)
+from dhgen.robot.robot import Convention, DhRow, DhTable, JointKind, Robot
+from dhgen.robot.task import Task, TaskKind
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.newton import all_solutions, solve
 from dhgen.survey.oracle.poses import out_of_form, out_of_reach, random_joints

@@ -10,14 +10,10 @@ import pytest
 from dhgen.robot.expression import Number, to_text
 from dhgen.robot.reader import read_document
 from dhgen.robot.report import Report
-from dhgen.robot.robot import (
-    Convention,
-    DhTable,
-    Task,
-    TaskKind,
-)
+from dhgen.robot.robot import Convention, DhTable
 from dhgen.robot.schema import RobotFile
 from dhgen.robot.shape import Shape
+from dhgen.robot.task import Task, TaskKind
 from tests.robot.robot_texts import (
     JOINTS,
     MINIMAL,

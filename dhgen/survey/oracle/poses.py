@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.robot import JointKind, Robot, TaskKind
+from dhgen.robot.robot import JointKind, Robot
+from dhgen.robot.task import TaskKind
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import names_position

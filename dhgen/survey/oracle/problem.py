@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.robot import Robot, TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.survey.oracle.arm import Arm, arm, arm_size
 from dhgen.survey.oracle.arm_angle import elbow_in_link, elbow_of
 from dhgen.survey.oracle.forward import forward_with_derivatives
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dhgen.robot.robot import Task
+    from dhgen.robot.robot import Robot
+    from dhgen.robot.task import Task
     from dhgen.survey.oracle.arm import FloatArray
 
 # Solutions beyond the limits are solutions too (their status says so), so the starts of a

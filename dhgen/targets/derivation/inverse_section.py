@@ -8,7 +8,7 @@ from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.problem import task_entries
-from dhgen.robot.robot import TaskKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
 from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
 from dhgen.targets.derivation.given_pose import BASE, POSE, TOOL, given_pose, moved_left

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.problem import task_dimension
 from dhgen.robot.expression import ZERO as NOTHING
 from dhgen.robot.robot import JointKind
 from dhgen.targets.derivation.blocks import Paragraph, display, paragraph, say
@@ -122,7 +121,7 @@ def _enclosed(symbol: Symbol) -> tuple[str, str]:
 def _check(story: Story) -> Block:
     """A pose with more numbers than the arm has joints."""
     chain = story.algebra.chain
-    asked, own = task_dimension(chain.task), chain.dof - chain.given
+    asked, own = chain.task.dimension, chain.dof - chain.given
     return paragraph(
         f"The task has {numeral(asked)} independent numbers, the arm {counted(own, 'joint')}, so "
         "not every pose can be taken. Each solution is put into the forward model; where an entry "

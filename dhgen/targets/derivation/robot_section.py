@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.paul.step import Kind
-from dhgen.robot.robot import DhTable, JointKind, TaskKind
+from dhgen.robot.robot import DhTable, JointKind
+from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.frames import frame_sentences
 from dhgen.targets.derivation.parameters import constant_blocks
