@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.errors import CommandError, DhgenError, VerificationError, about
+from dhgen.method import Method
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,7 +30,6 @@ WHOSE = "the fault is dhgen's, not the file's"
 WHOSE_NOTED = "a note above may say why; if not, the fault is dhgen's"
 
 OUT = Path("generated")
-NUMERICAL = "numerical"
 
 # What the first word may be meant as where it is no file.
 MEANT = {
@@ -260,7 +260,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
 
     compilation = _compile(file, out=options.out)
     module = compilation.module
-    if options.numerical and module.method != NUMERICAL:
+    if options.numerical and module.method is not Method.NUMERICAL:
         print("note: --numerical is not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
@@ -280,7 +280,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
 
 
 def _compared(module: SolverModule) -> str:
-    if module.method == NUMERICAL:
+    if module.method is Method.NUMERICAL:
         return "Python and C each by itself: where starts lead hangs on rounding"
     return "Python and C agree"
 

@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
+from dhgen.method import Method
 from dhgen.paul.derivation import derive
-from dhgen.paul.step import Kind
 from dhgen.program.arm_plane import arm_angle_program
 from dhgen.program.forward import forward_program, jacobian_program
 from dhgen.program.lower import lower
@@ -110,6 +110,7 @@ def _module(
         title=robot.title,
         source=source,
         chain=chain,
+        method=derivation.method,
         solver=replace(lower(derivation, precision.tolerances), name=name),
         forward=replace(forward_program(chain), name=name),
         jacobian=replace(jacobian_program(chain), name=name),
@@ -121,10 +122,10 @@ def _module(
 
 def _demand_closed_form(derivation: Derivation) -> None:
     """Roots of polynomials lose half of their digits; of seven too few are left."""
-    kinds = {step.kind for step in derivation.steps}
-    if derivation.whole is not None or Kind.CIRCLE in kinds:
+    method = derivation.method
+    if method is not Method.CLOSED_FORM:
         name = derivation.problem.algebra.chain.name
-        what = "a quartic" if derivation.whole is None else derivation.whole.method
+        what = "a quartic" if method is Method.QUARTIC else method
         raise PrecisionError(
             f"{name}: float32 is for arms in closed form, and this one is solved by another "
             f"method ({what}), which is too coarse in single precision; leave float32 out"

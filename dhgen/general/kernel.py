@@ -10,6 +10,7 @@ from dhgen.general.formulation import OTHERS
 from dhgen.general.four_turns import FourTurns
 from dhgen.general.links import Value
 from dhgen.general.loop import JOINTS
+from dhgen.method import Method
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -34,9 +35,9 @@ UNDETERMINED = 1e-6
 MOST_OF_FOUR_TURNS = 8
 
 
-def method_name(slides: int) -> str:
-    """What the method is called, by how many of the joints to be solved for slide."""
-    return ("general 6R", "general 5R1P", "general 4R2P")[slides]
+def general_method(slides: int) -> Method:
+    """The method, by how many of the joints to be solved for slide."""
+    return (Method.GENERAL_6R, Method.GENERAL_5R1P, Method.GENERAL_4R2P)[slides]
 
 
 def most_solutions(slides: int) -> int:
@@ -120,9 +121,9 @@ class GeneralKernel:
         return self.rows // 2
 
     @property
-    def method(self) -> str:
-        """What the method is called."""
-        return method_name(len(self.loop.slides))
+    def method(self) -> Method:
+        """How the arm is solved."""
+        return general_method(len(self.loop.slides))
 
     @property
     def asked(self) -> int:

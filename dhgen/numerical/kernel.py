@@ -7,6 +7,7 @@ from math import inf, pi
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.method import Method
 from dhgen.paul.problem import is_redundant
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.robot import JointKind
@@ -91,9 +92,9 @@ class NumericalKernel:
     most: int = MOST
 
     @property
-    def method(self) -> str:
-        """What the method is called."""
-        return "numerical"
+    def method(self) -> Method:
+        """How the arm is solved."""
+        return Method.NUMERICAL
 
     @property
     def residual(self) -> float:

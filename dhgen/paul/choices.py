@@ -11,11 +11,11 @@ import numpy as np
 
 from dhgen.errors import UnsolvedError
 from dhgen.general.arm import is_general, slides_of
-from dhgen.general.kernel import method_name, most_solutions
+from dhgen.general.kernel import general_method, most_solutions
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.method import Method
 from dhgen.paul.mobility import surplus
-from dhgen.paul.step import Kind
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ MOST_CHOICES = 16  # trying more would take longer than a refusal may
 MOST_SKEW = 4  # so many joints are solved, or refused, soon without structure
 MOST_TURNING = 3  # the same whatever the number of slides
 POSITIONS = 3
+RANKS = {Method.CLOSED_FORM: 0, Method.QUARTIC: 1}
 GENERAL = 2  # rank of what takes the joints all at once
 
 
@@ -50,7 +51,7 @@ class Choice:
     rank: int
     rows: int
     free: tuple[int, ...]
-    method: str
+    method: Method
 
 
 def good_choices(
@@ -78,8 +79,8 @@ def good_choices(
             derivation = derive(remaining)
         except UnsolvedError:
             continue
-        rank, method = _method(derivation)
-        found.append(Choice(rank, derivation.branches, remaining.free, method))
+        rank = RANKS.get(derivation.method, GENERAL)
+        found.append(Choice(rank, derivation.branches, remaining.free, derivation.method))
     return tuple(sorted(found))
 
 
@@ -96,19 +97,12 @@ def choices_text(choices: tuple[Choice, ...], spare: Surplus) -> list[str]:
     return lines
 
 
-def _method(derivation: Derivation) -> tuple[int, str]:
-    if derivation.whole is not None:
-        return GENERAL, derivation.whole.method
-    quartic = any(step.kind is Kind.CIRCLE for step in derivation.steps)
-    return (1, "quartic") if quartic else (0, "closed form")
-
-
 def _general(chain: Chain) -> list[Choice]:
     """An arm without structure as a choice, if the general algorithm is for it."""
     if not is_general(chain):
         return []
     slides = len(slides_of(chain))
-    return [Choice(GENERAL, most_solutions(slides), chain.free, method_name(slides))]
+    return [Choice(GENERAL, most_solutions(slides), chain.free, general_method(slides))]
 
 
 def _has_structure(chain: Chain) -> bool:

@@ -9,6 +9,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel, is_better_polished
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.arm_angle import demand_arm_angle
+from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.arm_plane import with_arm_plane
 from dhgen.paul.choices import good_choices
@@ -20,6 +21,7 @@ from dhgen.paul.redundant import redundant
 from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
 from dhgen.paul.second import with_second_equations
+from dhgen.paul.step import Kind
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:
@@ -50,6 +52,14 @@ class Derivation:
     def problem(self) -> Problem:
         """What is asked of the arm."""
         return self.pool.problem
+
+    @property
+    def method(self) -> Method:
+        """How the arm is solved."""
+        if self.whole is not None:
+            return self.whole.method
+        rooted = any(step.kind is Kind.CIRCLE for step in self.steps)
+        return Method.QUARTIC if rooted else Method.CLOSED_FORM
 
     @property
     def branches(self) -> int:

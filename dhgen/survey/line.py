@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.method import Method
 
 
 @dataclass(frozen=True, slots=True)
@@ -10,8 +14,7 @@ class Answers:
     """How a solver did.
 
     Attributes:
-        method: How it works: "closed form", "quartic", "general 6R", "general 5R1P",
-            "general 4R2P", "numerical".
+        method: How it works.
         degree: Of the highest polynomial in the tangent of half an angle.
         rows: Branches.
         cpu: From the robot file to the solver's text [s of CPU].
@@ -27,7 +30,7 @@ class Answers:
         faults: What went wrong where, for a reader.
     """
 
-    method: str
+    method: Method
     degree: int
     rows: int
     cpu: float

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import Compilation, compile_robot
 from dhgen.errors import DhgenError, RobotFileError
-from dhgen.general.kernel import GeneralKernel
 from dhgen.kinematics.build import build_chain
+from dhgen.method import Method
 from dhgen.robot.load import load
 from dhgen.survey.ask import ask_random, ask_singular
 from dhgen.survey.line import Answers, Line
@@ -124,6 +124,8 @@ def _answers(compilation: Compilation, poses: int, cpu: float) -> Answers:
 
 def _degree(derivation: Derivation) -> int:
     """Of the highest polynomial: as many roots as a step has; 0 where there is none."""
+    if derivation.method is Method.NUMERICAL:
+        return 0
     if derivation.whole is not None:
-        return derivation.branches if isinstance(derivation.whole, GeneralKernel) else 0
+        return derivation.branches
     return max((step.roots for step in derivation.steps), default=1)

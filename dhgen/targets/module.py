@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.kinematics.chain import Chain
+    from dhgen.method import Method
     from dhgen.program.ir import Program
     from dhgen.program.unguarded import Regular
 
@@ -54,6 +55,7 @@ class SolverModule:
         title: What a person calls it.
         source: Path of the robot file as it stands in the emitted header, relative.
         chain: The arm.
+        method: How it is solved.
         solver: From pose to rows of joint values.
         forward: From joint values to the pose.
         jacobian: From joint values to the geometric Jacobian.
@@ -66,6 +68,7 @@ class SolverModule:
     title: str
     source: str
     chain: Chain
+    method: Method
     solver: Program
     forward: Program
     jacobian: Program
@@ -82,14 +85,6 @@ class SolverModule:
     def branches(self) -> tuple[str, ...]:
         """The name of every row."""
         return branch_labels(tuple(axis.meaning for axis in self.solver.axes))
-
-    @property
-    def method(self) -> str:
-        """How it is solved: closed form, quartic, general 6R, 5R1P or 4R2P, numerical."""
-        whole = whole_arm(self.solver)
-        if whole is not None:
-            return whole.method
-        return "quartic" if finds_roots(self.solver) else "closed form"
 
     @property
     def joint_types(self) -> str:

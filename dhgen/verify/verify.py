@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.errors import VerificationError
+from dhgen.method import Method
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.tolerances import TOLERANCES
@@ -92,7 +93,7 @@ class _Checker:
         self._measures = Measures(module.chain)
         self._has_branches = whole_arm(module.solver) is None
         # which starts lead where hangs on rounding
-        self._repeatable = module.method != "numerical"
+        self._repeatable = module.method is not Method.NUMERICAL
         none = (-np.inf, np.inf)
         self._limits = np.array([joint.limits or none for joint in self._chain.joints]).T
         self.poses = self.solutions = 0

@@ -69,6 +69,7 @@ def without_derivation(arm: Robot) -> SolverModule:
         title=arm.title,
         source="arm.yaml",
         chain=chain,
+        method=kernel.method,
         solver=whole_program(chain, kernel),
         forward=replace(forward_program(chain), name=chain.name),
         jacobian=replace(jacobian_program(chain), name=chain.name),

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from dhgen.method import Method
 from dhgen.survey.line import Answers, Line
 from dhgen.survey.table import survey_text
 
 GOOD = Answers(
-    method="closed form",
+    method=Method.CLOSED_FORM,
     degree=2,
     rows=8,
     cpu=0.84,
@@ -30,7 +31,7 @@ GENERAL = Line(
     "general 6R",
     replace(
         GOOD,
-        method="general 6R",
+        method=Method.GENERAL_6R,
         degree=16,
         rows=16,
         found=1599,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.step import Kind
+from dhgen.method import Method
 from dhgen.robot.robot import DhTable, JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.blocks import Given, Heading, Paragraph, paragraph, say
@@ -78,7 +78,7 @@ def _task(story: Story) -> str:
 
 def _solutions(story: Story) -> str:
     rows = story.program.rows
-    if story.derivation.whole is not None and story.derivation.whole.method == "numerical":
+    if story.derivation.method is Method.NUMERICAL:
         return f"Solved numerically: {counted(rows, 'row')}."
     if rows == 1:
         return "Every pose within reach has one solution, row 0."
@@ -87,7 +87,7 @@ def _solutions(story: Story) -> str:
         return f"At most {count}, in rows by ascending values of the joints."
     if story.has_branch_words:
         named = ", ".join(f"{place} {name}" for place, name in enumerate(story.branch_names))
-        if any(step.kind is Kind.CIRCLE for step in story.derivation.steps):
+        if story.derivation.method is Method.QUARTIC:
             return f"At most {count}, the roots of the quartic ascending: {named}."
         return f"At most {count}, each always in the same row: {named}."
     return (
