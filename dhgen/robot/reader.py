@@ -19,10 +19,11 @@ from ruamel.yaml.events import (
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.robot.pairs import Pairs, index_pairs, is_null, span_of
 from dhgen.robot.source import SourceText, Span, quoted
+from dhgen.robot.syntax import blank_told, syntax_errors
 
 if TYPE_CHECKING:
-    from ruamel.yaml.error import StreamMark
     from ruamel.yaml.events import Event
 
 MAX_BYTES = 128 * 1024
@@ -35,14 +36,11 @@ Path = tuple[str | int, ...]
 _FORBIDDEN = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufeff]"
 )
-_NULL = "tag:yaml.org,2002:null"
+_KEYS = "expected keys with values, e.g. 'name: puma560'"
 _LIST = (
     "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
     "JSON are for 'dhgen survey'"
 )
-
-
-_Pairs = dict[str, tuple[ScalarNode, Node]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +56,7 @@ class Document:
 
     source: SourceText
     root: MappingNode
-    pairs: dict[int, _Pairs]
+    pairs: dict[int, Pairs]
     mistakes: tuple[Diagnostic, ...]
 
     def find(self, path: Path) -> tuple[ScalarNode | None, Node]:
@@ -90,7 +88,7 @@ class Document:
             pairs = self.pairs[id(node)]
             return {text: self._plain(value) for text, (_, value) in pairs.items()}
         scalar = cast("ScalarNode", node)
-        return None if _is_null(scalar) else str(scalar.value)
+        return None if is_null(scalar) else str(scalar.value)
 
 
 def read_document(text: str, file: str) -> Document:
@@ -106,25 +104,18 @@ def read_document(text: str, file: str) -> Document:
         _check_events(source)
         root = YAML(typ="safe", pure=True).compose(text)
     except MarkedYAMLError as error:
-        raise RobotFileError((_syntax_error(source, error),)) from None
+        raise RobotFileError(syntax_errors(source, error, _check_events)) from None
     except YAMLError as error:
         raise _whole(source, f"this is no YAML: {error}") from None
     except (ValueError, OverflowError):  # an escape like \\UFFFFFFFF, beyond Unicode
         raise _whole(source, "this is no YAML: an escape names no character") from None
-    if root is None or _is_null(root):
+    if root is None or is_null(root):
         raise _whole(source, "the file is empty")
     if not isinstance(root, MappingNode):
-        raise RobotFileError(
-            (source.point(span_of(root), "expected keys with values, e.g. 'name: puma560'"),)
-        )
-    pairs, mistakes = _index(source, root)
+        message = blank_told(str(root.value)) or _KEYS
+        raise RobotFileError((source.point(span_of(root), message),))
+    pairs, mistakes = index_pairs(source, root)
     return Document(source, root, pairs, tuple(mistakes))
-
-
-def span_of(node: Node) -> Span:
-    """Where a node stands in the text."""
-    start, end = node.start_mark.index, node.end_mark.index
-    return Span(start, max(1, end - start) if isinstance(node, ScalarNode) else 1)
 
 
 def _whole(source: SourceText, message: str) -> RobotFileError:
@@ -177,69 +168,3 @@ def _refusal(event: Event) -> str | None:
         case _:
             return None
     return f"{what} have no place in a robot file"
-
-
-def _syntax_error(source: SourceText, error: MarkedYAMLError) -> Diagnostic:
-    end = len(source.text.rstrip())
-    mark = cast("StreamMark | None", error.problem_mark or error.context_mark)
-    context = f" {error.context}" if error.context else ""
-    place = Span(min(mark.index, end) if mark else 0)
-    problem = error.problem or "unreadable"
-    hint = _tabs(source, place) or _second_colon(source, place, problem)
-    message = f"this is no YAML: {problem}{context}{hint}"
-    return source.point(place, " ".join(message.split()))
-
-
-def _tabs(source: SourceText, place: Span) -> str:
-    """The end of a message about a line that begins with a tab, which nobody sees."""
-    line = source.lines[source.number(place)]
-    indent = line[: len(line) - len(line.lstrip())]
-    return "; YAML wants spaces at the beginning of a line, not tabs" if "\t" in indent else ""
-
-
-def _second_colon(source: SourceText, place: Span, problem: str) -> str:
-    """The end of a message about a second colon in a line, where YAML expects none."""
-    number = source.number(place)
-    before = source.lines[number][: place.start - source.starts[number]]
-    if not problem.startswith("mapping values") or ":" not in before:
-        return ""
-    if re.match(r"(title|source)\s*:", before):
-        return "; a text with a colon stands in quotes"
-    return "; several keys in one line stand in braces, e.g. {theta: q, d: 0}"
-
-
-def _index(source: SourceText, root: Node) -> tuple[dict[int, _Pairs], list[Diagnostic]]:
-    """Keys and values of every mapping, and the keys that can't be."""
-    pairs: dict[int, _Pairs] = {}
-    mistakes: list[Diagnostic] = []
-    pending: list[Node] = [root]
-    while pending:
-        node = pending.pop()
-        if isinstance(node, SequenceNode):
-            pending.extend(node.value)
-        if not isinstance(node, MappingNode):
-            continue
-        known = pairs[id(node)] = {}
-        for key, value in node.value:
-            pending.append(value)
-            if not isinstance(key, ScalarNode):
-                mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
-            elif _is_behind_comma(key.value) and _is_null(value):  # {a: 0,4} is a pair and a key
-                message = f"a decimal comma has to be a point: .{key.value}, not ,{key.value}"
-                mistakes.append(source.point(span_of(key), message))
-            elif key.value in known:
-                line = known[key.value][0].start_mark.line + 1
-                message = f"duplicate key {quoted(key.value)}: line {line} has it too"
-                mistakes.append(source.point(span_of(key), message))
-            else:
-                known[key.value] = (key, value)
-    return pairs, mistakes
-
-
-def _is_behind_comma(key: str) -> bool:
-    """Whether a key may be what stands behind a decimal comma, and no end of a tuple."""
-    return key[:1].isdecimal() and key.count("(") == key.count(")")
-
-
-def _is_null(node: Node) -> bool:
-    return isinstance(node, ScalarNode) and node.tag == _NULL and node.style is None

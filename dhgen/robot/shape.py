@@ -96,6 +96,8 @@ def _glued(key: str, path: Path) -> str:
     found = re.fullmatch(r"(\w+)\s*(:|=|\s)\s*(\S.*)", key)
     if not found or found[1] not in _valid_keys(path):
         return ""
+    if found[2] == ":" and "," in key:
+        return "; several keys in one line stand in braces, with a blank after every colon"
     return f": write '{found[1]}: {found[3]}', with a colon and a blank"
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.robot.schema import FRAME_FORM, MAX_JOINTS, ExpectedError
 from dhgen.robot.source import quoted
+from dhgen.robot.syntax import blank_told
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
@@ -19,6 +20,8 @@ NO_STOP = "where nothing stops the joint write one that it never gets to"
 _KINDS = {
     "string_type": "a number or an expression",
 }
+
+_KEYED = {"model_type", "dict_type"}  # where keys with values belong
 
 _ROW = "{theta: q, d: 0, a: 0.4, alpha: pi/2}"
 _AXIS = "{type: prismatic, direction: [0, 0, 1]}"
@@ -78,7 +81,8 @@ def value_message(details: ErrorDetails) -> str:
     if given is None and path[-2:-1] == ("limits",):
         return f"expected a number, not {shown}: {NO_STOP}"
     expected = context.get("expected") or _KINDS.get(details["type"]) or _form(path)
-    return f"expected {expected}, not {shown}"
+    blank = blank_told(given) if details["type"] in _KEYED and isinstance(given, str) else None
+    return blank or f"expected {expected}, not {shown}"
 
 
 def _form(path: Path) -> str:

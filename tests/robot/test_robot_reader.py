@@ -171,3 +171,62 @@ def test_what_is_no_text_does_not_fill_the_screen(tmp_path: Path) -> None:
     with pytest.raises(RobotFileError, match="the file is not UTF-8: save it so") as info:
         load(path)
     assert max(len(line) for line in str(info.value).splitlines()[1:]) <= 124
+
+
+BLANK = "a blank has to follow the colon: "
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "told"),
+    [
+        (table("theta: q, limits:[-1, 1]"), "3:16 limits:", "'limits: [-1, 1]'"),
+        ("name: r\njoints:\n- theta: q\n  limits:[-1, 1]\n", "4:3 limits:", "'limits: [-1, 1]'"),
+        ("name: r\njoints:\n  - theta:q\n    d: 0\n", "3:5 theta:", "'theta: q'"),
+        ("name: r\njoints:\n  - theta:q # a turn\n    d: 0\n", "3:5 theta:", "'theta: q'"),
+        ("name: r\njoints:\n  - theta:q\n", "3:5 theta:q", "'theta: q'"),
+        (f"name: r\ntitle:my arm, and yours\n{JOINTS}", "2:1 title:", "'title: my arm, and yours'"),
+        (f"name:r\n{JOINTS}", "1:1 name:", "'name: r'"),
+        (f"{MINIMAL}task:pose\n", "4:1 task:", "'task: pose'"),
+        ("name:r", "1:1 name:r", "'name: r'"),
+        (f"{MINIMAL}parameters:\n  l: 1\n  m:2\n", "6:3 m:", "'m: 2'"),
+        (f"{MINIMAL}tool:{{xyz: [0, 0, 1]}}\n", "4:1 tool:", "'tool: {xyz: [0, 0, 1]}'"),
+        (table("theta: q, a: l", parameters="{l:1}"), "2:14 l:1", "'l: 1'"),
+    ],
+)
+def test_a_blank_that_is_missing_after_a_colon_is_told(text: str, at: str, told: str) -> None:
+    (found,) = mistakes(text)
+    assert f"{found.line}:{found.column} {marked(found)}" == at
+    assert found.message.startswith(f"{BLANK}{told}, not '")
+
+
+def test_all_blanks_that_are_missing_are_told_at_once() -> None:
+    text = "name:r\ntitle:'an arm: mine'\n# task:none\njoints:\n  - {theta:q, limits:[0, 1]}\n"
+    told = [(found.line, found.message.removeprefix(BLANK)) for found in mistakes(text)]
+    assert told == [
+        (1, "'name: r', not 'name:r'"),
+        (2, "\"title: 'an arm: mine'\", not \"title:'an arm: mine'\""),
+        (5, "'theta: q', not 'theta:q'"),
+        (5, "'limits: [0, 1]', not 'limits:[0, 1]'"),
+    ]
+
+
+def test_a_key_without_its_blank_is_read_all_the_same() -> None:
+    first, second = mistakes(table("theta:q, a:x"))[:2], mistakes(table("theta:q, b:1"))[2:]
+    assert [found.message for found in first] == [
+        f"{BLANK}'theta: q', not 'theta:q'",
+        f"{BLANK}'a: x', not 'a:x'",
+    ]
+    assert [(marked(found), found.message[:15]) for found in second] == [("b", "unknown key 'b'")]
+
+
+def test_other_mistakes_of_yaml_are_not_blamed_on_blanks() -> None:
+    for text in (
+        "name: r\nsource: see\n  http://x.y\njoints: [\n",
+        "name: r\nsource: 'see a,b:c'\njoints: [\n",
+        f"name: r # as in x.yaml, line:1\ntitle: [\n{JOINTS}",
+    ):
+        assert mistake(text).startswith("this is no YAML: ")
+    told = mistake("name: r\njoints:\n  - theta:q, d: 0\n")
+    assert told.endswith(
+        "; several keys in one line stand in braces, with a blank after every colon"
+    )
