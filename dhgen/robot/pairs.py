@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import copy
 from typing import TYPE_CHECKING
 
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
-from dhgen.robot.source import Span, quoted
+from dhgen.robot.brackets import in_brackets
+from dhgen.robot.nodes import is_null, piece, span_of
+from dhgen.robot.source import quoted
 from dhgen.robot.syntax import blank_message, split_glued
 
 if TYPE_CHECKING:
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
     from dhgen.robot.source import SourceText
 
 Pairs = dict[str, tuple[ScalarNode, Node]]
-
-_NULL = "tag:yaml.org,2002:null"
 
 
 def index_pairs(source: SourceText, root: Node) -> tuple[dict[int, Pairs], list[Diagnostic]]:
@@ -31,27 +30,16 @@ def index_pairs(source: SourceText, root: Node) -> tuple[dict[int, Pairs], list[
         if not isinstance(node, MappingNode):
             continue
         known = pairs[id(node)] = {}
-        for key, value in node.value:
+        for key, value in in_brackets(source, node.value, mistakes):
             pending.append(value)
             if not isinstance(key, ScalarNode):
                 mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
-            elif _is_behind_comma(key.value) and is_null(value):  # {a: 0,4} is a pair and a key
+            elif key.value[:1].isdecimal() and is_null(value):  # {a: 0,4} is a pair and a key
                 message = f"a decimal comma has to be a point: .{key.value}, not ,{key.value}"
                 mistakes.append(source.point(span_of(key), message))
             else:
                 _add(known, *_apart(source, key, value, mistakes), source, mistakes)
     return pairs, mistakes
-
-
-def span_of(node: Node) -> Span:
-    """Where a node stands in the text."""
-    start, end = node.start_mark.index, node.end_mark.index
-    return Span(start, max(1, end - start) if isinstance(node, ScalarNode) else 1)
-
-
-def is_null(node: Node) -> bool:
-    """Whether a node is nothing: empty, ~ or null."""
-    return isinstance(node, ScalarNode) and node.tag == _NULL and node.style is None
 
 
 def _add(
@@ -73,17 +61,4 @@ def _apart(
     if halves is None or key.style is not None or not is_null(value):
         return key, value
     mistakes.append(source.point(span_of(key), blank_message(*halves)))
-    return _piece(key, 0, halves[0]), _piece(key, len(halves[0]) + 1, halves[1])
-
-
-def _piece(node: ScalarNode, start: int, text: str) -> ScalarNode:
-    """A part of a text as a node, where it stands."""
-    begin, end = copy.copy(node.start_mark), copy.copy(node.end_mark)
-    begin.index += start
-    end.index = begin.index + len(text)
-    return ScalarNode(node.tag, text, begin, end)
-
-
-def _is_behind_comma(key: str) -> bool:
-    """Whether a key may be what stands behind a decimal comma, and no end of a tuple."""
-    return key[:1].isdecimal() and key.count("(") == key.count(")")
+    return piece(key, 0, halves[0]), piece(key, len(halves[0]) + 1, halves[1])

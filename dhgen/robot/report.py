@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from ruamel.yaml.nodes import ScalarNode
 
-from dhgen.robot.pairs import span_of
+from dhgen.robot.nodes import span_of
 from dhgen.robot.source import Span
 
 if TYPE_CHECKING:

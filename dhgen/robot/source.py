@@ -63,9 +63,14 @@ class SourceText:
 
 def quoted(text: str) -> str:
     """A piece of the user's text for a message: in quotes, printable, and not endless."""
-    shown = text if len(text) <= 40 else text[:37] + "..."
+    shown = shortened(text)
     mark = '"' if "'" in shown else "'"
-    return f"{mark}{_printable(shown)}{mark}"
+    return f"{mark}{shown}{mark}"
+
+
+def shortened(text: str) -> str:
+    """A piece of the user's text for a message: printable, and not endless."""
+    return _printable(text if len(text) <= 40 else text[:37] + "...")
 
 
 def _printable(text: str) -> str:

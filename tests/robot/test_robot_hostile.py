@@ -51,6 +51,8 @@ HOSTILE = {
     "keys without blanks": "a:1\n" * 30_000 + "b: 1\n",
     "keys without blanks in a line": f"{'a:[1,' * 20_000}",
     "brackets behind a key": f"name: r\na:{'[' * 60_000}{']' * 60_000}\n",
+    "limits without brackets": table(f"theta: q, limits: {'1, ' * 2_000}"),
+    "limits in quotes": table(f"theta: q, limits: '{'1, ' * 30_000}'"),
     "a tower of powers": table("theta: q, a: 9**9**9**9"),
     "powers of powers": table("theta: q, a: ((((1.1**8)**8)**8)**8)**8"),
     "a power of ten": table("theta: q, a: 1e999999999"),

@@ -107,10 +107,48 @@ def test_refused_rows(cells: str, at: str, message: str) -> None:
     assert marked(found) == at
 
 
-def test_the_end_of_a_tuple_is_no_decimal() -> None:
-    told = [found.message for found in mistakes(table("theta: q, limits: (-1, 1)"))]
-    assert told[0] == "expected a list [lowest, highest], not '(-1'"
-    assert told[1].startswith("unknown key '1)'; valid: theta")
+@pytest.mark.parametrize(
+    ("limits", "written"),
+    [
+        ("(-1, 1)", "[-1, 1]"),
+        ("-1, 1", "[-1, 1]"),
+        ("( -pi/2 , 160 deg )", "[-pi/2, 160 deg]"),
+        ("(1 - 2)*3, 2*(1 + 1)", "[(1 - 2)*3, 2*(1 + 1)]"),
+        ("{-1, 1}", "[-1, 1]"),
+    ],
+)
+def test_limits_without_square_brackets_are_told_so(limits: str, written: str) -> None:
+    (found,) = mistakes(table(f"theta: q, limits: {limits}, a: 0.4"))
+    assert found.message == f"'limits' holds a list in square brackets: {written}"
+    assert marked(found) == limits.strip("{}")
+    if "{" not in limits:
+        below = f"name: r\njoints:\n  - theta: q\n    limits: {limits}\n    a: 0.4\n"
+        assert mistake(below) == found.message
+
+
+def test_what_stands_in_a_list_without_square_brackets_is_read_all_the_same() -> None:
+    rows = "theta: q, limits: 1, x", "theta: q, limits: (1, -1)"
+    found = mistakes(table(*rows, tool="{xyz: 0, y, 0.1}", free="1,2"))
+    assert [each.message.split(":")[0] for each in found] == [
+        "'xyz' holds a list in square brackets",
+        "unknown name 'y'; valid",
+        "'free' holds a list in square brackets",
+        "every joint is free",
+        "'limits' holds a list in square brackets",
+        "unknown name 'x'; valid",
+        "'limits' holds a list in square brackets",
+        "the lower limit 1 is not below the upper one -1",
+    ]
+
+
+def test_a_list_in_quotes_is_told_so() -> None:
+    told = "'limits' holds a list in square brackets, without quotes: [-1, 1]"
+    assert mistake(table("theta: q, limits: '[-1, 1]'")) == told
+
+
+@pytest.mark.parametrize("limits", ["1", "(1)", "none", "{min: -1, max: 1}"])
+def test_limits_that_are_no_list_at_all(limits: str) -> None:
+    assert mistake(table(f"theta: q, limits: {limits}")).startswith("expected a list [lowest,")
 
 
 def test_a_parameter_may_be_called_infinity() -> None:
