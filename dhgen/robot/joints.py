@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.robot.angles import SNAP
+from dhgen.robot.angles import LARGEST_ANGLE, LARGEST_LENGTH, SNAP
 from dhgen.robot.cells import INVALID
 from dhgen.robot.frames import read_lengths
 from dhgen.robot.robot import AxisJoint, DhRow, JointKind
 from dhgen.robot.source import quoted
 from dhgen.robot.variable import VARIABLE, Split, split
-from dhgen.robot.wording import NO_STOP
+from dhgen.robot.wording import is_endless
 
 if TYPE_CHECKING:
     from dhgen.robot.cells import Cells
@@ -19,7 +19,18 @@ if TYPE_CHECKING:
     from dhgen.robot.reader import Path
     from dhgen.robot.schema import AxisRow, JointRow
 
-ENDLESS = (".inf", "inf", "infinity", "oo", "none", "null", "unlimited")
+NOWHERE = "both ends are nowhere: leave 'limits' out"
+
+# Beyond, an end is as good as nowhere, and doubles have too few digits of it.
+_FARTHEST = {
+    JointKind.REVOLUTE: (LARGEST_ANGLE, f"{LARGEST_ANGLE:.0e} rad"),
+    JointKind.PRISMATIC: (LARGEST_LENGTH, f"{LARGEST_LENGTH:.0e}"),
+}
+# What to write for an end that there is not. Tolerances are relative to how far a slide goes.
+_INSTEAD = {
+    JointKind.REVOLUTE: "where nothing stops the joint write some turns, e.g. {}3600 deg",
+    JointKind.PRISMATIC: "where nothing stops the slide write how far it is ever sent, not more",
+}
 
 
 def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> DhRow:
@@ -92,31 +103,38 @@ def _limits(
 ) -> tuple[float, float] | None:
     if not entry:
         return None
-    if all(_is_endless(cells, cell) for cell in entry):
-        cells.report.error(path, "both ends are nowhere: leave 'limits' out")
+    endless = [is_endless(cell) and not cells.knows(cell.strip().lstrip("+-")) for cell in entry]
+    ends = [
+        INVALID if none else cells.parse((*path, i), cell)
+        for i, (cell, none) in enumerate(zip(entry, endless, strict=True))
+    ]
+    turns = kind is JointKind.REVOLUTE
+    low, high = (cells.value(cells.radians(end) if turns else end) for end in ends)
+    farthest, shown = _FARTHEST[kind]
+    reasons = [
+        "no number" if none else f"beyond {shown}" if abs(value) > farthest else ""
+        for none, value in zip(endless, (low, high), strict=True)
+    ]
+    if all(reasons):
+        cells.report.error(path, NOWHERE)
         return None
-    ends = [_end(cells, (*path, i), cell) for i, cell in enumerate(entry)]
-    if kind is JointKind.REVOLUTE:
-        # Of both ends one is told of: they are mended together.
-        any(cells.note_unit((*path, i), entry[i], end) for i, end in enumerate(ends))
-        ends = [cells.radians(end) for end in ends]
-    else:
-        for i, end in enumerate(ends):
-            cells.refuse_degrees((*path, i), entry[i], end)
-    low, high = (cells.value(end) for end in ends)
+    for i, reason in enumerate(reasons):
+        if reason:
+            instead = _INSTEAD[kind].format("" if i else "-")
+            cells.report.error((*path, i), f"{quoted(entry[i].strip())} is {reason}: {instead}")
+    _look_at_units(cells, path, kind, entry, ends)
     if low >= high:
         cells.report.error(path, f"the lower limit {low:.6g} is not below the upper one {high:.6g}")
     return low, high
 
 
-def _end(cells: Cells, path: Path, text: str) -> Expression:
-    if not _is_endless(cells, text):
-        return cells.parse(path, text)
-    cells.report.error(path, f"{quoted(text.strip())} is no number: {NO_STOP}")
-    return INVALID
-
-
-def _is_endless(cells: Cells, text: str) -> bool:
-    """Whether a cell says infinity in a way that other programs have, and no parameter's name."""
-    word = text.strip().lstrip("+-")
-    return word.lower() in ENDLESS and not cells.knows(word)
+def _look_at_units(
+    cells: Cells, path: Path, kind: JointKind, entry: list[str], ends: list[Expression]
+) -> None:
+    ways = [(*path, i) for i in range(len(ends))]
+    if kind is JointKind.REVOLUTE:
+        # Of both ends one is told of: they are mended together.
+        any(map(cells.note_unit, ways, entry, ends))
+    else:
+        for way, text, end in zip(ways, entry, ends, strict=True):
+            cells.refuse_degrees(way, text, end)

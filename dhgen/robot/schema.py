@@ -91,6 +91,11 @@ def _free(value: object) -> object:
     return value
 
 
+def _end(value: object) -> object:
+    # What to write in its place depends on the joint, which is read later.
+    return "null" if value is None else value
+
+
 _CELL = {"type": ["number", "string"]}
 Cell = Annotated[str, WithJsonSchema(_CELL)]
 JointNumber = Annotated[int, BeforeValidator(_joint_number)]
@@ -105,7 +110,8 @@ Free = Annotated[
 Text = Annotated[str, AfterValidator(_one_line)]
 Triple = Annotated[list[Cell], Field(min_length=3, max_length=3)]
 Quadruple = Annotated[list[Cell], Field(min_length=4, max_length=4)]
-Limits = Annotated[list[Cell], Field(min_length=2, max_length=2)]
+End = Annotated[str, BeforeValidator(_end), WithJsonSchema(_CELL)]
+Limits = Annotated[list[End], Field(min_length=2, max_length=2)]
 Matrix = Annotated[list[Quadruple], Field(min_length=4, max_length=4)]
 Task = Annotated[
     str | list[str],

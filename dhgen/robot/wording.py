@@ -13,8 +13,12 @@ if TYPE_CHECKING:
 
     from dhgen.robot.reader import Path
 
-# What stands for an end of a range that there is not.
-NO_STOP = "where nothing stops the joint write one that it never gets to"
+# Infinity, or no end at all, as other programs and people write it.
+ENDLESS = (
+    *(".inf", "inf", "infinity", "oo"),
+    *("none", "null", "no", "false", "unlimited", "continuous", "endless"),
+)
+NO_LIMITS = "where nothing stops the joint leave 'limits' out"
 
 # By the kind of mistake, where every key that takes such a value takes the same.
 _KINDS = {
@@ -54,6 +58,15 @@ _ENTRIES = {
 }
 
 
+def is_endless(given: object) -> bool:
+    """Whether a value says infinity, or that there is no limit."""
+    return isinstance(given, str) and given.strip().lstrip("+-").lower() in ENDLESS
+
+
+def _is_none(given: object) -> bool:
+    return given is None or is_endless(given)
+
+
 def length_message(path: Path, details: ErrorDetails) -> str:
     """What a list of the wrong length is told, or too many parameters."""
     context = details.get("ctx", {})
@@ -63,7 +76,8 @@ def length_message(path: Path, details: ErrorDetails) -> str:
         return f"a robot has 1 to {MAX_JOINTS} joints, not {count}"
     if path[-1] == "parameters":
         return f"a robot has at most {bound} parameters"
-    return f"expected {bound} values, not {count}: {_form(path)}"
+    hint = f"; {NO_LIMITS}" if path[-1] == "limits" and not count else ""
+    return f"expected {bound} values, not {count}: {_form(path)}{hint}"
 
 
 def value_message(details: ErrorDetails) -> str:
@@ -78,11 +92,10 @@ def value_message(details: ErrorDetails) -> str:
         return f"{shown}: {reason}" if isinstance(given, str) else f"{reason}"
     if details["type"] == "string_type" and path[0] in {"name", "title", "source"}:
         return f"expected a text, not {shown}"
-    if given is None and path[-2:-1] == ("limits",):
-        return f"expected a number, not {shown}: {NO_STOP}"
     expected = context.get("expected") or _KINDS.get(details["type"]) or _form(path)
     blank = blank_told(given) if details["type"] in _KEYED and isinstance(given, str) else None
-    return blank or f"expected {expected}, not {shown}"
+    hint = f"; {NO_LIMITS}" if path[-1] == "limits" and _is_none(given) else ""
+    return blank or f"expected {expected}, not {shown}{hint}"
 
 
 def _form(path: Path) -> str:

@@ -13,7 +13,7 @@ from dhgen.robot.robot import (
     JointKind,
     ReferenceAxes,
 )
-from dhgen.robot.wording import NO_STOP
+from dhgen.robot.wording import NO_LIMITS
 from tests.robot.robot_texts import (
     axes,
     marked,
@@ -76,9 +76,15 @@ def test_a_prismatic_joint() -> None:
         ("theta: q, limits: [0]", "[", "expected 2 values, not 1"),
         ("theta: q, limits: [1, 1]", "[", "the lower limit 1 is not below the upper one 1"),
         ("theta: q, limits: [1, -1]", "[", "the lower limit 1 is not below the upper one -1"),
-        ("theta: q, limits: [-.inf, 1]", "-.inf", f"'-.inf' is no number: {NO_STOP}"),
-        ("theta: q, limits: [-1, Infinity]", "Infinity", f"'Infinity' is no number: {NO_STOP}"),
-        ("d: q, limits: [null, 1]", "null", f"expected a number, not nothing: {NO_STOP}"),
+        ("theta: q, limits: [-.inf, 1]", "-.inf", "'-.inf' is no number: where nothing stops the"),
+        ("theta: q, limits: [-1, Infinity]", "Infinity", "'Infinity' is no number: where"),
+        ("theta: q, limits: [-1, 1e16]", "1e16", "'1e16' is beyond 1e+04 rad: where nothing stops"),
+        ("d: q, limits: [null, 1]", "null", "'null' is no number: where nothing stops the slide"),
+        (
+            "d: q, limits: [-2e9, 1]",
+            "-2e9",
+            "'-2e9' is beyond 1e+09: where nothing stops the slide",
+        ),
         ("d: q, limits: [-inf, inf]", "[", "both ends are nowhere: leave 'limits' out"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
@@ -144,6 +150,45 @@ def test_what_stands_in_a_list_without_square_brackets_is_read_all_the_same() ->
 def test_a_list_in_quotes_is_told_so() -> None:
     told = "'limits' holds a list in square brackets, without quotes: [-1, 1]"
     assert mistake(table("theta: q, limits: '[-1, 1]'")) == told
+
+
+@pytest.mark.parametrize("joint", ["theta: q", "d: q"])
+@pytest.mark.parametrize(
+    "ends", ["-.inf, .inf", "~, ~", "null, null", "-1e16, 1e16", "-inf, 1e12", "none, Unlimited"]
+)
+def test_of_limits_that_are_nowhere_one_is_told_to_leave_them_out(joint: str, ends: str) -> None:
+    told = mistake(table(f"{joint}, limits: [{ends}]"))
+    assert told == "both ends are nowhere: leave 'limits' out"
+    assert not robot(table(joint)).notices
+
+
+@pytest.mark.parametrize("limits", ["", "~", "null", "[]", ".inf", "none", "continuous"])
+def test_limits_that_say_that_there_are_none(limits: str) -> None:
+    told = mistake(f"name: r\njoints:\n- theta: q\n  limits: {limits}\n")
+    assert told.startswith("expected ")
+    assert told.endswith(f"; {NO_LIMITS}")
+
+
+@pytest.mark.parametrize("unit", ["rad", "deg"])
+@pytest.mark.parametrize("end", ["~", ".inf", "1e20"])
+@pytest.mark.parametrize("ends", ["[0, {}]", "[-{}, 0]"])
+def test_what_is_to_be_written_for_an_end_that_there_is_not_is_accepted(
+    ends: str, end: str, unit: str
+) -> None:
+    text = ends.format(end).replace("-~", "~")
+    told = mistake(table(f"theta: q, limits: {text}", units=f"{{angle: {unit}}}"))
+    advice = told.split("write some turns, e.g. ")[1]
+    text = ends.replace("-{}", "{}").format(advice)
+    loaded = robot(table(f"theta: q, limits: {text}", units=f"{{angle: {unit}}}"))
+    assert not loaded.notices
+    assert loaded.joints[0].limits == pytest.approx(
+        (0, 20 * math.pi) if ends[1] == "0" else (-20 * math.pi, 0)
+    )
+
+
+def test_a_slide_s_end_that_there_is_not_is_as_far_as_it_is_sent() -> None:
+    told = mistake(axes(f"{SLIDE}, limits: [0, ~]"))
+    assert told.endswith("where nothing stops the slide write how far it is ever sent, not more")
 
 
 @pytest.mark.parametrize("limits", ["1", "(1)", "none", "{min: -1, max: 1}"])
