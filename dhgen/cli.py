@@ -17,9 +17,10 @@ from dhgen.errors import CommandError, DhgenError, VerificationError, about
 from dhgen.method import Method
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from dhgen.compiler import Compilation
+    from dhgen.errors import Diagnostic
     from dhgen.robot_files import RobotFile, RobotFiles
     from dhgen.targets.module import SolverModule
 
@@ -212,13 +213,13 @@ def _tell(text: str) -> None:
 def _compile(file: RobotFile, *, out: Path | None = None) -> Compilation:
     from dhgen.compiler import compile_loaded  # noqa: PLC0415 - errors and --help need no sympy
 
-    _tell_notes(file)
+    _tell_notes(file.robot.notices)
     with about(file.path):
         return compile_loaded(file, _tell, out=out)
 
 
-def _tell_notes(file: RobotFile) -> None:
-    for notice in file.robot.notices:
+def _tell_notes(notices: Iterable[Diagnostic]) -> None:
+    for notice in notices:
         print(f"note: {notice}", file=sys.stderr)
 
 
@@ -243,7 +244,8 @@ def _write(options: argparse.Namespace) -> int:
         except DhgenError as error:
             print(error, file=sys.stderr)
             if isinstance(error, VerificationError):
-                whose = WHOSE_NOTED if file.robot.notices else WHOSE
+                _tell_notes(file.robot.doubts)
+                whose = WHOSE_NOTED if file.robot.notices + file.robot.doubts else WHOSE
                 print(FAULT.format(whose=whose), file=sys.stderr)
             worst = max(worst, error.exit_code)
             left.append(file.path)
@@ -295,7 +297,7 @@ def _check(options: argparse.Namespace) -> int:
 
     files, refused = _read(options)
     for file in files.loaded:
-        _tell_notes(file)
+        _tell_notes(file.robot.notices)
     found = compare(files, options.out, _repeated(options))
     for told in (*found.refusals, *found.problems):
         print(told, file=sys.stderr)

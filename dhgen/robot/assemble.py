@@ -68,6 +68,7 @@ class _Assembly:
             length_unit=units.length,
             float32=file.float32,
             notices=self.report.notices,
+            doubts=tuple(self.report.doubts),
         )
 
     def _parameters(self) -> tuple[Parameter, ...]:

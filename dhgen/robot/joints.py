@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.robot.angles import LARGEST_ANGLE, LARGEST_LENGTH, SNAP
 from dhgen.robot.cells import INVALID
 from dhgen.robot.frames import read_lengths
+from dhgen.robot.lengths import Length
 from dhgen.robot.robot import AxisJoint, DhRow, JointKind
 from dhgen.robot.source import quoted
 from dhgen.robot.variable import VARIABLE, Split, split
@@ -122,13 +123,13 @@ def _limits(
         if reason:
             instead = _INSTEAD[kind].format("" if i else "-")
             cells.report.error((*path, i), f"{quoted(entry[i].strip())} is {reason}: {instead}")
-    _look_at_units(cells, path, kind, entry, ends)
+    _look_at_ends(cells, path, kind, entry, ends)
     if low >= high:
         cells.report.error(path, f"the lower limit {low:.6g} is not below the upper one {high:.6g}")
     return low, high
 
 
-def _look_at_units(
+def _look_at_ends(
     cells: Cells, path: Path, kind: JointKind, entry: list[str], ends: list[Expression]
 ) -> None:
     ways = [(*path, i) for i in range(len(ends))]
@@ -138,3 +139,4 @@ def _look_at_units(
     else:
         for way, text, end in zip(ways, entry, ends, strict=True):
             cells.refuse_degrees(way, text, end)
+            cells.lengths.append(Length(abs(cells.value(end)), way, text.strip()))

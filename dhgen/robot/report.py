@@ -23,6 +23,7 @@ class Report:
         self.document = document
         self._errors = list(document.mistakes)
         self._notices: list[Diagnostic] = []
+        self.doubts: list[Diagnostic] = []
 
     @property
     def errors(self) -> tuple[Diagnostic, ...]:
@@ -46,6 +47,10 @@ class Report:
     def notice(self, path: Path, message: str) -> None:
         """Something that the user is told; the file is used all the same."""
         self._notices.append(self._point(self.document.find(path)[1], message, None))
+
+    def doubt(self, path: Path, message: str) -> None:
+        """Something that the user is told only if the arm's solvers do not pass."""
+        self.doubts.append(self._point(self.document.find(path)[1], message, None))
 
     def notice_at_key(self, path: Path, message: str) -> None:
         """Something that the user is told of a key."""

@@ -133,6 +133,7 @@ class Robot:
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
+        doubts: What may be why the arm's solvers do not pass, if they do not.
     """
 
     name: str
@@ -149,6 +150,7 @@ class Robot:
     length_unit: str = "m"
     float32: bool = False
     notices: tuple[Diagnostic, ...] = ()
+    doubts: tuple[Diagnostic, ...] = ()
 
     @property
     def joints(self) -> tuple[DhRow, ...] | tuple[AxisJoint, ...]:

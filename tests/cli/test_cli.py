@@ -406,6 +406,25 @@ def test_a_note_may_be_why_verification_fails(
     assert "\na note above may say why; if not, the fault is dhgen's; nothing is written\n" in told
 
 
+@pytest.mark.parametrize("a1", ["0.3", "4e5"])
+def test_lengths_out_of_proportion_are_told_where_they_are_why(
+    a1: str, run: Run, tmp_path: Path
+) -> None:
+    """Two links of which the first is short beside the second, and the other way round."""
+    a2 = "4e5" if a1 == "0.3" else "0.3"
+    text = PLANAR.read_text().replace("a1: 0.4", f"a1: {a1}").replace("a2: 0.3", f"a2: {a2}")
+    (tmp_path / "arm.yaml").write_text(text)
+    done = run("arm.yaml", folder=tmp_path)
+    if a1 == "4e5":
+        assert (done.returncode, done.stderr) == (0, "")
+        return
+    assert done.returncode == 1
+    miss, why = done.stderr.split("note: arm.yaml:8:")
+    assert "a row misses the pose" in miss
+    assert "'a1' is 7.5e-07 of the longest length, 400000, and rounding may be more than" in why
+    assert why.count("a note above may say why; if not, the fault is dhgen's") == 1
+
+
 @pytest.mark.parametrize("out", ["file", "file/below", "nowhere", "loop", "loop/below"])
 def test_a_folder_that_cannot_be_written_is_found_out_before_the_work(
     out: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

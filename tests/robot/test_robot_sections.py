@@ -185,10 +185,20 @@ def test_parameters_that_nothing_of_the_arm_uses_are_told() -> None:
 def test_lengths_out_of_all_proportion_are_told() -> None:
     told = robot(table("theta: q, a: 1e-3", "theta: q, d: -1e6, a: 20")).notices
     assert [marked(notice) for notice in told] == ["1e-3"]
-    beside = "'1e-3' is 1.0e-09 of the longest length, 1e+06, and lost in rounding"
+    beside = "'1e-3' is 1.0e-09 of the longest length, 1e+06, and may count as nothing"
     assert told[0].message.startswith(f"{beside}: write 0 if that is meant, and all lengths")
-    assert robot(table("theta: q, a: 0.4", tool="{xyz: [0, 0, 2e-7]}")).notices
-    assert not robot(table("theta: q, a: 0.4, d: 1e-6", base="{xyz: [3e6, 0, 0]}")).notices
+    assert robot(table("theta: q, a: 0.4", "d: q, limits: [-1e8, 0]")).notices
+    assert not robot(table("theta: q, a: 0.4, d: 1e-8", base="{xyz: [3e6, 0, 0]}")).notices
+    assert not robot(table("theta: q, a: 0.4", "d: q, limits: [1e-9, 1]")).notices
+
+
+def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
+    arm = robot(table("theta: q, a: 0.3", "theta: q, a: 4e5"))
+    assert not arm.notices
+    (doubt,) = arm.doubts
+    assert marked(doubt) == "0.3"
+    assert doubt.message.startswith("'0.3' is 7.5e-07 of the longest length, 400000, and rounding")
+    assert not robot(table("theta: q, a: 0.3", "theta: q, a: 4e3")).doubts
 
 
 @pytest.mark.parametrize("value", ["true", "True", "TRUE"])
