@@ -53,17 +53,26 @@ class DhgenError(Exception):
 
 
 class RobotFileError(DhgenError):
-    """A robot file that can't be read: every mistake in it, in the order of the file."""
+    """A robot file that can't be read: every mistake in it, in the order of the file.
+
+    Attributes:
+        diagnostics: The mistakes.
+        notes: What is told of the values that they are about.
+    """
 
     exit_code = 2
 
-    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+    def __init__(
+        self, diagnostics: tuple[Diagnostic, ...], notes: tuple[Diagnostic, ...] = ()
+    ) -> None:
         self.diagnostics = diagnostics
-        super().__init__(diagnostics)  # what it is made of again in another process
+        self.notes = notes
+        super().__init__(diagnostics, notes)  # what it is made of again in another process
 
     def __str__(self) -> str:
-        """All remarks, each with its place."""
-        return "\n".join(map(str, self.diagnostics))
+        """All remarks, each with its place; notes after the mistakes."""
+        notes = (f"note: {note}" for note in self.notes)
+        return "\n".join((*map(str, self.diagnostics), *notes))
 
 
 class CommandError(DhgenError):

@@ -144,6 +144,11 @@ class Cells:
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
         return notice is not None
 
+    def note_mixture(self, path: Path, text: str, angle: Expression) -> None:
+        """Tell of a plain number that is added to what speaks of pi."""
+        if notice := self.units.mixture_notice(angle):
+            self.report.notice(path, f"{quoted(text.strip())} {notice}")
+
     def refuse_degrees(self, path: Path, text: str, expression: Expression) -> None:
         """Report a length that is an angle."""
         if self.units.is_in_degrees(expression):

@@ -5,33 +5,17 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from dhgen.robot.angles import LARGEST_ANGLE, LARGEST_LENGTH, SNAP
+from dhgen.robot.angles import SNAP
 from dhgen.robot.cells import INVALID
 from dhgen.robot.frames import read_lengths
-from dhgen.robot.lengths import Length
+from dhgen.robot.limits import read_limits
 from dhgen.robot.robot import AxisJoint, DhRow, JointKind
-from dhgen.robot.source import quoted
 from dhgen.robot.variable import VARIABLE, Split, split
-from dhgen.robot.wording import is_endless
 
 if TYPE_CHECKING:
     from dhgen.robot.cells import Cells
-    from dhgen.robot.expression import Expression
     from dhgen.robot.reader import Path
     from dhgen.robot.schema import AxisRow, JointRow
-
-NOWHERE = "both ends are nowhere: leave 'limits' out"
-
-# Beyond, an end is as good as nowhere, and doubles have too few digits of it.
-_FARTHEST = {
-    JointKind.REVOLUTE: (LARGEST_ANGLE, f"{LARGEST_ANGLE:.0e} rad"),
-    JointKind.PRISMATIC: (LARGEST_LENGTH, f"{LARGEST_LENGTH:.0e}"),
-}
-# What to write for an end that there is not. Tolerances are relative to how far a slide goes.
-_INSTEAD = {
-    JointKind.REVOLUTE: "where nothing stops the joint write some turns, e.g. {}3600 deg",
-    JointKind.PRISMATIC: "where nothing stops the slide write how far it is ever sent, not more",
-}
 
 
 def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> DhRow:
@@ -63,7 +47,7 @@ def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> Dh
         d=cells.snap_length((*path, "d"), entry.d, d.offset),
         a=cells.length((*path, "a"), entry.a),
         alpha=cells.angle((*path, "alpha"), entry.alpha),
-        limits=_limits(cells, (*path, "limits"), kind, entry.limits),
+        limits=read_limits(cells, (*path, "limits"), kind, entry.limits),
     )
 
 
@@ -86,7 +70,7 @@ def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> Ax
         kind=kind,
         direction=(x, y, z),
         point=read_lengths(cells, (*path, "point"), entry.point),
-        limits=_limits(cells, (*path, "limits"), kind, entry.limits),
+        limits=read_limits(cells, (*path, "limits"), kind, entry.limits),
     )
 
 
@@ -97,46 +81,3 @@ def _split(cells: Cells, path: Path, text: str) -> Split:
         message = "q stands alone, with a sign or with an offset: q, -q, q + pi/2, pi - q"
         cells.report.error(path, message)
     return parts or Split(0, INVALID)
-
-
-def _limits(
-    cells: Cells, path: Path, kind: JointKind, entry: list[str]
-) -> tuple[float, float] | None:
-    if not entry:
-        return None
-    endless = [is_endless(cell) and not cells.knows(cell.strip().lstrip("+-")) for cell in entry]
-    ends = [
-        INVALID if none else cells.parse((*path, i), cell)
-        for i, (cell, none) in enumerate(zip(entry, endless, strict=True))
-    ]
-    turns = kind is JointKind.REVOLUTE
-    low, high = (cells.value(cells.radians(end) if turns else end) for end in ends)
-    farthest, shown = _FARTHEST[kind]
-    reasons = [
-        "no number" if none else f"beyond {shown}" if abs(value) > farthest else ""
-        for none, value in zip(endless, (low, high), strict=True)
-    ]
-    if all(reasons):
-        cells.report.error(path, NOWHERE)
-        return None
-    for i, reason in enumerate(reasons):
-        if reason:
-            instead = _INSTEAD[kind].format("" if i else "-")
-            cells.report.error((*path, i), f"{quoted(entry[i].strip())} is {reason}: {instead}")
-    _look_at_ends(cells, path, kind, entry, ends)
-    if low >= high:
-        cells.report.error(path, f"the lower limit {low:.6g} is not below the upper one {high:.6g}")
-    return low, high
-
-
-def _look_at_ends(
-    cells: Cells, path: Path, kind: JointKind, entry: list[str], ends: list[Expression]
-) -> None:
-    ways = [(*path, i) for i in range(len(ends))]
-    if kind is JointKind.REVOLUTE:
-        # Of both ends one is told of: they are mended together.
-        any(map(cells.note_unit, ways, entry, ends))
-    else:
-        for way, text, end in zip(ways, entry, ends, strict=True):
-            cells.refuse_degrees(way, text, end)
-            cells.lengths.append(Length(abs(cells.value(end)), way, text.strip()))

@@ -64,7 +64,7 @@ def load_text(text: str, file_name: str) -> Robot:
     report = Report(read_document(text.removeprefix("\ufeff"), file_name))
     robot = assemble(report)
     if report.errors or robot is None:
-        raise RobotFileError(report.errors)
+        raise RobotFileError(report.errors, report.notes_on_errors)
     return robot
 
 

@@ -10,10 +10,15 @@ from dhgen.robot.nodes import span_of
 from dhgen.robot.source import Span
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ruamel.yaml.nodes import Node
 
     from dhgen.errors import Diagnostic
     from dhgen.robot.reader import Document, Path
+
+
+ROWS = (("joints",), ("axes",))
 
 
 class Report:
@@ -22,22 +27,30 @@ class Report:
     def __init__(self, document: Document) -> None:
         self.document = document
         self._errors = list(document.mistakes)
-        self._notices: list[Diagnostic] = []
+        self._notices: list[tuple[Path, Diagnostic]] = []
+        self._wrong: set[Path] = set()
         self.doubts: list[Diagnostic] = []
 
     @property
     def errors(self) -> tuple[Diagnostic, ...]:
         """What makes the file unusable, without repetitions."""
-        return tuple(sorted(dict.fromkeys(self._errors), key=_position))
+        return _in_order(self._errors)
 
     @property
     def notices(self) -> tuple[Diagnostic, ...]:
         """What was snapped, looks like a slip, or is of no use."""
-        return tuple(sorted(dict.fromkeys(self._notices), key=_position))
+        return _in_order(notice for _, notice in self._notices)
+
+    @property
+    def notes_on_errors(self) -> tuple[Diagnostic, ...]:
+        """The notices about values of keys that are wrong: they may be why."""
+        return _in_order(notice for path, notice in self._notices if _field(path) in self._wrong)
 
     def error(self, path: Path, message: str, *, part: Span | None = None) -> None:
         """Something wrong with the value at a path, or with a part of a cell."""
         self._errors.append(self._point(self.document.find(path)[1], message, part))
+        if len(path) > 2 or path[:1] not in ROWS:  # a whole row holds many values
+            self._wrong.add(_field(path))
 
     def error_at_key(self, path: Path, message: str) -> None:
         """Something wrong with a key, rather than with its value."""
@@ -46,7 +59,7 @@ class Report:
 
     def notice(self, path: Path, message: str) -> None:
         """Something that the user is told; the file is used all the same."""
-        self._notices.append(self._point(self.document.find(path)[1], message, None))
+        self._notices.append((path, self._point(self.document.find(path)[1], message, None)))
 
     def doubt(self, path: Path, message: str) -> None:
         """Something that the user is told only if the arm's solvers do not pass."""
@@ -55,7 +68,8 @@ class Report:
     def notice_at_key(self, path: Path, message: str) -> None:
         """Something that the user is told of a key."""
         key, value = self.document.find(path)
-        self._notices.append(self._point(value if key is None else key, message, None))
+        node = value if key is None else key
+        self._notices.append((path, self._point(node, message, None)))
 
     def _point(self, node: Node, message: str, part: Span | None) -> Diagnostic:
         span = span_of(node)
@@ -67,6 +81,16 @@ class Report:
                     span = Span(start + part.start, part.width)
                     break
         return self.document.source.point(span, message)
+
+
+def _field(path: Path) -> Path:
+    """The key that a value belongs to, which may be one of a list."""
+    keys = [i for i, step in enumerate(path) if isinstance(step, str)]
+    return path[: keys[-1] + 1] if keys else path
+
+
+def _in_order(told: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    return tuple(sorted(dict.fromkeys(told), key=_position))
 
 
 def _position(diagnostic: Diagnostic) -> tuple[int, int]:

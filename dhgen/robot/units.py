@@ -87,14 +87,18 @@ class SaidUnits:
 
         In a file of radians only where the sum looks like degrees.
         """
+        if self.degrees:
+            return self.mixture_notice(angle)
+        number = self._plain_addend(angle)
+        return turns_notice(self._value(angle), degrees_text(number)) if number else None
+
+    def mixture_notice(self, angle: Expression) -> str | None:
+        """What is told of such a number in either file, where something is wrong besides."""
         number = self._plain_addend(angle)
         if number is None:
             return None
-        meant = degrees_text(number)
-        if self.degrees:
-            said = f"has {to_text(number)} in rad, as pi or deg stands beside it"
-            return f"{said}: write {meant} if degrees are meant"
-        return turns_notice(self._value(angle), meant)
+        said = f"has {to_text(number)} in rad, as pi or deg stands beside it"
+        return f"{said}: write {degrees_text(number)} if degrees are meant"
 
     def _plain_addend(self, expression: Expression) -> Expression | None:
         """The first number but zero that is added to what speaks of pi, and does not itself."""

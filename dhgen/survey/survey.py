@@ -72,7 +72,8 @@ def survey_arm(source: Source, poses: int) -> Line:
         compilation = compile_robot(source.path)
         answers = _answers(compilation, poses, time.process_time() - start)
     except RobotFileError as error:
-        remarks = tuple(map(source.tell, error.diagnostics))
+        notes = (f"note: {source.tell(note)}" for note in error.notes)
+        remarks = (*map(source.tell, error.diagnostics), *notes)
         first = remarks[0].splitlines()[0]
         return Line(name, joints, structure, None, first, mistaken=True, remarks=remarks)
     except DhgenError as error:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from fractions import Fraction
 
 import pytest
 
+from dhgen.errors import RobotFileError
 from dhgen.robot.expression import ZERO, Name, Negate, Number, to_text
 from dhgen.robot.robot import (
     AxisJoint,
@@ -150,6 +152,38 @@ def test_what_stands_in_a_list_without_square_brackets_is_read_all_the_same() ->
 def test_a_list_in_quotes_is_told_so() -> None:
     told = "'limits' holds a list in square brackets, without quotes: [-1, 1]"
     assert mistake(table("theta: q, limits: '[-1, 1]'")) == told
+
+
+@pytest.mark.parametrize(
+    ("unit", "low", "high"),
+    [("rad", "8.4292 rad", "3.14159 rad"), ("deg", "482.958 deg", "180 deg")],
+)
+def test_ends_in_the_wrong_order_are_shown_with_what_is_told_of_them(
+    unit: str, low: str, high: str
+) -> None:
+    text = table("theta: q, alpha: 1.5708 deg + 1.5", "theta: q, limits: [-90 deg + 10, pi]")
+    with pytest.raises(RobotFileError) as info:
+        robot(f"{text}units: {{angle: {unit}}}\n")
+    (order,) = info.value.diagnostics
+    ends = f"'-90 deg + 10' ({low}) is not below the upper one 'pi' ({high})"
+    assert order.message == f"the lower limit {ends}"
+    (note,) = info.value.notes
+    mixed = "has 10 in rad, as pi or deg stands beside it: write 10 deg if degrees are meant"
+    assert note.message == f"'-90 deg + 10' {mixed}"
+    assert str(info.value) == f"{order}\nnote: {note}"
+
+
+def test_notes_on_other_fields_wait_until_the_mistakes_are_mended() -> None:
+    rows = "theta: q, limits: [170, x]", "theta: q, alpha: 90, limits: [-170, 170]", "alpha: 90"
+    with pytest.raises(RobotFileError) as info:
+        robot(table(*rows))
+    assert [found.message.split(";")[0] for found in info.value.diagnostics] == [
+        "unknown name 'x'",
+        "no variable: write q in theta (revolute) or in d (prismatic)",
+    ]
+    assert [(note.line, marked(note)) for note in info.value.notes] == [(3, "170")]
+    again = copy.copy(info.value)  # as for another process
+    assert str(again) == str(info.value)
 
 
 @pytest.mark.parametrize("joint", ["theta: q", "d: q"])
