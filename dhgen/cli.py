@@ -119,6 +119,12 @@ def _version() -> str:
         return "(not installed)"
 
 
+def _refuse_mute() -> None:
+    """Stops where standard output was closed, for commands that do nothing but print."""
+    if sys.__stdout__ is None:
+        raise CommandError("dhgen: standard output is closed: there is nothing to print to")
+
+
 def _refuse_misspelt(first: Path) -> None:
     """Stops where the first word is no file but reads like a verb or an option."""
     close = difflib.get_close_matches(str(first), MEANT, n=1)
@@ -320,6 +326,7 @@ def _explain(options: argparse.Namespace) -> int:
     from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
 
     file = RobotFile.read(options.file)
+    _refuse_mute()
     compilation = _compile(file.with_numerical() if options.numerical else file)
     derivation, program = compilation.derivation, compilation.module.solver
     if options.alternatives:
@@ -332,6 +339,7 @@ def _explain(options: argparse.Namespace) -> int:
 
 
 def _survey(options: argparse.Namespace) -> int:
+    _refuse_mute()
     # matrices are small and every core has its own arm: threads inside would be in the way
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhgen.survey.survey import survey  # noqa: PLC0415

@@ -498,25 +498,38 @@ def test_links_that_lead_in_a_circle(run: Run, tmp_path: Path) -> None:
     assert "loop/planar_rr.c: can't be read (Too many levels of symbolic links)" in done.stderr
 
 
+def in_shell(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Runs the command as a shell does that closes streams."""
+    return subprocess.run(
+        ["/bin/sh", "-c", f"{sys.executable} -m dhgen {command}"],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
 @pytest.mark.parametrize("closed", ["2>&-", "<&- >&- 2>&-"])
 def test_streams_that_are_closed_change_nothing_but_what_is_told(
     closed: str, tmp_path: Path
 ) -> None:
     """As services and cron jobs may start it."""
     (tmp_path / "wrong.yaml").write_text(WRONG)
-    for words, code in (("--out x {arm}", 0), ("explain {arm}", 0), ("explain wrong.yaml", 2)):
-        command = f"{sys.executable} -m dhgen {words.format(arm=PLANAR)} {closed}"
-        done = subprocess.run(
-            ["/bin/sh", "-c", command],
-            cwd=tmp_path,
-            env=os.environ | {"PYTHONPATH": str(ROOT)},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+    for words, code in (f"--out x {PLANAR}", 0), ("explain wrong.yaml", 2):
+        done = in_shell(f"{words} {closed}", tmp_path)
         assert (done.returncode, done.stderr) == (code, "")
         assert (not done.stdout) == (code == 2 or closed != "2>&-")
     assert names(tmp_path / "x") == FILES
+    done = in_shell(f"explain {PLANAR} {closed}", tmp_path)
+    assert (done.returncode, not done.stdout) == ((0, False) if closed == "2>&-" else (2, True))
+
+
+@pytest.mark.parametrize("verb", ["explain", "survey"])
+def test_what_is_only_printed_needs_somewhere_to_print(verb: str, tmp_path: Path) -> None:
+    done = in_shell(f"{verb} {PLANAR} >&-", tmp_path)
+    told = "dhgen: standard output is closed: there is nothing to print to\n"
+    assert (done.returncode, done.stderr) == (2, told)
 
 
 @pytest.mark.parametrize(
