@@ -118,6 +118,8 @@ def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
 
 def _check_rotation(cells: Cells, path: Path, rows: Rows) -> float:
     """How far the matrix is from a rotation; 0 after a mistake, which is reported."""
+    if any(math.isnan(value) for row in rows for value in row):
+        return 0.0
     for i, row in enumerate(rows):
         length = math.hypot(*row)
         if abs(length - 1) > _TOLERANCE:
@@ -134,5 +136,4 @@ def _check_rotation(cells: Cells, path: Path, rows: Rows) -> float:
         cells.report.error(path, "the determinant is -1, not 1: this is a mirror, not a rotation")
         return 0.0
     lengths = (abs(math.hypot(*row) - 1) for row in rows)
-    deviation = max(*lengths, *(abs(product) / 2 for product in products.values()))
-    return 0.0 if math.isnan(deviation) else deviation
+    return max(*lengths, *(abs(product) / 2 for product in products.values()))

@@ -211,3 +211,9 @@ def test_home_is_a_frame_of_axes() -> None:
     assert home is not None
     assert [to_text(x) for x in home.xyz] == ["0.4", "0", "0.2"]
     assert home.rotation[0] == Negate(ONE)
+
+
+def test_a_rounded_matrix_may_hold_a_mistake_besides() -> None:
+    """A cell that can't be read is no number, and the nearest rotation none either."""
+    rows = "[[1.0000001, 0, 0, 0], [0, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"
+    assert mistake(f"{MINIMAL}tool: {{matrix: {rows}}}\n").startswith("unknown name 'x'")
