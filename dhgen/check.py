@@ -74,7 +74,7 @@ def compare(files: RobotFiles, out: Path, options: Sequence[str] = ()) -> Compar
         problem = _difference(out / name, text)
         if problem:
             command = shlex.join(["dhgen", str(makers[name]), *options])
-            problems.append(f"{problem}\n  to mend: {command}")
+            problems.append(f"{problem}\n  to fix: {command}")
     extra = _extra(files.paths, set(makers.values()), out, set(expected))
     problems += [_extra_text(out / name, files.paths) for name in extra]
     return Comparison(tuple(problems), tuple(refusals))
@@ -84,13 +84,13 @@ def _extra_text(path: Path, robots: tuple[Path, ...]) -> str:
     """What is said of a file that these robot files do not make."""
     if not _MADE.search(_head(path)):
         return (
-            f"{path}: a file that dhgen has not written\n"
-            "  to mend: move it elsewhere: nothing else belongs to the files that --check compares"
+            f"{path}: not written by dhgen\n"
+            "  to fix: move it elsewhere: all .py, .c, .h and .md files here must be generated"
         )
     looked = " or ".join(sorted({f"{robot.parent}/" for robot in robots}))
     return (
-        f"{path}: extra file, no robot file in {looked} makes it\n"
-        f"  to mend: name its robot file too, or {shlex.join(['rm', str(path)])}"
+        f"{path}: extra file: no robot file in {looked} generates it\n"
+        f"  to fix: add its robot file to the command, or {shlex.join(['rm', str(path)])}"
     )
 
 
@@ -130,7 +130,7 @@ def _difference(path: Path, text: str) -> str | None:
     lines = list(diff)
     if len(lines) > MOST_DIFFERENCES:
         more = len(lines) - MOST_DIFFERENCES
-        lines = [*lines[:MOST_DIFFERENCES], f"... and {more} lines more"]
+        lines = [*lines[:MOST_DIFFERENCES], f"... and {more} more lines"]
     return "\n".join([f"{path}: changed", *lines])
 
 

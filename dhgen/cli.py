@@ -25,10 +25,10 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 FAULT = """\
-{whose}; nothing is written
-a report with the robot file helps to mend it"""
-WHOSE = "the fault is dhgen's, not the file's"
-WHOSE_NOTED = "a note above may say why; if not, the fault is dhgen's"
+{whose}; nothing was written
+please report it, with the robot file"""
+WHOSE = "this is a bug in dhgen, not a mistake in the file"
+WHOSE_NOTED = "a note above may say why; if not, this is a bug in dhgen"
 
 OUT = Path("generated")
 
@@ -40,11 +40,11 @@ MEANT = {
 
 EPILOG = """\
 verbs:
-  dhgen FILE ...           derive, tell how in short, verify, and write generated/ (or --out DIR)
+  dhgen FILE ...           derive, show a summary, verify, and write generated/ (or --out DIR)
   dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
-  dhgen --numerical FILE   let the numerical solver take what nothing else solves
+  dhgen --numerical FILE   fall back to the numerical solver where nothing else works
   dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
-  dhgen survey PATH ...    count the solutions of many arms against a search (--poses N)
+  dhgen survey PATH ...    test many arms: are all solutions found? (--poses N)
   dhgen --version          print the version
 
 exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line
@@ -147,17 +147,17 @@ def _refuse_occupied(paths: Sequence[Path]) -> None:
     """Stops before anything is written, where something that is there can't be written over."""
     for path in paths:
         if path.is_dir():
-            raise CommandError(f"dhgen: can't write {path}: a folder of that name is there")
+            raise CommandError(f"dhgen: can't write {path}: it is a folder")
         if path.exists() and not os.access(path, os.W_OK):
-            raise CommandError(f"dhgen: can't write {path}: the file there is read-only")
+            raise CommandError(f"dhgen: can't write {path}: the file is read-only")
 
 
 def _add_numerical(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--numerical",
         action="store_true",
-        help="let the numerical solver take what nothing else solves, as `numerical: true` in a "
-        "robot file does",
+        help="fall back to the numerical solver where nothing else works, like `numerical: true` "
+        "in a robot file",
     )
 
 
@@ -167,9 +167,9 @@ def _explain_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML)")
     parser.add_argument(
-        "--alternatives", action="store_true", help="the other valid equations of each step"
+        "--alternatives", action="store_true", help="print the other valid equations of each step"
     )
-    parser.add_argument("--program", action="store_true", help="the program that is emitted")
+    parser.add_argument("--program", action="store_true", help="print the emitted program")
     _add_numerical(parser)
     return parser
 
@@ -177,8 +177,8 @@ def _explain_parser() -> argparse.ArgumentParser:
 def _survey_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="dhgen survey",
-        description="How complete the solvers of many arms are: every solution on random poses "
-        "against a search that shares no code with them, and an answer on every singular pose. "
+        description="Tests the solvers of many arms: on random poses against an independent "
+        "search for all solutions, and for an answer on every singular pose. "
         "Exit code 1 when an arm falls short or is not solved, 2 when a file has mistakes.",
     )
     parser.add_argument(
@@ -186,21 +186,21 @@ def _survey_parser() -> argparse.ArgumentParser:
         nargs="+",
         type=_path,
         metavar="PATH",
-        help="robot files, folders of them, or lists of tables in JSON",
+        help="robot files, folders of them, or JSON lists of tables",
     )
     parser.add_argument(
         "--poses",
         type=_positive,
         default=200,
         metavar="N",
-        help="random poses of each arm, and a quarter as many of each singular kind (default: 200)",
+        help="random poses per arm, and a quarter as many of each singular kind (default: 200)",
     )
     return parser
 
 
 def _path(word: str) -> Path:
     if not word:  # of which Path makes the folder one is in
-        raise argparse.ArgumentTypeError("an empty text is no path")
+        raise argparse.ArgumentTypeError("a path can't be empty")
     return Path(word)
 
 
@@ -258,7 +258,7 @@ def _write(options: argparse.Namespace) -> int:
     if left and len(files.paths) > 1:  # the reasons may stand far above
         sys.stdout.flush()
         told = ", ".join(map(str, left))
-        print(f"dhgen: nothing is written for {told}: see above", file=sys.stderr)
+        print(f"dhgen: nothing was written for {told}: see above", file=sys.stderr)
     return worst
 
 
@@ -269,7 +269,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     compilation = _compile(file, out=options.out)
     module = compilation.module
     if options.numerical and module.method is not Method.NUMERICAL:
-        print("note: --numerical is not needed", file=sys.stderr)
+        print("note: --numerical was not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
     _refuse_occupied([options.out / name for name in compilation.files])
@@ -277,7 +277,7 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     for name, text in compilation.files.items():
         (options.out / name).write_text(text, encoding="utf-8", newline="\n")
-    compiled = _compared(module) if report.compiled else "no C compiler found: C not tried"
+    compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
         f"{report.residual:.1e} arm sizes; {compiled}"
@@ -289,7 +289,9 @@ def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
 
 def _compared(module: SolverModule) -> str:
     if module.method is Method.NUMERICAL:
-        return "Python and C each by itself: where starts lead hangs on rounding"
+        return (
+            "Python and C checked separately: which solution a start leads to depends on rounding"
+        )
     return "Python and C agree"
 
 

@@ -127,8 +127,8 @@ def _demand_closed_form(derivation: Derivation) -> None:
         name = derivation.problem.algebra.chain.name
         what = "a quartic" if method is Method.QUARTIC else method
         raise PrecisionError(
-            f"{name}: float32 is for arms in closed form, and this one is solved by another "
-            f"method ({what}), which is too coarse in single precision; leave float32 out"
+            f"{name}: float32 is only for arms with a closed form; this one needs another method "
+            f"({what}), which is too inaccurate in single precision: leave float32 out"
         )
 
 
@@ -148,7 +148,7 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
         try:
             return replace(report, single=verify_single(compilation.single, Path(folder)))
         except VerificationError as error:
-            way_out = "in double precision all is well: leave float32 out meanwhile"
+            way_out = "double precision passes: leave float32 out for now"
             raise VerificationError(f"{error}\n{way_out}") from error
 
 

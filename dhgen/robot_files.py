@@ -89,5 +89,5 @@ def _each_once(paths: Iterable[Path]) -> tuple[Path, ...]:
 
 def _name_taken(path: Path, other: Path, stem: str) -> RobotFileError:
     """The refusal of a file whose robot would be written over another's."""
-    message = f"{other} makes files of the same name, '{stem}': give one of the robots another"
+    message = f"{other} also generates files named '{stem}': rename one of the robots"
     return RobotFileError((Diagnostic(str(path), 0, 0, message),))

@@ -180,7 +180,7 @@ def _compiled(compiler: str, flags: tuple[str, ...], source: Path, library: Path
     done = subprocess.run(  # noqa: S603
         [*command, "-lm"], env=os.environ | place, capture_output=True, text=True, check=False
     )
-    return done.stderr.strip() or "it does not say why" if done.returncode else ""
+    return done.stderr.strip() or "(it gives no reason)" if done.returncode else ""
 
 
 def _demand_compiler(compiler: str, folder: Path) -> None:
@@ -190,7 +190,7 @@ def _demand_compiler(compiler: str, folder: Path) -> None:
     if told := _compiled(compiler, (), source, source.with_suffix(".so")):
         raise CompilerError(
             f"the C compiler {compiler} can't build anything here:\n{told}\n"
-            "mend it, or name another one in $CC"
+            "fix it, or set $CC to another compiler"
         )
 
 

@@ -134,7 +134,7 @@ def test_check_sees_a_change(run: Run, written: Path, tmp_path: Path) -> None:
     assert done.stderr.startswith("generated/planar_rr.c: changed\n--- generated/planar_rr.c\n")
     assert "\n-    a1 = 1." in done.stderr
     assert "\n+    a1 = 0." in done.stderr
-    assert done.stderr.endswith("\n  to mend: dhgen robots/planar_rr.yaml\n")
+    assert done.stderr.endswith("\n  to fix: dhgen robots/planar_rr.yaml\n")
     assert run("robots/planar_rr.yaml", folder=folder).returncode == 0
     assert run("--check", "robots/planar_rr.yaml", folder=folder).returncode == 0
 
@@ -159,11 +159,11 @@ def test_check_sees_what_is_missing_and_what_is_extra(
     assert done.returncode == 1
     assert done.stderr == (
         "generated/planar_rr.md: missing\n"
-        "  to mend: dhgen robots/planar_rr.yaml\n"
-        "generated/old_robot.h: extra file, no robot file in robots/ makes it\n"
-        "  to mend: name its robot file too, or rm generated/old_robot.h\n"
-        "generated/own.c: a file that dhgen has not written\n"
-        "  to mend: move it elsewhere: nothing else belongs to the files that --check compares\n"
+        "  to fix: dhgen robots/planar_rr.yaml\n"
+        "generated/old_robot.h: extra file: no robot file in robots/ generates it\n"
+        "  to fix: add its robot file to the command, or rm generated/old_robot.h\n"
+        "generated/own.c: not written by dhgen\n"
+        "  to fix: move it elsewhere: all .py, .c, .h and .md files here must be generated\n"
     )
 
 
@@ -205,7 +205,7 @@ def test_check_tells_all_refusals_and_what_is_stale_besides(
 def test_check_of_another_folder_names_it(run: Run, written: Path, tmp_path: Path) -> None:
     done = run("--check", "robots/planar_rr.yaml", "--out", tmp_path / "none", folder=written)
     assert done.returncode == 1
-    assert f"to mend: dhgen robots/planar_rr.yaml --out {tmp_path / 'none'}\n" in done.stderr
+    assert f"to fix: dhgen robots/planar_rr.yaml --out {tmp_path / 'none'}\n" in done.stderr
     assert not (tmp_path / "none").exists()
 
 
@@ -215,13 +215,13 @@ def test_commands_that_are_advised_can_be_pasted(run: Run, tmp_path: Path) -> No
     words = ["my robots/my arm.yaml", "--out", "the out"]
     told = run("--check", "--numerical", *words, folder=tmp_path).stderr
     command = "dhgen 'my robots/my arm.yaml' --out 'the out' --numerical"
-    assert told.endswith(f"  to mend: {command}\n")
+    assert told.endswith(f"  to fix: {command}\n")
     assert run(*words, folder=tmp_path).returncode == 0
     header = (tmp_path / "the out" / "planar_rr.h").read_text()
     assert "Do not edit: run dhgen 'my robots/my arm.yaml'." in " ".join(header.split())
     (tmp_path / "the out" / "old arm.h").write_text(header)
     told = run("--check", *words, folder=tmp_path).stderr
-    assert told.endswith("name its robot file too, or rm 'the out/old arm.h'\n")
+    assert told.endswith("add its robot file to the command, or rm 'the out/old arm.h'\n")
     told = run("my robots", folder=tmp_path).stderr
     assert told.endswith("name the files in it: 'my robots'/*.yaml\n")
 
@@ -317,9 +317,7 @@ def test_two_files_of_one_name_are_refused_before_the_work(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("dhgen.cli._compile", work)
     shutil.copy(PLANAR, "again.yaml")
-    again = (
-        f"again.yaml: {PLANAR} makes files of the same name, 'planar_rr': give one of the robots"
-    )
+    again = f"again.yaml: {PLANAR} also generates files named 'planar_rr': rename one of the robots"
     assert main([str(PLANAR), "again.yaml", os.path.relpath(PLANAR)]) == 2
     assert capsys.readouterr().err.startswith(again)
     assert worked == [PLANAR]
@@ -332,9 +330,9 @@ def test_what_is_left_out_of_several_files_is_told_at_the_end(run: Run, tmp_path
     done = run("wrong.yaml", "redundant.yaml", PLANAR, "again.yaml", folder=tmp_path)
     assert done.returncode == 2
     told = "wrong.yaml, again.yaml, redundant.yaml"
-    assert done.stderr.endswith(f"\ndhgen: nothing is written for {told}: see above\n")
+    assert done.stderr.endswith(f"\ndhgen: nothing was written for {told}: see above\n")
     assert names(tmp_path / "generated") == FILES
-    assert "nothing is written for" not in run("wrong.yaml", folder=tmp_path).stderr
+    assert "nothing was written for" not in run("wrong.yaml", folder=tmp_path).stderr
 
 
 def test_check_of_two_files_of_one_name_and_of_one_file_twice(
@@ -349,8 +347,8 @@ def test_check_of_two_files_of_one_name_and_of_one_file_twice(
     assert capfd.readouterr().out == "generated: up to date with 1 robot file\n"
     shutil.copy(PLANAR, "again.yaml")
     assert main([*twice, "again.yaml"]) == 2
-    told = "again.yaml: robots/planar_rr.yaml makes files of the same name, 'planar_rr': "
-    assert capfd.readouterr() == ("", f"{told}give one of the robots another\n")
+    told = "again.yaml: robots/planar_rr.yaml also generates files named 'planar_rr': "
+    assert capfd.readouterr() == ("", f"{told}rename one of the robots\n")
 
 
 def test_single_precision_has_a_name_of_its_own_that_another_robot_may_have(tmp_path: Path) -> None:
@@ -359,7 +357,7 @@ def test_single_precision_has_a_name_of_its_own_that_another_robot_may_have(tmp_
     (tmp_path / "b.yaml").write_text(planar.replace("planar_rr", "arm_f32"))
     files = load_all([tmp_path / "a.yaml", tmp_path / "b.yaml"])
     assert [file.robot.name for file in files.loaded] == ["arm"]
-    assert "a.yaml makes files of the same name, 'arm_f32'" in str(files.refusals[0])
+    assert "a.yaml also generates files named 'arm_f32'" in str(files.refusals[0])
 
 
 def test_what_fails_verification_is_not_written(
@@ -371,7 +369,7 @@ def test_what_fails_verification_is_not_written(
     assert main([str(PLANAR)]) == 1
     told = capsys.readouterr().err
     assert "a row misses the pose" in told
-    assert told.endswith("nothing is written\na report with the robot file helps to mend it\n")
+    assert told.endswith("nothing was written\nplease report it, with the robot file\n")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -386,7 +384,7 @@ def test_what_fails_in_single_precision_only_is_told_the_way_out(
     monkeypatch.setattr("dhgen.compiler.verify_single", miss)
     Path("coarse.yaml").write_text(f"{PLANAR.read_text()}float32: true\n")
     assert main(["coarse.yaml"]) == 1
-    told = "a row misses the pose\nin double precision all is well: leave float32 out meanwhile\n"
+    told = "a row misses the pose\ndouble precision passes: leave float32 out for now\n"
     assert capsys.readouterr().err.startswith(told)
     assert names(tmp_path) == ["coarse.yaml"]
 
@@ -403,7 +401,9 @@ def test_a_note_may_be_why_verification_fails(
     assert main(["noted.yaml"]) == 1
     told = capsys.readouterr().err
     assert told.startswith("note: ")
-    assert "\na note above may say why; if not, the fault is dhgen's; nothing is written\n" in told
+    assert (
+        "\na note above may say why; if not, this is a bug in dhgen; nothing was written\n" in told
+    )
 
 
 @pytest.mark.parametrize("a1", ["0.3", "4e5"])
@@ -444,14 +444,14 @@ def test_what_can_not_be_written_over_is_told_before_anything_is(
 ) -> None:
     (tmp_path / "x" / "planar_rr.h").mkdir(parents=True)
     done = run(PLANAR, "--out", "x", folder=tmp_path)
-    told = "dhgen: can't write x/planar_rr.h: a folder of that name is there\n"
+    told = "dhgen: can't write x/planar_rr.h: it is a folder\n"
     assert (done.returncode, done.stderr) == (2, told)
     assert names(tmp_path / "x") == []
     (tmp_path / "x" / "planar_rr.h").rmdir()
     (tmp_path / "x" / "planar_rr.h").touch()
     monkeypatch.setattr("os.access", lambda path, _: Path(path).suffix != ".h")
     done = run(PLANAR, "--out", "x", folder=tmp_path)
-    told = "dhgen: can't write x/planar_rr.h: the file there is read-only\n"
+    told = "dhgen: can't write x/planar_rr.h: the file is read-only\n"
     assert (done.returncode, done.stderr) == (2, told)
     assert names(tmp_path / "x") == ["planar_rr.h"]
 
@@ -461,7 +461,7 @@ def test_an_empty_text_is_no_path(words: list[str], capsys: pytest.CaptureFixtur
     with pytest.raises(SystemExit) as stopped:
         main(words)
     assert stopped.value.code == 2
-    assert "an empty text is no path" in capsys.readouterr().err
+    assert "a path can't be empty" in capsys.readouterr().err
 
 
 def test_a_compiler_that_builds_nothing_is_not_the_file_s_fault(
@@ -472,8 +472,8 @@ def test_a_compiler_that_builds_nothing_is_not_the_file_s_fault(
     broken.chmod(0o755)
     monkeypatch.setenv("CC", str(broken))
     done = run(PLANAR, folder=tmp_path)
-    told = f"the C compiler {broken} can't build anything here:\ncannot find ld\nmend it, or name"
-    assert (done.returncode, done.stderr) == (1, f"{told} another one in $CC\n")
+    told = f"the C compiler {broken} can't build anything here:\ncannot find ld\nfix it, or set"
+    assert (done.returncode, done.stderr) == (1, f"{told} $CC to another compiler\n")
     assert not (tmp_path / "generated").exists()
 
 
