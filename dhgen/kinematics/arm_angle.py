@@ -165,7 +165,7 @@ def _whole(chain: Chain) -> list[str]:
     if kinds != {JointKind.REVOLUTE}:
         return ["not all of its joints are revolute"]
     if chain.task.kind is not TaskKind.POSE:
-        return ["the task has to be a whole pose"]
+        return ["the task must be a whole pose"]
     return []
 
 
@@ -176,7 +176,7 @@ def _geometry(chain: Chain) -> list[str]:
         triple = triples[joints]
         if np.isinf(triple.miss):
             axes = ", ".join(map(str, joints))
-            reasons.append(f"of axes {axes} two are parallel: there is no {name}")
+            reasons.append(f"two of axes {axes} are parallel: there is no {name}")
         elif triple.miss > EXACT * chain.size:
             reasons.append(f"{missed_point(triple)}: there is no {name}")
     return reasons or _elbow(chain)

@@ -93,7 +93,7 @@ def choices_text(choices: tuple[Choice, ...], spare: Surplus) -> list[str]:
         lines.append(f"  free: {' or '.join(sets)} leaves a {method} with {count}")
     total = comb(len(spare.joints), spare.count)
     if choices and total > MOST_CHOICES:
-        lines.append(f"  there are {total} sets of {spare.count} joints, of which some were tried")
+        lines.append(f"  only some of the {total} sets of {spare.count} joints were tried")
     return lines
 
 

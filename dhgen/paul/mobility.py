@@ -151,7 +151,7 @@ def _one_line(run: tuple[int, ...], apart: float) -> str:
     if not apart:
         return f"axes {_listed(run)} are the same line"
     far = short_number(apart, 3)
-    return f"axes {_listed(run)} are {far} apart, which beside the arm's size counts as one line"
+    return f"axes {_listed(run)} are {far} apart, which at the arm's size counts as one line"
 
 
 def _runs(groups: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:

@@ -38,16 +38,16 @@ def redundant(
     lines = [f"the arm has infinitely many solutions for every pose: {first}", *others]
     start, whole = before
     if whole.count == len(start.solved):
-        lines.append("no joint is left to solve for: a `task` must name what the arm can move")
+        lines.append("no joint is left to solve for: `task` must name something that the arm moves")
         return "\n".join(lines)
     values = "its value" if whole.count == 1 else "their values"
     which = _which(whole, chain.free, kept=start.free == chain.free)
     lines += [
         *(_other_task(chain) if still else ()),
-        f"name {which} to solve for the others with {values} given",
+        f"list {which}, to solve for the others given {values}",
         *choices_text(choices, whole),
         *_elbow_choice(chain),
-        "--numerical would give the solution near to a seed, by damped least squares",
+        "--numerical would give the solution near a seed, by damped least squares",
     ]
     return "\n".join(lines)
 
@@ -57,8 +57,8 @@ def _moved(chain: Chain, spare: Surplus) -> str:
     held = f"with {_joints(chain.free)} given, " if chain.free else ""
     names = _joints(spare.joints)
     if spare.count == len(spare.joints):  # none of them matters at all
-        return f"{held}{names} can be moved without moving what the task names"
-    return f"{held}{names} can be moved against each other without moving what the task names"
+        return f"{held}{names} can move without changing what the task names"
+    return f"{held}{names} can move together without changing what the task names"
 
 
 def _which(whole: Surplus, free: tuple[int, ...], *, kept: bool) -> str:
@@ -67,7 +67,7 @@ def _which(whole: Surplus, free: tuple[int, ...], *, kept: bool) -> str:
     if kept:
         them = "it" if one else "them"
         what = them if all_of_them else "one of them" if one else f"{whole.count} of them"
-        return f"{what} under `free`" + ", too," * bool(free)
+        return f"{what} under `free`" + " too" * bool(free)
     names = _joints(whole.joints)
     what = names if all_of_them else f"{'one' if one else whole.count} of {names}"
     return f"{what} under `free` in place of {_joints(free)}"
@@ -79,7 +79,7 @@ def _joints(numbers: tuple[int, ...]) -> str:
 
 def _in_vain(still: tuple[str, ...]) -> list[str]:
     """That the task names coordinates which no joint moves."""
-    return [f"no joint moves {' or '.join(still)}, which the task names"] if still else []
+    return [f"the task names {' and '.join(still)}, which no joint moves"] if still else []
 
 
 def _other_task(chain: Chain) -> list[str]:
@@ -90,11 +90,11 @@ def _other_task(chain: Chain) -> list[str]:
         "pose": Task(TaskKind.POSE),
     }
     serving = (t for t, task in tasks.items() if not surplus(replace(chain, task=task)).count)
-    return [f"`task: {text}` leaves no joint open" for text in islice(serving, 1)]
+    return [f"`task: {text}` determines every joint" for text in islice(serving, 1)]
 
 
 def _elbow_choice(chain: Chain) -> list[str]:
     """The arm angle, where there is one and nothing else is given."""
     if chain.free or why_no_arm_angle(chain):
         return []
-    return ["  free: arm_angle gives the elbow's place on its circle instead"]
+    return ["  free: arm_angle fixes the elbow's position on its circle instead"]

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 MOST_GROUPS = 3
 MOST_REASONS = 5  # lines for one group
 PLACES_SHOWN = 3
-NO_PAIR = "no two of these stand in one column or row"
+NO_PAIR = "no two of these are in the same row or column"
 NEARLY_PARALLEL = math.radians(5.0)
 NEARLY_CONCURRENT = 0.15  # of the arm's size
 
@@ -33,10 +33,10 @@ def refusal(search: Search, chain: Chain) -> str:
     state = search.deepest
     open_joints = ", ".join(map(str, state.open_joints))
     lines = [
-        f"no order of equations makes every joint known: {open_joints} stay unknown",
+        f"no order of equations solves for every joint; still unknown: {open_joints}",
         *_nearest(search, state),
         *missed_structure(chain),
-        "--numerical would give the solutions that damped least squares find from many starts",
+        "--numerical would give the solutions that damped least squares finds from many starts",
     ]
     return "\n".join(lines)
 
@@ -55,7 +55,7 @@ def _nearest(search: Search, state: Knowledge) -> list[str]:
     for reasons, held in by_reasons.items():
         lines += [*held, *reasons]
     left = len(by_unknowns) - MOST_GROUPS
-    return [*lines, f"  and {left} more sets of as many unknowns"] if left > 0 else lines
+    return [*lines, f"  and {left} more sets of as few unknowns"] if left > 0 else lines
 
 
 def _known(state: Knowledge) -> str:
@@ -63,8 +63,8 @@ def _known(state: Knowledge) -> str:
     names = [unknown_name(angle) for angle in algebra.angles if state.knows(angle)]
     names += [name for joint, name in algebra.slides.items() if joint in state.slides]
     if not names:
-        return "no equation can be used to begin with; those with the fewest unknowns hold"
-    return f"with {', '.join(names)} known, the equations with the fewest unknowns hold"
+        return "no equation can be solved first; those with the fewest unknowns contain"
+    return f"with {', '.join(names)} known, the equations with the fewest unknowns contain"
 
 
 def _places(forms: Sequence[Form]) -> str:
@@ -100,7 +100,7 @@ def missed_structure(chain: Chain) -> list[str]:
     described = near_structure(chain)
     if not described:
         return ["no three consecutive axes are parallel or meet in one point, not even nearly"]
-    head = "three axes that are parallel or meet in one point can make a closed form:"
+    head = "three axes that are parallel or meet in one point can allow a closed form:"
     return [head, *(f"  {text}" for text in described)]
 
 

@@ -113,7 +113,7 @@ REFUSED = {
     "this one has 5 joints": (("theta: q, d: 0.3, alpha: pi/2",) * 5, {}),
     "this one has 1 joint": (("theta: q",), {}),
     "not all of its joints are revolute": (("theta: 0, d: q", *PLAIN[1:]), {}),
-    "the task has to be a whole pose": (PLAIN, {"task": "position"}),
+    "the task must be a whole pose": (PLAIN, {"task": "position"}),
     "axes 5, 6, 7 miss one point by 0.088: there is no wrist": (
         (*PLAIN[:5], "theta: q, a: 0.088, alpha: -pi/2", PLAIN[6]),
         {},
@@ -122,7 +122,7 @@ REFUSED = {
         ("theta: q, d: 0.3, a: 0.05, alpha: pi/2", *PLAIN[1:]),
         {},
     ),
-    "of axes 1, 2, 3 two are parallel: there is no shoulder": (
+    "two of axes 1, 2, 3 are parallel: there is no shoulder": (
         ("theta: q, d: 0.3", *PLAIN[1:]),
         {},
     ),
@@ -152,4 +152,4 @@ def test_a_redundant_arm_is_told_of_it() -> None:
     chain = build_chain(table(*PLAIN))
     spare = surplus(chain)
     told = redundant(chain, spare, open_from_the_start(chain, spare), ()).splitlines()
-    assert "  free: arm_angle gives the elbow's place on its circle instead" in told
+    assert "  free: arm_angle fixes the elbow's position on its circle instead" in told

@@ -39,7 +39,7 @@ def stuck(*rows: str, **sections: str) -> list[str]:
 def test_too_many_joints_for_the_task_are_said_first() -> None:
     (first, *_) = refused(*["theta: q, a: 0.3"] * 3, task="[x, y]")
     assert first.startswith("the arm has infinitely many solutions for every pose: joints 1, 2, 3")
-    assert "joints 1, 2, 3 can be moved against each other" in first
+    assert "joints 1, 2, 3 can move together" in first
 
 
 def test_a_joint_that_moves_nothing_is_named_alone() -> None:
@@ -49,18 +49,18 @@ def test_a_joint_that_moves_nothing_is_named_alone() -> None:
         "theta: q, d: 0.1",
     ]
     first, second, *_ = refused(*rows, task="[x, y]")
-    assert first.endswith("joint 3 can be moved without moving what the task names")
-    assert second == "name it under `free` to solve for the others with its value given"
+    assert first.endswith("joint 3 can move without changing what the task names")
+    assert second == "list it under `free`, to solve for the others given its value"
 
 
 def test_joints_that_move_nothing_are_named_together() -> None:
     rows = ("theta: q", "theta: q, d: 0.2", "d: q")
     _, second, third, *_ = refused(*rows, task="[z]")
-    assert second == "joints 1, 2 can be moved without moving what the task names"
-    assert third == "name them under `free` to solve for the others with their values given"
+    assert second == "joints 1, 2 can move without changing what the task names"
+    assert third == "list them under `free`, to solve for the others given their values"
     _, second, third = refused(*rows[:2], task="position")
-    assert second == "joints 1, 2 can be moved without moving what the task names"
-    assert third == "no joint is left to solve for: a `task` must name what the arm can move"
+    assert second == "joints 1, 2 can move without changing what the task names"
+    assert third == "no joint is left to solve for: `task` must name something that the arm moves"
 
 
 @pytest.mark.parametrize(
@@ -68,14 +68,14 @@ def test_joints_that_move_nothing_are_named_together() -> None:
 )
 def test_a_coordinate_that_no_joint_moves_is_told(rows: int, task: str, serving: str) -> None:
     first, second, third, *_ = refused(*["theta: q, a: 0.3"] * rows, task=task)
-    assert first.endswith(": no joint moves z, which the task names")
-    assert "can be moved against each other" in second
-    assert third == f"`task: {serving}` leaves no joint open"
+    assert first.endswith(": the task names z, which no joint moves")
+    assert "can move together" in second
+    assert third == f"`task: {serving}` determines every joint"
 
 
 def test_where_no_other_task_serves_none_is_named() -> None:
     first, *lines = refused(*["theta: q, a: 0.3"] * 4, task="[x, z]")
-    assert first.endswith(": no joint moves z, which the task names")
+    assert first.endswith(": the task names z, which no joint moves")
     assert not any("task:" in line for line in lines)
 
 
@@ -85,9 +85,9 @@ SLIDES = ("d: q, alpha: pi/2", "theta: pi/2, d: q, alpha: pi/2", "theta: pi/2, d
 @pytest.mark.parametrize(
     ("free", "said"),
     [
-        ("[3, 4, 5]", "name joints 1, 4, 5 under `free` in place of joints 3, 4, 5 to solve"),
-        ("[3]", "name joints 1, 4, 5 under `free` in place of joint 3 to solve for the others"),
-        ("[5]", "name them under `free`, too, to solve for the others with their values given"),
+        ("[3, 4, 5]", "list joints 1, 4, 5 under `free` in place of joints 3, 4, 5, to solve"),
+        ("[3]", "list joints 1, 4, 5 under `free` in place of joint 3, to solve for the others"),
+        ("[5]", "list them under `free` too, to solve for the others given their values"),
     ],
 )
 def test_where_some_joints_are_free_the_whole_list_is_named(free: str, said: str) -> None:
@@ -101,16 +101,17 @@ def test_where_some_joints_are_free_the_whole_list_is_named(free: str, said: str
 def test_one_more_free_joint_is_named_with_those_that_are_there() -> None:
     lines = refused(*["theta: q, a: 0.3"] * 4, task="[x, y]", free="[2]")
     assert lines[0].endswith(
-        "with joint 2 given, joints 1, 3, 4 can be moved against each other"
-        " without moving what the task names"
+        "with joint 2 given, joints 1, 3, 4 can move together without changing what the task names"
     )
-    assert lines[1].startswith("name one of them under `free`, too, to solve for the others")
+    assert lines[1].startswith(
+        "list one of them under `free` too, to solve for the others given its value"
+    )
     assert lines[2].startswith("  free: [1, 2] or [2, 3] or [2, 4] leaves a closed form")
 
 
 def test_axes_that_are_nearly_one_line_are_told_so() -> None:
     (first, *_) = refused("theta: q, a: 1e-3", "theta: q, a: 1e6", task="[x, y]")
-    nearly = "axes 1 and 2 are 0.001 apart, which beside the arm's size counts as one line"
+    nearly = "axes 1 and 2 are 0.001 apart, which at the arm's size counts as one line"
     assert first == f"the arm has infinitely many solutions for every pose: {nearly}"
 
 
@@ -119,7 +120,7 @@ def test_axes_that_leave_a_joint_too_many_are_the_reason() -> None:
     assert first == (
         "the arm has infinitely many solutions for every pose: axes 5 and 6 are the same line"
     )
-    assert second.startswith("joints 5, 6 can be moved against each other")
+    assert second.startswith("joints 5, 6 can move together")
 
 
 MEETING = ("theta: q, alpha: 80 deg", "theta: q, alpha: 20 deg", "theta: q, alpha: 95 deg")
@@ -144,7 +145,7 @@ def test_lines_and_points_that_axes_share(rows: list[str], said: list[str]) -> N
 
 def test_the_nearest_equations_are_named_by_their_place() -> None:
     lines = stuck(*["theta: q, a: 0.3"] * 3, task="[x, y]")
-    assert lines[0] == "no order of equations makes every joint known: 1, 2, 3 stay unknown"
+    assert lines[0] == "no order of equations solves for every joint; still unknown: 1, 2, 3"
     assert "  theta1, theta12, theta123 in U0[1, 4], U0[2, 4]" in lines
     assert lines[-2] == "  axes 1, 2, 3 are parallel"
     assert lines[-1].startswith("--numerical would give")
@@ -166,15 +167,15 @@ def test_reasons_stand_with_the_types_that_give_them() -> None:
     lines = stuck(*SKEW, task="[x, y, z]")
     assert len(lines) <= 25
     assert "no three consecutive axes are parallel or meet in one point, not even nearly" in lines
-    assert "    type 2: the unknown is not one angle" in lines
-    assert "    types 1, 10: the unknown is not one length" in lines
+    assert "    type 2: the unknown is not a single angle" in lines
+    assert "    types 1, 10: the unknown is not a single length" in lines
 
 
 def test_what_was_found_before_the_end_is_named() -> None:
     # height comes from the slide alone, the plane has one joint too many
     lines = stuck("theta: 0, d: q", *["theta: q, a: 0.3"] * 3, task="[x, y, z]")
-    assert "with r1 known, the equations with the fewest unknowns hold" in lines
-    assert lines[0].endswith("2, 3, 4 stay unknown")
+    assert "with r1 known, the equations with the fewest unknowns contain" in lines
+    assert lines[0].endswith("; still unknown: 2, 3, 4")
 
 
 def test_good_free_joints_are_named() -> None:
@@ -185,7 +186,7 @@ def test_good_free_joints_are_named() -> None:
 
 def test_any_joint_of_a_skew_arm_leaves_a_general_one() -> None:
     lines = refused(*SKEW, *SKEW[:3])
-    assert "joints 1, 2, 3, 4, 5, 6, 7 can be moved against each other" in lines[0]
+    assert "joints 1, 2, 3, 4, 5, 6, 7 can move together" in lines[0]
     each = " or ".join(f"[{joint}]" for joint in range(1, 8))
     assert f"  free: {each} leaves a general 6R with 16 rows" in lines
 
@@ -194,4 +195,4 @@ def test_of_very_many_sets_of_free_joints_some_are_tried() -> None:
     lines = refused(*["theta: 0, d: q", "theta: pi/2, d: q, alpha: pi/2"] * 3)
     (free,) = (line for line in lines if line.startswith("  free: "))
     assert free.endswith("leaves a closed form with one row")
-    assert "  there are 20 sets of 3 joints, of which some were tried" in lines
+    assert "  only some of the 20 sets of 3 joints were tried" in lines

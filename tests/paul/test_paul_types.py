@@ -48,8 +48,8 @@ def test_type_1_is_linear_in_a_length() -> None:
     ("equation", "reason"),
     [
         (g.r3**2 - g.t34, "r3 occurs in a higher power"),
-        (g.c1 - g.t11, "the unknown is not one length"),
-        (g.r3 * g.c1 - g.t11, "the unknown is not one length"),
+        (g.c1 - g.t11, "the unknown is not a single length"),
+        (g.r3 * g.c1 - g.t11, "the unknown is not a single length"),
         (NOTHING * g.r3 + g.t34 * NOUGHT, "the factor of r3 vanishes"),
     ],
 )
@@ -73,16 +73,16 @@ def test_type_2_is_linear_in_a_cosine_and_sine() -> None:
 @pytest.mark.parametrize(
     ("equation", "reason"),
     [
-        (g.r3 - g.t34, "the unknown is not one angle"),
-        (g.c1 + g.c5 - g.t34, "the unknown is not one angle"),
+        (g.r3 - g.t34, "the unknown is not a single angle"),
+        (g.c1 + g.c5 - g.t34, "the unknown is not a single angle"),
         (g.c1**2 - g.t34, "not linear in the cosine and sine"),
         (g.c1 * g.s1 - g.t34, "not linear in the cosine and sine"),
         # A s + B c = 0 with A and B zero on every solution
         (
             NOTHING * g.s1 + NOUGHT * g.c1,
-            "X and Y vanish on every solution: the equation says nothing",
+            "X and Y vanish on every solution: the equation determines nothing",
         ),
-        (NOTHING * g.s1, "X and Y vanish on every solution: the equation says nothing"),
+        (NOTHING * g.s1, "X and Y vanish on every solution: the equation determines nothing"),
     ],
 )
 def test_type_2_refuses(equation: Polynomial, reason: str) -> None:
@@ -196,7 +196,7 @@ def test_type_10_is_quadratic_in_a_length() -> None:
     ("equation", "reason"),
     [
         (g.r3 - g.t34, "X vanishes"),
-        (g.c1 - g.t11, "the unknown is not one length"),
+        (g.c1 - g.t11, "the unknown is not a single length"),
         (g.r3**3 - g.t34, "r3 occurs in a higher power than its square"),
         (g.t11 * g.r3**2 - g.t34, "X or Y may vanish"),
         (g.r3**2 - g.t11 * g.r3 - g.t34, "X or Y may vanish"),
@@ -238,7 +238,7 @@ def test_type_6_gives_either_angle_and_type_7_has_two_known_parts() -> None:
         (
             g.c4 + g.c5 - g.t14,
             2 * g.s4 + g.s5 - g.t24,
-            "the coefficients are not those of a turned vector",
+            "the coefficients are not those of a rotated vector",
         ),
         (
             NOTHING * g.c4 + g.c5 - g.t14,

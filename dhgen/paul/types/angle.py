@@ -33,12 +33,12 @@ class Angle:
         (form,) = forms
         angle = form.only_angle
         if angle is None:
-            return "the unknown is not one angle"
+            return "the unknown is not a single angle"
         if not form.within([(), (angle.cosine,), (angle.sine,)]):
             return "not linear in the cosine and sine"
         factors = (form.coefficient(angle.sine), form.coefficient(angle.cosine))
         if all(view.witnesses.vanishes(factor) for factor in factors):
-            return "X and Y vanish on every solution: the equation says nothing"
+            return "X and Y vanish on every solution: the equation determines nothing"
         return None
 
     def steps(self, forms: Sequence[Form], view: View) -> Iterator[Step]:

@@ -29,7 +29,7 @@ class SingleLength:
         (form,) = forms
         length = form.only_length
         if length is None:
-            return "the unknown is not one length"
+            return "the unknown is not a single length"
         if not form.within([(), (length.name,)]):
             return f"{length.name} occurs in a higher power"
         if view.witnesses.vanishes(form.coefficient(length.name)):

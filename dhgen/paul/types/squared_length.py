@@ -32,7 +32,7 @@ class SquaredLength:
         (form,) = forms
         length = form.only_length
         if length is None:
-            return "the unknown is not one length"
+            return "the unknown is not a single length"
         r = length.name
         if not form.within([(), (r,), (r, r)]):
             return f"{r} occurs in a higher power than its square"

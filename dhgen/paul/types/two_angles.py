@@ -115,7 +115,7 @@ def _read(forms: Sequence[Form]) -> _Vectors | str:
         return "not linear in the cosines and sines"
     v, w = (_turned(first, second, angle) for angle in angles)
     if v is None or w is None:
-        return "the coefficients are not those of a turned vector"
+        return "the coefficients are not those of a rotated vector"
     return _Vectors((first, second), v, w, (-first.coefficient(), -second.coefficient()))
 
 
