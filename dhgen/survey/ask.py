@@ -104,7 +104,7 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
                 and FREE_JOINT not in status
                 and not (redundant or in_a_family(trial.robot, joints))
             ):
-                fault = f"found again only within {trial.apart(rows, joints).min():.1e}"
+                fault = f"q found again only to within {trial.apart(rows, joints).min():.1e}"
             answered += not fault
             faults += [f"{fault}, q = {joints.tolist()}"] if fault else []
         poses += len(q)

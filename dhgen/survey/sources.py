@@ -83,7 +83,7 @@ def _files(path: Path, folder: Path, before: int) -> list[Source]:
     elif path.exists():
         files = [Source(path, path.stem)]
     else:
-        raise _refusal(path, "there is no such file or folder")
+        raise _refusal(path, "no such file or folder")
     if not files:
         raise _refusal(path, "no robot files here")
     return files
@@ -123,12 +123,14 @@ def _tables(path: Path) -> list[dict[str, Any]]:
     except ValueError as error:
         raise _refusal(path, f"the list can't be read: {error}") from None
     if not isinstance(tables, list):
-        raise _refusal(path, "a list of tables is meant: [{...}, ...]")
+        raise _refusal(path, "expected a list of tables: [{...}, ...]")
     wrong = [str(n) for n, table in enumerate(tables, start=1) if not isinstance(table, dict)]
     if wrong:
-        none = f"entr{'y' if len(wrong) == 1 else 'ies'} {', '.join(wrong)} of it"
-        is_none = "is none" if len(wrong) == 1 else "are none"
-        raise _refusal(path, f"a list of tables is meant, [{{...}}, ...]: {none} {is_none}")
+        if len(wrong) == 1:
+            fault = f"entry {wrong[0]} is not a table"
+        else:
+            fault = f"entries {', '.join(wrong)} are not tables"
+        raise _refusal(path, f"expected a list of tables, [{{...}}, ...]: {fault}")
     return tables
 
 
@@ -137,7 +139,7 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     made = dict(pairs)
     for key, _ in pairs:
         if sum(key == other for other, _ in pairs) > 1:
-            raise ValueError(f"the key '{key}' stands twice in one table")
+            raise ValueError(f"the key '{key}' appears twice in one table")
     return made
 
 

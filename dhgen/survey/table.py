@@ -54,10 +54,12 @@ def totals_text(lines: Sequence[Line]) -> str:
     if solved:
         text.append(f"Residuals below {', '.join(worst)} of the arm's size.")
     if any(a.unmet for a in solved):
-        text.append(f"{sum(a.unmet for a in solved)} further solutions the search did not meet.")
+        text.append(
+            f"{sum(a.unmet for a in solved)} further solutions that the search did not find."
+        )
     short = [line.name for line in lines if not line.complete]
     if short:
-        text.append(f"Short of everything: {', '.join(short)}.")
+        text.append(f"With faults or not solved: {', '.join(short)}.")
     return "\n".join(text)
 
 

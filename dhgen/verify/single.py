@@ -79,7 +79,7 @@ class _Checker:
                 raise VerificationError(f"{where}: no row holds a solution")
             miss = self._measures.residual(held, np.asarray(T, np.float64))
             self.residual = max(self.residual, miss)
-            self._demand(miss, RESIDUAL, f"{where}: a row misses the pose")
+            self._demand(miss, RESIDUAL, f"{where}: a row's pose")
             if random:
                 near = float(self._measures.joint_miss(held, q).max(axis=1).min())
                 self._demand(near, FOUND, f"{where}: the nearest solution")
@@ -96,11 +96,11 @@ class _Checker:
             for spoiled in spoiled_poses(self._chain.task, T):
                 _, status = self._ik(spoiled, joints)
                 if not (status == INVALID_POSE).all():
-                    raise VerificationError(f"{name}: took a pose that is none:\n{spoiled}")
+                    raise VerificationError(f"{name}: accepted an invalid pose:\n{spoiled}")
             far = T.copy()
             far[:3, 3] += 10.0 * self._chain.size
             if not endless and not (self._ik(far, joints)[1] == UNREACHABLE).all():
-                raise VerificationError(f"{name}: reached a pose out of reach:\n{far}")
+                raise VerificationError(f"{name}: claims to reach a pose out of reach:\n{far}")
 
     def _fk(self, q: Array) -> Array:
         T = np.empty((4, 4), np.float32)

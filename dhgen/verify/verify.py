@@ -135,7 +135,7 @@ class _Checker:
             if not random and not sample.near and self._repeatable:
                 self._unseeded(T, q, where)
             if meant is not None:
-                self._agree(rows[held], meant.q[number][held], T, "the program's meaning", where)
+                self._agree(rows[held], meant.q[number][held], T, "the interpreted program", where)
             self.poses += 1
             self.solutions += int(solved.sum())
         self._batch(sample, poses)
@@ -149,7 +149,7 @@ class _Checker:
             held = np.isfinite(rows).all(axis=1)
             self._reproduce(rows[held], T, f"{where}, without a seed")
             if not held.any():
-                raise VerificationError(f"{where}: without a seed {language} holds no solution")
+                raise VerificationError(f"{where}: without a seed {language} finds no solution")
 
     def _may_be_moved(self, q: Array, status: NDArray[np.uint8]) -> bool:
         """Whether a free joint may have been taken from q so that limits are kept.
@@ -173,12 +173,12 @@ class _Checker:
         for language, batch, alone in languages:
             many, statuses = batch(poses, *given)
             for number, (T, rows, status) in enumerate(zip(poses, many, statuses, strict=True)):
-                where = f"{self._module.name}, {sample.name}, number {number} of a batch"
+                where = f"{self._module.name}, {sample.name}, pose {number} of a batch"
                 one, one_status = alone(T, *(g[number] for g in given))
                 self._reproduce(rows[np.isfinite(rows).all(axis=1)], T, where)
                 if sample.name == "random" and self._has_branches:
                     if not np.array_equal(status, one_status):
-                        told = f"{language} says {status}, alone {one_status}"
+                        told = f"{language} gives {status}, for the pose alone {one_status}"
                         raise VerificationError(f"{where}: {told}")
                     held = np.isfinite(one).all(axis=1)
                     self._agree(rows[held], one[held], T, language, where)
@@ -192,7 +192,7 @@ class _Checker:
         others, kinds = np.empty_like(rows), np.empty_like(status)
         self._python._whole(pose, *given, q, others, kinds)  # noqa: SLF001
         if not np.array_equal(status, kinds):
-            raise VerificationError(f"{where}: Python says {status}, its careful solver {kinds}")
+            raise VerificationError(f"{where}: Python gives {status}, its careful solver {kinds}")
         held = np.isfinite(rows).all(axis=1)
         self._agree(rows[held], others[held], T, "its careful solver", where)
 
@@ -207,13 +207,13 @@ class _Checker:
             for spoiled in spoiled_poses(self._chain.task, T):
                 _, status = self._call(spoiled, joints, "an impossible pose")
                 if not (status == self._python.INVALID_POSE).all():
-                    raise VerificationError(f"{name}: took a pose that is none:\n{spoiled}")
+                    raise VerificationError(f"{name}: accepted an invalid pose:\n{spoiled}")
             far = T.copy()
             far[:3, 3] += 10.0 * self._chain.size * source.choice([-1.0, 1.0], 3)
             if not endless:
                 _, status = self._call(far, joints, "a pose out of reach")
                 if not (status == self._python.UNREACHABLE).all():
-                    raise VerificationError(f"{name}: reached a pose out of reach:\n{far}")
+                    raise VerificationError(f"{name}: claims to reach a pose out of reach:\n{far}")
 
     def _forward(self, q: Array, T: Array, J: Array, where: str) -> None:
         compiled = [("C", build) for build in self._builds]
@@ -236,7 +236,7 @@ class _Checker:
                 self._reproduce(other[np.isfinite(other).all(axis=1)], T, where)
                 continue
             if not np.array_equal(status, other_status):
-                raise VerificationError(f"{where}: Python says {status}, C says {other_status}")
+                raise VerificationError(f"{where}: Python gives {status}, C gives {other_status}")
             held = np.isfinite(rows).all(axis=1)
             self._agree(rows[held], other[held], T, "C", where)
         return rows, status
@@ -261,7 +261,7 @@ class _Checker:
     def _recover(self, rows: Array, q: Array, enough: float, where: str) -> None:
         """The generating joint values are among the rows: free joints took them from the seed."""
         miss = float(self._measures.joint_miss(rows, q).max(axis=1).min())
-        self._demand(miss, enough, f"{where}: not among the solutions, the nearest is off")
+        self._demand(miss, enough, f"{where}: q is not among the solutions, the nearest is off")
 
     def _is_as_good(self, rows: Array, q: Array, T: Array) -> bool:
         """Whether the pose hardly tells joint values from those of a row with no free joint.

@@ -87,7 +87,7 @@ def test_what_is_not_there_is_told_before_anything_is_done(
     assert out == ""
     assert err.splitlines() == [
         f"{tmp_path}: no robot files here",
-        f"{tmp_path}/x.yaml: there is no such file or folder",
+        f"{tmp_path}/x.yaml: no such file or folder",
     ]
 
 

@@ -44,12 +44,12 @@ def test_a_list_of_tables_becomes_robot_files(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("{}", "a list of tables is meant"),
-        ("[1]", "a list of tables is meant, .*: entry 1 of it is none"),
-        ('[{}, 1, {}, "x"]', "a list of tables is meant, .*: entries 2, 4 of it are none"),
+        ("{}", "expected a list of tables"),
+        ("[1]", "expected a list of tables, .*: entry 1 is not a table"),
+        ('[{}, 1, {}, "x"]', "expected a list of tables, .*: entries 2, 4 are not tables"),
         ("[", "can't be read: Expecting value"),
         ("[" * 100_000, "nested too deeply"),
-        ('[{"free": [1], "free": [2]}]', "the key 'free' stands twice"),
+        ('[{"free": [1], "free": [2]}]', "the key 'free' appears twice"),
         ("[]", "no robot files here"),
     ],
 )
@@ -76,7 +76,7 @@ def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
         robot_files(given, tmp_path)
     assert str(refused.value).splitlines() == [
         f"{tmp_path}: no robot files here",
-        f"{tmp_path}/x.yaml: there is no such file or folder",
+        f"{tmp_path}/x.yaml: no such file or folder",
         f"{tmp_path}/x.json: the list can't be read: No such file or directory",
     ]
 

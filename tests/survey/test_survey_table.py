@@ -55,8 +55,8 @@ xarm6: random: 1 of 8 missed, q = [0.5]
 3199 of 3200 solutions found on 400 random poses, 0 spurious.
 900 of 900 singular poses answered.
 Residuals below 1e-13 (closed form), 1e-11 (general 6R) of the arm's size.
-2 further solutions the search did not meet.
-Short of everything: xarm6, loose.
+2 further solutions that the search did not find.
+With faults or not solved: xarm6, loose.
 """  # noqa: E501
 
 

@@ -94,8 +94,8 @@ def test_nothing_is_promoted_and_nothing_loses_digits(level: str, tmp_path: Path
     ("right", "wrong", "complaint"),
     [
         ("= 0.4f,", "= 0.4001f,", "fk is off"),
-        ("status[row] = ", "q[row][0] += 0.001f; status[row] = ", "misses the pose"),
-        ("if (!(miss <= 1e-09f))", "if (isnan(miss))", "took a pose"),
+        ("status[row] = ", "q[row][0] += 0.001f; status[row] = ", "a row's pose is off"),
+        ("if (!(miss <= 1e-09f))", "if (isnan(miss))", "accepted an invalid pose"),
     ],
 )
 def test_sabotage_is_seen(right: str, wrong: str, complaint: str, tmp_path: Path) -> None:
