@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.program.forward import Walk
+from dhgen.program.role import Tolerance
 from dhgen.program.roots import is_short
-from dhgen.program.scales import FREE_LIMIT
+from dhgen.program.scales import tolerance_constant
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.program.vectors import chosen, cross, inner, length, minus, plus, scaled
 
@@ -166,7 +167,7 @@ def arm_angle_program(
     reach = length(builder, w)
     reference = cross(builder, w, first)
     size = length(builder, reference)
-    least = builder.constant(FREE_LIMIT, tolerances.free, "a length that fixes no angle", 0)
+    least = tolerance_constant(builder, Tolerance("free", 0), tolerances.free)
     aside = builder.apply("at_most", size, builder.mul(least, reach))
     b = chosen(builder, aside, across, reference)
     a = cross(builder, b, w)
@@ -184,4 +185,4 @@ def _straight(builder: Builder, chain: Chain, plane: ArmPlane, tolerances: Toler
     """
     value = math.sqrt(tolerances.merge * chain.size**2 * plane.area)
     meaning = "a stretched arm: its elbow is on either side"
-    return builder.constant("straight_limit", value, meaning, 2)
+    return builder.constant("straight_limit", value, meaning, 2, Tolerance("straight", 2))

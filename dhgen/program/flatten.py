@@ -128,8 +128,7 @@ class _Flattening:
         """Constants and signs."""
         builder = self._builder
         for c in self._program.constants:
-            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
-            self._values[c.name, ()] = node
+            self._values[c.name, ()] = builder.known(c)
         for place, axis in enumerate(self._program.axes):
             if place in self._lanes:
                 self._values[axis.name, ()] = builder.sign(axis.meaning, axis.step, axis.name)

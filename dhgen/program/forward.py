@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.program.builder import Builder
 from dhgen.program.joints import offset_constant
+from dhgen.program.role import Source
 from dhgen.program.vectors import cross
 
 if TYPE_CHECKING:
@@ -175,9 +176,7 @@ class Walk:
                 for _ in range(exponent):
                     known = self._values[name]
                     power = int(known.is_length)
-                    constant = builder.constant(
-                        name, known.value, known.meaning, power, derived=False
-                    )
+                    constant = builder.constant(name, known.value, known.meaning, power, Source.ARM)
                     part = builder.mul(part, constant)
             total = builder.add(total, part)
         return total

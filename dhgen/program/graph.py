@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.formulas import Formula, combined
 from dhgen.program.ir import Axis, Expression, Integer, Joint, NamedConstant, Pose, Variable
-from dhgen.program.reserved import RESERVED, TURN, is_kept_from_constants
+from dhgen.program.reserved import RESERVED, is_kept_from_constants
+from dhgen.program.role import Source
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Operator
+    from dhgen.program.role import Role
 
 Node = int
 
@@ -67,23 +69,29 @@ class Graph:
         return self._add(Entry(Integer(value), None, (), value=Fraction(value)))
 
     def constant(
-        self, name: str, value: float, meaning: str, power: int = 0, *, derived: bool = True
+        self, name: str, value: float, meaning: str, power: int = 0, role: Role = Source.MADE
     ) -> Node:
         """A number with a name.
 
         Args:
-            name: Its name; if the targets use it themselves, or if it is no name of the arm's own
-                and the arm has one like it, it gets a longer one.
+            name: Its name; if the targets use it for something else, or if it is no name of the
+                arm's own and the arm has one like it, it gets a longer one.
             value: Its value.
             meaning: For a comment.
             power: The power of a length that it is.
-            derived: Whether it follows from the arm's own numbers.
+            role: What it is.
         """
-        name = self._constant_name(name, derived=derived)
-        self.constants.setdefault(name, NamedConstant(name, value, meaning, power, derived))
+        if role is not Source.FILE:
+            name = self._constant_name(name, own=role is Source.ARM)
+        self.constants.setdefault(name, NamedConstant(name, value, meaning, power, role))
         node = self._add(Entry(Variable(name), None, (), value=Fraction(value)))
         self._formulas.setdefault(node, Formula(name, power))
         return node
+
+    def known(self, constant: NamedConstant) -> Node:
+        """A constant of another program."""
+        of = constant
+        return self.constant(of.name, of.value, of.meaning, of.power, of.role)
 
     def pose(self, row: int, column: int) -> Node:
         """An entry of the given pose, from 1."""
@@ -136,14 +144,14 @@ class Graph:
         key = ("folded", value)
         if key not in self._index:
             formula = combined(operator, self._formula(left), self._formula(right))
-            self._index[key] = self._fold(value, formula)
+            self._index[key] = self._fold(value, formula, Source.MADE)
         return self._index[key]
 
     def number(self, value: Fraction, meaning: str) -> Node:
         """A constant made of the arm's in a way that no formula tells."""
         key = ("folded", value)
         if key not in self._index:
-            self._index[key] = self._fold(value, Formula(meaning))
+            self._index[key] = self._fold(value, Formula(meaning), Source.COEFFICIENT)
         return self._index[key]
 
     def unique(self, wanted: str) -> str:
@@ -174,27 +182,26 @@ class Graph:
             self.entries.append(entry)
         return self._index[key]
 
-    def _constant_name(self, name: str, *, derived: bool) -> str:
+    def _constant_name(self, name: str, *, own: bool) -> str:
         """The same in every program of an arm: it depends on the arm's own names alone."""
-        if derived and name == TURN:
-            return name
-        if (name, derived) not in self._renamed:
-            wanted, own = name, not derived
+        key = name, own
+        if key not in self._renamed:
+            wanted = name
             while is_kept_from_constants(wanted) or (wanted in self._reserved and not own):
                 wanted, own = wanted + "_", False
-            self._renamed[name, derived] = wanted
+            self._renamed[key] = wanted
             self._reserved.add(wanted)
-        return self._renamed[name, derived]
+        return self._renamed[key]
 
     def _is_integer(self, node: Node) -> bool:
         return isinstance(self.entries[node].leaf, Integer)
 
-    def _fold(self, value: Fraction, formula: Formula) -> Node:
+    def _fold(self, value: Fraction, formula: Formula, role: Role) -> Node:
         """A constant without a name as yet: most are only parts of others."""
         node = len(self.entries)
         leaf = Variable(f"?{node}")
         self.folded[leaf] = NamedConstant(
-            leaf.name, float(value), formula.text, formula.power, derived=True
+            leaf.name, float(value), formula.text, formula.power, role
         )
         self.entries.append(Entry(leaf, None, (), value=value))
         self._formulas[node] = formula

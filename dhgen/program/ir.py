@@ -21,11 +21,14 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, ClassVar, Literal
 
+from dhgen.program.role import Source
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.general.kernel import GeneralKernel
     from dhgen.numerical.kernel import NumericalKernel
+    from dhgen.program.role import Role
 
 Operator = Literal[
     "add",
@@ -252,14 +255,14 @@ class NamedConstant:
         value: Its value.
         meaning: For a comment: what it is, or its formula.
         power: The power of a length that it is, for its unit.
-        derived: Whether it follows from the arm's own numbers.
+        role: What it is for whoever reads the program.
     """
 
     name: str
     value: float
     meaning: str
     power: int = 0
-    derived: bool = False
+    role: Role = Source.MADE
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,22 +6,15 @@ An angle comes in (-pi, pi]. Limits that are wider than this cost nothing.
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from dhgen.program.ir import Variable
-from dhgen.program.reserved import TURN
+from dhgen.program.role import LimitEnd, Source
 
 if TYPE_CHECKING:
     from dhgen.program.builder import Builder
     from dhgen.program.graph import Node
-    from dhgen.program.ir import Expression
-
-
-LOW, HIGH = "low", "high"  # the constants are called this and the joint's number
-_LIMIT = re.compile(rf"({LOW}|{HIGH})(\d+)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,8 +48,8 @@ class Limiting:
         if limits is None or (limits.turns and limits.low <= -math.pi and limits.high >= math.pi):
             return value
         builder = self._builder
-        low = builder.constant(f"{LOW}{joint}", limits.low, "")
-        high = builder.constant(f"{HIGH}{joint}", limits.high, "")
+        low = builder.constant(f"low{joint}", limits.low, "", role=LimitEnd(joint, "low"))
+        high = builder.constant(f"high{joint}", limits.high, "", role=LimitEnd(joint, "high"))
         moved = value
         if limits.turns:
             turn = whole_turn(builder)
@@ -81,21 +74,7 @@ class Limiting:
 
 def whole_turn(builder: Builder) -> Node:
     """2 pi, by a name."""
-    return builder.constant(TURN, 2 * math.pi, "2 pi [rad]")
-
-
-def limit_of(name: str) -> tuple[str, str] | None:
-    """Which end of the limits of which joint a constant is, or None."""
-    found = _LIMIT.fullmatch(name)
-    return (found[1], found[2]) if found else None
-
-
-def limited_joint(low: Expression, high: Expression) -> str:
-    """The number of the joint of which these are the limits, empty if they are of none."""
-    match low, high:
-        case Variable(least), Variable(most) if end := limit_of(least):
-            return end[1] if end[0] == LOW and limit_of(most) == (HIGH, end[1]) else ""
-    return ""
+    return builder.constant("turn", 2 * math.pi, "2 pi [rad]", role=Source.FILE)
 
 
 def _turns(distance: float) -> int:

@@ -19,6 +19,7 @@ from dhgen.program.checks import Checks, checks_needed
 from dhgen.program.ir import Failure
 from dhgen.program.kernels import KERNELS
 from dhgen.program.polynomials import PolynomialLowering
+from dhgen.program.role import Source
 from dhgen.program.scales import Scales
 from dhgen.program.target import Target
 from dhgen.program.tolerances import TOLERANCES
@@ -205,7 +206,7 @@ class Lowering:
         if name in self._constants:
             known = self._constants[name]
             power = int(known.is_length)
-            return self.builder.constant(name, known.value, known.meaning, power, derived=False)
+            return self.builder.constant(name, known.value, known.meaning, power, Source.ARM)
         if name in POSE_PLACES:
             entry = self._target.entry(*POSE_PLACES[name])
             return self.builder.name(entry, name)

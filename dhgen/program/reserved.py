@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-TURN = "turn"  # 2 pi: files define it, and it is the programs' constant too
-
 _SOLVER = """
 J R T fk free_joints highest i1 i2 i3 i4 i5 i6 ik ik_all ik_batch ik_into jacobian joint
 lowest pose q q_free q_seed revolute row seed solve status turn turned weight wrap

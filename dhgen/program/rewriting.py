@@ -22,10 +22,6 @@ if TYPE_CHECKING:
 MOST_TERMS = 10  # of a value that is written anew
 GAIN = 8  # cycles by which it has to be known earlier
 
-COEFFICIENT = (
-    "a coefficient of"  # begins what is told of a number that only products of lengths made
-)
-
 
 class Rewriting:
     """Writes values anew.
@@ -52,7 +48,7 @@ class Rewriting:
             return node
         if not 1 < len(polynomial.terms) <= MOST_TERMS:
             return node
-        found = self._split(polynomial.terms, f"{COEFFICIENT} {wanted}")
+        found = self._split(polynomial.terms, f"a coefficient of {wanted}")
         if found is None or self._time(found) + GAIN > self._time(node):
             return node
         self._expansion.remember(found, node)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.program.role import Tolerance
+
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.pool import Pool
@@ -12,13 +14,12 @@ if TYPE_CHECKING:
     from dhgen.program.graph import Node
     from dhgen.program.tolerances import Tolerances
 
-FREE_LIMIT = "free_limit"  # below it a joint is free; its squares begin with it, too
-
-DOUBTFUL = "doubtful_slack"  # what a row may miss before it is tightened
-
 _NAMES = {
-    "free": (FREE_LIMIT, "a length that fixes no angle"),
-    "free_square": (f"{FREE_LIMIT}_squared", "square of a length that fixes no angle"),
+    "free": ("free_limit", "a length that fixes no angle"),
+    "free_square": ("free_limit_squared", "square of a length that fixes no angle"),
+    # the same for regular poses, which end farther from there
+    "doubt": ("doubt_limit", "a length that fixes no angle"),
+    "doubt_square": ("doubt_limit_squared", "square of a length that fixes no angle"),
     "near": ("near_limit", "a length whose direction is good to few digits"),
     "near_square": (
         "near_limit_squared",
@@ -32,8 +33,15 @@ _NAMES = {
     "nothing": ("square_rounding", "squares are rounded by this"),
     "longest": ("longest_slide", "no slide is longer"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
-    "doubtful": (DOUBTFUL, "a row may miss the pose by this before it is tightened"),
+    "exact": ("exact_slack", "a row that misses the pose by no more is exact"),
+    "doubtful": ("doubtful_slack", "a row may miss the pose by this before it is tightened"),
 }
+
+
+def tolerance_constant(builder: Builder, role: Tolerance, value: float) -> Node:
+    """A tolerance by its name."""
+    name, meaning = _NAMES[role.kind]
+    return builder.constant(f"{name}{role.degree or ''}", value, meaning, role.degree, role)
 
 
 class Scales:
@@ -53,9 +61,8 @@ class Scales:
 
     def tolerance(self, relative: float, degree: int, kind: str) -> Node:
         """A tolerance for a value that is a product of `degree` lengths."""
-        name, meaning = _NAMES[kind]
         value = relative * self._size**degree
-        return self._builder.constant(f"{name}{degree or ''}", value, meaning, degree)
+        return tolerance_constant(self._builder, Tolerance(kind, degree), value)
 
     def weight(self, power: int) -> Node:
         """The arm's size to a power: what makes values of different degrees comparable."""

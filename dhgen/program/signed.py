@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.limits import whole_turn
 from dhgen.program.rewriting import Rewriting
+from dhgen.program.role import Source
 from dhgen.program.turned import turned_pair
 
 if TYPE_CHECKING:
@@ -255,7 +256,7 @@ class SignedArithmetic:
         return node
 
     def _pi(self) -> Node:
-        return self._builder.constant("half_turn", math.pi, "pi [rad]")
+        return self._builder.constant("half_turn", math.pi, "pi [rad]", role=Source.UNIVERSAL)
 
     def _range(self, node: Node) -> tuple[float, float] | None:
         """Between which numbers an angle is known to lie."""

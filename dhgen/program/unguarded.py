@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import TYPE_CHECKING
 
@@ -21,12 +21,13 @@ from dhgen.program.ir import (
     Variable,
 )
 from dhgen.program.limits import Limiting
-from dhgen.program.scales import DOUBTFUL, FREE_LIMIT
+from dhgen.program.role import Tolerance
+from dhgen.program.scales import tolerance_constant
 from dhgen.program.signed import Signed, SignedArithmetic
 
 if TYPE_CHECKING:
     from dhgen.program.graph import Node
-    from dhgen.program.ir import Expression, NamedConstant, Program
+    from dhgen.program.ir import Expression, Program
     from dhgen.program.limits import Limits
     from dhgen.program.tolerances import Tolerances
 
@@ -67,6 +68,7 @@ class Unguarded:
         self._tolerances = tolerances
         # how much farther from where a joint is free regular poses end
         self._wider = tolerances.near / tolerances.free
+        self._wide: dict[str, Signed] = {}  # by the names of limits below which a joint is free
         self._slacks: dict[Node, tuple[Node, Node]] = {}  # what is exact, and what may be rounded
         self._exact = _compared(program)
         self._builder = Builder(reserved=set(), folded=FOLDED)
@@ -81,12 +83,13 @@ class Unguarded:
         """The whole body, then the outputs."""
         builder = self._builder
         for c in self._program.constants:
-            node = builder.constant(c.name, c.value, c.meaning, c.power, derived=c.derived)
+            node = builder.known(c)
             self._values[c.name] = Signed(node)
-            if c.name.startswith(FREE_LIMIT):
-                self._widen(c)
-            if c.name.startswith(DOUBTFUL):
-                self._slacks[node] = self._exact_and_rounded(c)
+            match c.role:
+                case Tolerance("free" | "free_square"):
+                    self._wide[c.name] = Signed(self._widened(c.role, c.value))
+                case Tolerance("doubtful", degree):
+                    self._slacks[node] = self._exact_and_rounded(degree, c.value)
         for axis in self._program.axes:
             sign = builder.sign(axis.meaning, axis.step)
             self._values[axis.name] = Signed(builder.integer(1), frozenset({sign}))
@@ -114,37 +117,23 @@ class Unguarded:
             doubts=outputs[count:],
         )
 
-    def _widen(self, limit: NamedConstant) -> None:
+    def _widened(self, limit: Tolerance, value: float) -> Node:
         """Near to where a joint is free a pose is doubtful, too.
 
         The whole program takes a direction and all that follows from it from the same few digits;
         here an identity may bring in others.
         """
-        factor = self._wider**2 if "squared" in limit.name else self._wider
-        name, value = _wide(limit.name), factor * limit.value
-        node = self._builder.constant(
-            name, value, limit.meaning, limit.power, derived=limit.derived
-        )
-        self._values[name] = Signed(node)
+        square = limit.kind == "free_square"
+        kind, factor = ("doubt_square", self._wider**2) if square else ("doubt", self._wider)
+        return tolerance_constant(self._builder, replace(limit, kind=kind), factor * value)
 
-    def _exact_and_rounded(self, slack: NamedConstant) -> tuple[Node, Node]:
+    def _exact_and_rounded(self, degree: int, slack: float) -> tuple[Node, Node]:
         """What a row may miss here, where none is tightened: taken at once, and not for certain."""
-        tolerances = self._tolerances
-        parts = {
-            "exact_slack": (tolerances.exact, "a row that misses the pose by no more is exact"),
-            "pose_slack": (tolerances.consistent, "a pose may be rounded by this"),
-        }
-        exact, rounded = (
-            self._builder.constant(
-                slack.name.replace(DOUBTFUL, name),
-                part * (slack.value / tolerances.doubtful),
-                meaning,
-                slack.power,
-                derived=slack.derived,
-            )
-            for name, (part, meaning) in parts.items()
-        )
-        return exact, rounded
+        table, builder = self._tolerances, self._builder
+        scale = slack / table.doubtful
+        exact = tolerance_constant(builder, Tolerance("exact", degree), table.exact * scale)
+        role = Tolerance("consistent", degree)
+        return exact, tolerance_constant(builder, role, table.consistent * scale)
 
     def _take(self, statement: object) -> None:
         match statement:
@@ -155,7 +144,7 @@ class Unguarded:
                 pass
             case Let(name, expression):
                 doubt = statement.truth and self._assumptions.denies(name)
-                value = self._value(_widened(expression) if doubt else expression)
+                value = self._doubtful(expression) if doubt else self._value(expression)
                 if not statement.truth and name not in self._exact:
                     value = self._arithmetic.sooner(value, name)
                 self._values[name] = value
@@ -263,6 +252,13 @@ class Unguarded:
                 parts = [self._value(operand) for operand in operands]
                 return self._arithmetic.apply(operator, parts)
 
+    def _doubtful(self, condition: Expression) -> Signed:
+        """x <= limit with a wider limit, where it is one below which a joint is free."""
+        match condition:
+            case Apply("at_most", (value, Variable(name))) if name in self._wide:
+                return self._arithmetic.apply("at_most", [self._value(value), self._wide[name]])
+        return self._value(condition)
+
     def _choice(self, condition: Expression, yes: Expression, no: Expression) -> Signed:
         known = self._assumptions.decided(condition)
         if known is not None:
@@ -293,15 +289,3 @@ def _compared(program: Program) -> frozenset[str]:
         elif isinstance(statement, Guard):
             look(statement.condition, exact=False)
     return frozenset(found)
-
-
-def _wide(name: str) -> str:
-    return name.replace("free", "doubt", 1)
-
-
-def _widened(condition: Expression) -> Expression:
-    """x <= limit with a wider limit, where it is one below which a joint is free."""
-    match condition:
-        case Apply("at_most", (value, Variable(name))) if name.startswith(FREE_LIMIT):
-            return Apply("at_most", (value, Variable(_wide(name))))
-    return condition

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.general.emit import c_rows, c_source
 from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.program.flatten import flatten
-from dhgen.program.limits import limit_of
-from dhgen.program.rewriting import COEFFICIENT
+from dhgen.program.role import LimitEnd, Source
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_irregular import finite_entries, finite_given
 from dhgen.targets.c_language import C
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.program.ir import Program
+    from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
 
 MOST_LANES = 8  # of a vector, with AVX-512
@@ -97,7 +97,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
 def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
     """The constants of all builds, and those that only branches in lanes need; limits are told."""
     common, all_texts = (
-        [each for each in constant_texts(module, programs) if not limit_of(each[0])]
+        [each for each in constant_texts(module, programs) if not isinstance(each.role, LimitEnd)]
         for programs in (flats[:1], flats)
     )
     only = [each for each in all_texts if each not in common]
@@ -107,23 +107,23 @@ def _constants(module: SolverModule, *flats: Program) -> dict[str, object]:
     }
 
 
-def _constant_lines(constants: list[tuple[str, str, str]]) -> list[str]:
+def _constant_lines(constants: list[ConstantText]) -> list[str]:
     """Definitions of those with a comment, of coefficients, and of those whose names say all."""
-    coefficients = [each for each in constants if each[2].startswith(COEFFICIENT)]
-    told = [each for each in constants if each[2] and each not in coefficients]
+    coefficients = [each for each in constants if each.role is Source.COEFFICIENT]
+    told = [each for each in constants if each.comment and each not in coefficients]
     lines = ["static const double"] if told else []
     for each in told:
-        lines += _constant(*each, ";" if each is told[-1] else ",")
+        lines += _constant(each, ";" if each is told[-1] else ",")
     if coefficients:
         lines += ["/* coefficients */", *_bare(coefficients)]
-    return lines + _bare([each for each in constants if not each[2]])
+    return lines + _bare([each for each in constants if not each.comment])
 
 
-def _bare(constants: list[tuple[str, str, str]]) -> list[str]:
+def _bare(constants: list[ConstantText]) -> list[str]:
     """A definition without comments, if there is anything to be defined."""
     if not constants:
         return []
-    first, *others = (f"{name} = {value}" for name, value, _ in constants)
+    first, *others = (f"{each.name} = {each.value}" for each in constants)
     *full, last = packed([f"static const double {first}", *others], "", ", ")
     return [*(f"{line}," for line in full), f"{last};"]
 
@@ -218,12 +218,12 @@ def _tightening(module: SolverModule) -> str:
     return "" if kernel is None else c_tightening(kernel, module.name)
 
 
-def _constant(name: str, value: str, comment: str, end: str) -> list[str]:
-    line = f"{INDENT}{name} = {value}{end}"
-    if len(line) + len(comment) + 7 <= WIDTH:
-        return [f"{line} /* {comment} */"]
+def _constant(constant: ConstantText, end: str) -> list[str]:
+    line = f"{INDENT}{constant.name} = {constant.value}{end}"
+    if len(line) + len(constant.comment) + 7 <= WIDTH:
+        return [f"{line} /* {constant.comment} */"]
     # the end of a comment has to fit, too
-    told = paragraph(f"{comment} ##", f"{INDENT} * ").replace(" ##", "").rstrip()
+    told = paragraph(f"{constant.comment} ##", f"{INDENT} * ").replace(" ##", "").rstrip()
     return [f"{INDENT}/* {told} */", line]
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
-from dhgen.program.limits import limit_of, limited_joint
+from dhgen.program.role import LimitEnd
 from dhgen.program.walk import expressions
 from dhgen.targets.c_declared import Declaration
 from dhgen.targets.c_language import C
@@ -56,7 +56,9 @@ class LaneText:
     def __init__(self, vector: str, program: Program, *, wide: bool) -> None:
         self._vector = vector
         self._wide = wide
-        self._lanes = {c.name: False for c in program.constants}
+        roles = {c.name: c.role for c in program.constants}
+        self._limits = {name: r for name, r in roles.items() if isinstance(r, LimitEnd)}
+        self._lanes = dict.fromkeys(roles, False)
         self._lanes |= {axis.name: True for axis in program.axes}
 
     def let(self, statement: Let) -> Declaration:
@@ -82,8 +84,8 @@ class LaneText:
     def text(self, expression: Expression) -> Text:
         """An expression."""
         match expression:
-            case Variable(name) if end := limit_of(name):
-                return Text(f"{end[0]}({end[1]})", ATOM, self._lanes[name])
+            case Variable(name) if limit := self._limits.get(name):
+                return Text(f"{limit.end}({limit.joint})", ATOM, self._lanes[name])
             case Variable(name):
                 return Text(name, ATOM, self._lanes[name])
             case Integer(value):
@@ -95,13 +97,21 @@ class LaneText:
             case Apply("sqrt", (Integer(value),)) if value < 0:
                 return Text("NAN", ATOM, lanes=False)  # compilers would take the root every time
             case Apply("or", (Apply("less", (value, low)), Apply("less", (high, again)))) if (
-                value == again and (joint := limited_joint(low, high))
+                value == again and (joint := self._limited_joint(low, high))
             ):
                 inside = self.text(value)
                 where = "_four" if inside.lanes and not self._wide else ""
                 return Text(f"beyond{where}({inside.text}, {joint})", ATOM, inside.lanes)
             case Apply(operator, operands):
                 return self._apply(operator, [self.text(operand) for operand in operands])
+
+    def _limited_joint(self, low: Expression, high: Expression) -> int | None:
+        """The number of the joint of which these are the limits."""
+        match low, high:
+            case Variable(least), Variable(most) if limit := self._limits.get(least):
+                both = limit.end == "low" and self._limits.get(most) == replace(limit, end="high")
+                return limit.joint if both else None
+        return None
 
     def _apply(self, operator: str, parts: list[Text]) -> Text:
         lanes = operator in NEVER_SCALAR or any(part.lanes for part in parts)

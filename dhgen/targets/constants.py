@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from dhgen.program.reserved import TURN
+from dhgen.program.role import Source
 from dhgen.targets.module import plain
 from dhgen.targets.walk import merged_constants
 
@@ -15,19 +15,36 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from dhgen.program.ir import NamedConstant, Program
+    from dhgen.program.role import Role
     from dhgen.targets.module import SolverModule
 
 
-def constant_texts(
-    module: SolverModule, others: tuple[Program, ...] = ()
-) -> list[tuple[str, str, str]]:
-    """Name, value and comment of every constant, of all programs and others, but the whole turn."""
+@dataclass(frozen=True, slots=True)
+class ConstantText:
+    """A constant as it is written.
+
+    Attributes:
+        name: Its name.
+        value: Its value.
+        comment: What it is; empty where its name says all.
+        role: The same for the targets.
+    """
+
+    name: str
+    value: str
+    comment: str
+    role: Role
+
+
+def constant_texts(module: SolverModule, others: tuple[Program, ...] = ()) -> list[ConstantText]:
+    """Every constant, of all programs and others, that the files do not define anyway."""
     own = [constant.name for constant in module.chain.constants]
     constants = _told_by_others(merged_constants([*module.programs, *others], own))
+    unit = module.length_unit
     return [
-        (c.name, repr(c.value), _comment(c, module.length_unit))
+        ConstantText(c.name, repr(c.value), _comment(c, unit), c.role)
         for c in constants
-        if c.name != TURN
+        if c.role is not Source.FILE
     ]
 
 

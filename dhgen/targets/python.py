@@ -44,6 +44,7 @@ from dhgen.targets.walk import parted, uses, whole_arm
 if TYPE_CHECKING:
     from dhgen.program.flatten import Flat
     from dhgen.program.ir import Program
+    from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
 
 SHARE = 2048  # poses that are worth a thread
@@ -140,7 +141,7 @@ def _flat(module: SolverModule, flat: Flat | None) -> dict[str, object]:
     """What serves regular poses, where there is a program for them, and the constants of all."""
     constants = constant_texts(module, () if flat is None else (flat.program,))
     values: dict[str, object] = {
-        "constants": [line for each in constants for line in _constant(*each)],
+        "constants": [line for each in constants for line in _constant(each)],
         "regular": None,
     }
     if flat is None:
@@ -155,9 +156,10 @@ def _entries(program: Program) -> str:
     return ", ".join(f"T{place[0]}{place[1]}" if place in read else "_" for place in places)
 
 
-def _constant(name: str, value: str, comment: str) -> list[str]:
-    line = f"{name} = {value}  # {comment}" if comment else f"{name} = {value}"
-    return [line] if len(line) <= WIDTH else [f"# {paragraph(comment, '# ')}", f"{name} = {value}"]
+def _constant(constant: ConstantText) -> list[str]:
+    bare, comment = f"{constant.name} = {constant.value}", constant.comment
+    line = f"{bare}  # {comment}" if comment else bare
+    return [line] if len(line) <= WIDTH else [f"# {paragraph(comment, '# ')}", bare]
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

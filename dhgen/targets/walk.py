@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import AllJoints, Apply, Failure, Guard, Joint, Roots
+from dhgen.program.role import Source
 from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
@@ -70,6 +71,6 @@ def merged_constants(programs: Iterable[Program], own: Sequence[str]) -> tuple[N
             merged.setdefault(constant.name, constant)
 
     def order(constant: NamedConstant) -> tuple[bool, int]:
-        return constant.derived, places.get(constant.name, len(places))
+        return constant.role is not Source.ARM, places.get(constant.name, len(places))
 
     return tuple(sorted(merged.values(), key=order))

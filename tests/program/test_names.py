@@ -10,6 +10,7 @@ import pytest
 from dhgen.program.builder import Builder
 from dhgen.program.ir import Let
 from dhgen.program.reserved import RESERVED
+from dhgen.program.role import Source
 from dhgen.robot.reserved import C_KEYWORDS, C_LIBRARY
 from tests.derivation.stories import NAMES, ROBOTS, story
 
@@ -46,7 +47,7 @@ def test_the_same_wish_twice() -> None:
 def test_a_constant_of_a_name_in_use(name: str) -> None:
     builder = Builder({name, name + "_"})
     nodes = [
-        builder.constant(each, value, "a test", derived=False)
+        builder.constant(each, value, "a test", role=Source.ARM)
         for each, value in ((name, 1.5), (name + "_", 2.5), (name, 1.5))
     ]
     assert nodes[0] == nodes[2]
@@ -92,7 +93,7 @@ def _templates(*names: str) -> str:
 
 def test_a_tolerance_of_a_name_that_the_arm_has() -> None:
     builder = Builder({"free_limit"})
-    own = builder.constant("free_limit", 0.4, "link length", derived=False)
+    own = builder.constant("free_limit", 0.4, "link length", role=Source.ARM)
     limit = builder.constant("free_limit", 1e-12, "a tolerance")
     product = [builder.mul(node, builder.pose(1, 1)) for node in (own, limit)]
     program = builder.finish("t", {"q1": product[0], "q2": product[1]}, [])

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.compiler import compile_robot
+from dhgen.compiler import compile_robot, verified
 from dhgen.verify.native import C_FLAGS, c_compiler
 
 if TYPE_CHECKING:
@@ -26,6 +26,14 @@ joints:
 base: {{xyz: [{5}, {6}, {7}]}}
 tool: {{xyz: [{8}, 0, 0]}}
 """
+PLANAR = """\
+name: arm
+parameters: {{{values}}}
+joints:
+  - {{theta: q, a: {0}, limits: [-100 deg, 400 deg]}}
+  - {{theta: q, a: {1}}}
+task: [x, y]
+"""
 NAMES = (
     ("wide", "four", "HELPER", "LANES", "kind", "solve_wide", "odd", "kind_of", "pick_four"),
     ("work", "w", "v", "x0", "x1", "x2", "y2", "rest", "exact"),
@@ -34,10 +42,15 @@ NAMES = (
 )
 
 
-def written(names: tuple[str, ...], folder: Path) -> Path:
-    values = ", ".join(f"{name}: 0.{place + 11}" for place, name in enumerate(names))
+def robot_file(arm: str, names: tuple[str, ...], folder: Path) -> Path:
+    values = ", ".join(f"{name}: 0.{place + 31}" for place, name in enumerate(names))
     path = folder / "arm.yaml"
-    path.write_text(SCARA.format(*names, values=values), encoding="utf-8")
+    path.write_text(arm.format(*names, values=values), encoding="utf-8")
+    return path
+
+
+def written(names: tuple[str, ...], folder: Path) -> Path:
+    path = robot_file(SCARA, names, folder)
     for file, text in compile_robot(path).files.items():
         (folder / file).write_text(text, encoding="utf-8")
     return folder
@@ -71,3 +84,9 @@ def test_formulas_read_the_constants(names: tuple[str, ...], tmp_path: Path) -> 
         command = (str(c_compiler()), *C_FLAGS, "-Wshadow", *machine, "-fsyntax-only", "arm.c")
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("names", [("low2", "high1"), ("doubt_limit_squared2", "free_limit")])
+def test_a_name_does_not_say_what_a_constant_is(names: tuple[str, ...], tmp_path: Path) -> None:
+    """Neither the end of a limit nor a tolerance, though the files have those under such names."""
+    verified(compile_robot(robot_file(PLANAR, names, tmp_path)))
