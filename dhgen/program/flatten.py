@@ -141,10 +141,9 @@ class _Flattening:
         """The value under a name for each combination of the unrolled signs it depends on."""
         axes = tuple(axis for axis in statement.axes if axis not in self._lanes)
         self._axes[statement.name] = axes
-        numbered = statement.name[0] == "v" and statement.name[1:].isdigit()
         for choice in product((PLUS, MINUS), repeat=len(axes)):
             node = self._value(statement.expression, axes, choice)
-            if not numbered:
+            if statement.named:
                 self._builder.hint(node, _name(statement.name, choice))
             self._values[statement.name, choice] = node
 

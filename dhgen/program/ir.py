@@ -127,12 +127,14 @@ class Let:
         expression: What it is.
         axes: Positions in `Program.axes` of the signs it depends on, ascending.
         truth: Whether it is a truth value.
+        named: Whether the name says what it is; else it is only a number.
     """
 
     name: str
     expression: Expression
     axes: tuple[int, ...]
     truth: bool = False
+    named: bool = True
 
 
 class Failure(Enum):

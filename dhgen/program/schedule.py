@@ -143,7 +143,7 @@ class _Schedule:
         self._names = names.given
         self._hints = names.hints
         self._outputs = outputs
-        self._count = 0
+        self._numbered: set[Node] = set()
         self.constants = list(graph.constants.values())
         self._signs = [Variable(axis.name) for axis in graph.axes]
         self._mirror_differences()
@@ -159,8 +159,9 @@ class _Schedule:
             while pending and pending[0].position <= node:
                 statements.append(self._statement(pending.pop(0)))
             if node in self._live and node in self._names and entry.operator is not None:
-                truth = entry.operator in TRUTHS
-                statements.append(Let(self._names[node], self._applied(node), entry.axes, truth))
+                truth, named = entry.operator in TRUTHS, node not in self._numbered
+                name, expression = self._names[node], self._applied(node)
+                statements.append(Let(name, expression, entry.axes, truth, named))
         return statements + [self._statement(mark) for mark in pending]
 
     def expression(self, node: Node) -> Expression:
@@ -238,11 +239,12 @@ class _Schedule:
             if entry.operator in {None, "neg", "not"} or self._is_rare(entry):
                 continue
             if (uses.get(node, 0) > 1 or node in wider) and node not in self._names:
-                self._names[node] = self._graph.unique(self._hints.get(node) or self._next())
+                self._names[node] = self._graph.unique(self._hints.get(node) or self._next(node))
 
-    def _next(self) -> str:
-        self._count += 1
-        return f"v{self._count}"
+    def _next(self, node: Node) -> str:
+        """A number for a value that no one has given a name."""
+        self._numbered.add(node)
+        return f"v{len(self._numbered)}"
 
     def _uses(self) -> tuple[dict[Node, int], set[Node]]:
         """How often each node is used, and which are used in a deeper loop than their own."""

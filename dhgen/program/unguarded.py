@@ -148,7 +148,7 @@ class Unguarded:
                 if not statement.truth and name not in self._exact:
                     value = self._arithmetic.sooner(value, name)
                 self._values[name] = value
-                if not (name[0] == "v" and name[1:].isdigit()):
+                if statement.named:
                     self._builder.hint(value.node, name)
                 if doubt:
                     self._doubts.append(value.node)

@@ -6,7 +6,7 @@ selects; arctangents, sines and cosines get loops of their own, one for all of a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Let, Variable
@@ -87,7 +87,7 @@ class _Staging:
         expression, level = self._without_calls(let.expression, let.name)
         self._levels[let.name] = level
         if expression != Variable(let.name):
-            self._lets[level].append(Let(let.name, expression, (), let.truth))
+            self._lets[level].append(replace(let, expression=expression, axes=()))
 
     def _without_calls(self, expression: Expression, name: str) -> tuple[Expression, int]:
         """The expression with names for its calls, and the stage at which it is known.

@@ -215,3 +215,14 @@ def test_what_a_joint_would_be_chosen_by_counts_as_needed() -> None:
     program = builder.finish("t", {"q1": builder.pose(1, 2)}, [(2, flag)])
     assert [constant.name for constant in program.constants] == ["a"]
     assert Pose(2, 3) in expressions(program)
+
+
+def test_a_value_says_whether_it_has_a_name_of_its_own() -> None:
+    """Its name does not: v1 may be taken by the arm, or be what somebody calls a value."""
+    builder = Builder({"v1"})
+    numbered = builder.mul(builder.pose(1, 1), builder.pose(2, 2))
+    called = builder.hint(builder.mul(builder.pose(1, 2), builder.pose(2, 1)), "v7")
+    results = {"q1": builder.apply("atan2", numbered, called), "q2": builder.mul(numbered, called)}
+    program = builder.finish("t", results, [])
+    named = {each.name: each.named for each in program.body if isinstance(each, Let)}
+    assert named == {"v1_": False, "v7": True, "q1": True, "q2": True}
