@@ -11,6 +11,7 @@ from dhgen.program.schedule import Mark, Names, scheduled
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+    from collections.abc import Set as AbstractSet
 
     from dhgen.program.graph import Node
     from dhgen.program.ir import Failure, Operator, Program
@@ -25,7 +26,7 @@ class Builder(Graph):
         folded: What the names of constants made from constants begin with.
     """
 
-    def __init__(self, reserved: set[str], folded: str = "k") -> None:
+    def __init__(self, reserved: AbstractSet[str], folded: str = "k") -> None:
         super().__init__(reserved)
         self._folded = folded
         self._names: dict[Node, str] = {}

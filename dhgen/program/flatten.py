@@ -86,7 +86,7 @@ class _Flattening:
         self._lanes = lanes
         axes = range(len(self._program.axes))
         self._unrolled = tuple(axis for axis in axes if axis not in lanes)
-        self._builder = Builder(reserved=set(), folded=FOLDED)
+        self._builder = Builder(self._program.reserved, FOLDED)
         self._values: dict[tuple[str, Choice], Node] = {}
         self._axes: dict[str, tuple[int, ...]] = {}
         self._angles: dict[Node, int] = {}

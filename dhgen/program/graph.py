@@ -15,6 +15,8 @@ from dhgen.program.reserved import RESERVED, is_kept_from_constants
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
+    from collections.abc import Set as AbstractSet
+
     from dhgen.program.ir import Operator
     from dhgen.program.role import Role
 
@@ -51,13 +53,15 @@ class Graph:
         constants: By name.
         folded: Constants made from constants, by their leaf; they have no name yet.
         axes: The branch signs so far.
+        reserved: Names that values must not get.
     """
 
-    def __init__(self, reserved: set[str]) -> None:
+    def __init__(self, reserved: AbstractSet[str]) -> None:
         self.entries: list[Entry] = []
         self.constants: dict[str, NamedConstant] = {}
         self.folded: dict[Expression, NamedConstant] = {}
         self.axes: list[Axis] = []
+        self.reserved = frozenset(reserved)
         self._reserved = set(reserved)
         self._used: set[str] = set()
         self._index: dict[object, Node] = {}

@@ -285,6 +285,8 @@ class Program:
             Where roots nearly meet, rows of both of their sides are looked for with it. It holds
             arrays, which can't be hashed, and programs are: of those that are made from this one
             none depends on it.
+        reserved: Names of the arm's numbers, whether they occur here or not: nothing else is called
+            so, here or in a program that is made from this one.
     """
 
     name: str
@@ -295,6 +297,7 @@ class Program:
     free: tuple[tuple[int, str], ...]
     near: tuple[str, ...] = ()
     tightened: NumericalKernel | None = field(default=None, compare=False)
+    reserved: frozenset[str] = frozenset()
 
     @property
     def rows(self) -> int:

@@ -48,9 +48,9 @@ OUT_OF_LIMITS UNREACHABLE Unreachable carray cgutils intrinsic math njit np room
 # formulas are.
 _BESIDE_CONSTANTS = """
 ImportError METHOD ModuleType ThreadPoolExecutor ValueError config first hasattr
-normalize_signature os rest sys u v w work x0 x1 x2 y2
+normalize_signature os rest sys u v w work x0 x1 x2 y2 z0 z1 z2
 """
-_NUMBERED = re.compile(r"(given|kind|packed|ratio)\d+")
+_NUMBERED = re.compile(r"(given|kind|none|outside|packed|ratio)\d+|x\w+_roots")
 
 RESERVED = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
 _KEPT_FROM_CONSTANTS = RESERVED | frozenset(_BESIDE_CONSTANTS.split())

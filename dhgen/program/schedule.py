@@ -130,6 +130,7 @@ def scheduled(
         outputs=outputs,
         free=tuple((number, names.given[node]) for number, node in free),
         near=tuple(names.given[node] for node in near),
+        reserved=graph.reserved,
     )
     used = {each.name for each in expressions(program) if isinstance(each, Variable)}
     return replace(program, constants=tuple(c for c in schedule.constants if c.name in used))

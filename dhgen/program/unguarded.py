@@ -71,7 +71,7 @@ class Unguarded:
         self._wide: dict[str, Signed] = {}  # by the names of limits below which a joint is free
         self._slacks: dict[Node, tuple[Node, Node]] = {}  # what is exact, and what may be rounded
         self._exact = _compared(program)
-        self._builder = Builder(reserved=set(), folded=FOLDED)
+        self._builder = Builder(program.reserved, FOLDED)
         self._arithmetic = SignedArithmetic(self._builder)
         self._values: dict[str, Signed] = {}
         self._assumptions = Assumptions(program)

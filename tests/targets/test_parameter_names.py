@@ -9,10 +9,15 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.compiler import compile_robot, verified
+from dhgen.program.flatten import flatten
+from dhgen.targets.c_regular import best_lanes
+from dhgen.targets.module import regular_solver
 from dhgen.verify.native import C_FLAGS, c_compiler
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from dhgen.compiler import Compilation
 
 SCARA = """\
 name: arm
@@ -34,6 +39,36 @@ joints:
   - {{theta: q, a: {1}}}
 task: [x, y]
 """
+AHEAD = """\
+name: arm
+parameters: {{{values}}}
+joints:
+  - {{theta: q, d: {0}, a: 0.4, limits: [-100 deg, 400 deg]}}
+  - {{theta: q, a: {1}, limits: [-100 deg, 100 deg]}}
+task: [x, y]
+"""
+WRIST = """\
+name: arm
+parameters: {{{values}}}
+joints:
+  - {{theta: q, d: 0.5, a: {0}, alpha: -90 deg, limits: [-170 deg, 190 deg]}}
+  - {{theta: q, a: {1}, limits: [-130 deg, 60 deg]}}
+  - {{theta: q, a: 0.05, alpha: -90 deg, limits: [-60 deg, 200 deg]}}
+  - {{theta: q, d: 0.6, alpha: 90 deg}}
+  - {{theta: q, alpha: -90 deg}}
+  - {{theta: q, d: 0.1}}
+tool: {{xyz: [{2}, 0, {3}]}}
+"""
+# What values, constants of programs, and locals are called: a letter or word, and a number.
+NUMBERED = (
+    *("v1 v2 v3 v4", "k1 k2 k3 k4", "m1 m2 h1 h2", "h1 h2 m1 m2", "f1 g1 n1 f2", "e1 e2 e3 x1"),
+    *("w1 w2 w3 wx", "low1 high1 low2 high2", "high3 low3 high2 low2", "angle1 angle2 angle3 z1"),
+    *("free_limit1 doubt_limit_squared2 free_limit_squared2 doubt_limit1", "none1 outside1 i1 z0"),
+    *("doubt_limit1 doubt_limit_squared2 free_limit doubt_limit", "outside doubt1 doubt2 y2_x"),
+    *("longest2 shortest2 longest3 longest3_reach", "half_turn turn turn1 offset1", "p1 x1 d1 z2"),
+    *("exact_slack1 pose_slack1 doubtful_slack1 near_limit", "packed1 ratio1 kind1 given1"),
+    *("sqrt2 unit r1 w2x", "chosen1 free1 near5 held5", "inverse1 divisor1 factor1 root1"),
+)
 NAMES = (
     ("wide", "four", "HELPER", "LANES", "kind", "solve_wide", "odd", "kind_of", "pick_four"),
     ("work", "w", "v", "x0", "x1", "x2", "y2", "rest", "exact"),
@@ -49,11 +84,11 @@ def robot_file(arm: str, names: tuple[str, ...], folder: Path) -> Path:
     return path
 
 
-def written(names: tuple[str, ...], folder: Path) -> Path:
-    path = robot_file(SCARA, names, folder)
-    for file, text in compile_robot(path).files.items():
+def written(arm: str, names: tuple[str, ...], folder: Path) -> Compilation:
+    made = compile_robot(robot_file(arm, names, folder))
+    for file, text in made.files.items():
         (folder / file).write_text(text, encoding="utf-8")
-    return folder
+    return made
 
 
 def stored(tree: ast.AST) -> set[str]:
@@ -64,8 +99,29 @@ def stored(tree: ast.AST) -> set[str]:
 
 @pytest.mark.parametrize("names", NAMES, ids=lambda names: names[0])
 def test_formulas_read_the_constants(names: tuple[str, ...], tmp_path: Path) -> None:
+    written(SCARA, names, tmp_path)
+    check_names(tmp_path)
+
+
+@pytest.mark.parametrize("arm", [PLANAR, AHEAD, WRIST], ids=["planar", "ahead", "wrist"])
+@pytest.mark.parametrize("words", NUMBERED)
+def test_numbered_names(arm: str, words: str, tmp_path: Path) -> None:
+    """Names that the programs of an arm give in passing, each to a number of the arm."""
+    names = tuple(words.split())
+    made = written(arm, names[: 4 if arm is WRIST else 2], tmp_path)
+    check_names(tmp_path)
+    solver = regular_solver(made.module)
+    assert solver is not None
+    flats = (flatten(solver).program, best_lanes(solver).program)
+    values: dict[str, set[float]] = {}
+    for program in (*made.module.programs, *flats):
+        for constant in program.constants:
+            values.setdefault(constant.name, set()).add(constant.value)
+    assert {name for name, found in values.items() if len(found) > 1} == set()
+
+
+def check_names(folder: Path) -> None:
     """Python: no function hides a constant of the arm behind a local; C: it compiles."""
-    folder = written(names, tmp_path)
     module = ast.parse((folder / "arm.py").read_text(encoding="utf-8"))
     assigned = [node for node in module.body if isinstance(node, ast.Assign)]
     tops = [each for node in assigned for target in node.targets for each in stored(target)]
