@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.status import Status
 from dhgen.survey.oracle.newton import solve
 from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.singular import in_a_family, is_redundant, singular_sets
-from dhgen.survey.trial import FREE_JOINT
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -101,7 +101,7 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
                 fault = f"residual {residual:.1e}"
             elif (
                 not _among(trial, joints, rows, RECOVERED)
-                and FREE_JOINT not in status
+                and Status.FREE_JOINT not in status
                 and not (redundant or in_a_family(trial.robot, joints))
             ):
                 fault = f"q found again only to within {trial.apart(rows, joints).min():.1e}"

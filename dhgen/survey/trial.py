@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.status import HELD
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
@@ -17,9 +18,6 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import Arm, FloatArray
     from dhgen.verify.native import CompiledSolver
-
-HELD = (0, 2, 3)  # OK, FREE_JOINT, OUT_OF_LIMITS: the row holds joint values
-FREE_JOINT = 2
 
 
 @dataclass(frozen=True, slots=True)

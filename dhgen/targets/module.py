@@ -16,6 +16,7 @@ from dhgen.program.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
+from dhgen.status import Status
 from dhgen.targets.layout import paragraph
 from dhgen.targets.standing import settles, standing, stands_on_limits, winds
 from dhgen.targets.walk import (
@@ -143,6 +144,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "given_comment": _given_comment(chain),
         "given_fault": "the arm angle" if chain.arm_angle else "a free joint's value",
         "method": module.method,
+        "status": Status,
         "solves_whole": whole_arm(module.solver) is not None,
         "compiles_apart": _compiles_apart(module),
         "uses_circle": finds_roots(module.solver),

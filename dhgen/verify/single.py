@@ -16,6 +16,7 @@ from dhgen.errors import VerificationError
 from dhgen.program.given import given_values
 from dhgen.program.tolerances import SINGLE
 from dhgen.robot.task import TaskKind
+from dhgen.status import HELD, Status
 from dhgen.verify.measures import Measures
 from dhgen.verify.native import compile_solver
 from dhgen.verify.samples import samples, spoiled_poses
@@ -34,8 +35,6 @@ COUNT = 150  # poses of each sort
 RESIDUAL = 5e-5  # of the arm's size: what a row may miss its pose by; a free joint moves it most
 FOUND = 1e-2  # [rad or arm sizes] the generating joint values on random poses
 FORWARD = 3e-6  # of the arm's size: what the forward model may be off by
-OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
-HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)
 
 
 def verify_single(module: SolverModule, folder: Path) -> float | None:
@@ -95,11 +94,11 @@ class _Checker:
         for joints, T in zip(q, self._measures.arm.pose(q), strict=True):
             for spoiled in spoiled_poses(self._chain.task, T):
                 _, status = self._ik(spoiled, joints)
-                if not (status == INVALID_POSE).all():
+                if not (status == Status.INVALID_POSE).all():
                     raise VerificationError(f"{name}: accepted an invalid pose:\n{spoiled}")
             far = T.copy()
             far[:3, 3] += 10.0 * self._chain.size
-            if not endless and not (self._ik(far, joints)[1] == UNREACHABLE).all():
+            if not endless and not (self._ik(far, joints)[1] == Status.UNREACHABLE).all():
                 raise VerificationError(f"{name}: claims to reach a pose out of reach:\n{far}")
 
     def _fk(self, q: Array) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from dhgen.program.tolerances import SINGLE
+from dhgen.status import HELD, Status
 from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled
 from tests.targets.made import NAMES, apart, made, poses_of, residual, robot
 
@@ -59,9 +60,9 @@ def test_solves_on_the_board(name: str, board: str, real: type, tmp_path: Path) 
     miss, off = ENOUGH[real]
     assert len(said) == POSES
     for answer, joints, pose in zip(said, q, T, strict=True):
-        held = answer.q[np.isin(answer.status, (0, 2, 3))]
+        held = answer.q[np.isin(answer.status, HELD)]
         assert len(held) > 0
-        assert answer.count == np.isin(answer.status, (0, 2)).sum()
+        assert answer.count == np.isin(answer.status, (Status.OK, Status.FREE_JOINT)).sum()
         assert residual(name, held, pose) < miss
         assert apart(name, held, joints).max(axis=1).min() < off
         assert apart(name, answer.nearest, joints).max() < off

@@ -14,6 +14,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.interpret import interpret
 from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
+from dhgen.status import Status
 from dhgen.survey.oracle.newton import all_solutions
 from tests.general.files import SLIDE, TURNS, compiled, skew, without_derivation
 
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from dhgen.program.interpret import Rows
 
 POSES = 2
-UNREACHABLE = 1
 # At NEARLY another way to stand takes the tool to the same place but for 8e-6.
 TWISTED = """name: arm
 joints:
@@ -127,13 +127,13 @@ def test_in_c(tmp_path: Path) -> None:
     for q in (np.array(NEARLY), *np.random.default_rng(4).uniform(-3.0, 3.0, (20, 5))):
         T = solver.fk(q)
         rows, status = solver.ik(T, seed)
-        assert (status != UNREACHABLE).sum() == 1
+        assert (status != Status.UNREACHABLE).sum() == 1
         assert gaps(rows[0], q) < 1e-6
         T[:3, 3] += 1e-3
-        assert (solver.ik(T, seed)[1] == UNREACHABLE).all()
+        assert (solver.ik(T, seed)[1] == Status.UNREACHABLE).all()
     T = np.round(solver.fk(np.array(NEARLY)), 6)
     rows, status = solver.ik(T, seed)
-    held = rows[status != UNREACHABLE]
+    held = rows[status != Status.UNREACHABLE]
     assert len(held) == 2
     assert gaps(held, np.array(NEARLY)).min() < 1e-4
     for row in held:
@@ -150,9 +150,9 @@ def test_four_joints_whose_tool_points_in_c(tmp_path: Path) -> None:
         T = solver.fk(q)
         T[:3, :2] = np.nan
         rows, status = solver.ik(T, np.zeros(4))
-        assert gaps(rows[status != UNREACHABLE], q).min() < 1e-6
+        assert gaps(rows[status != Status.UNREACHABLE], q).min() < 1e-6
         T[:3, 2] = [*T[1:3, 2], T[0, 2]]
-        assert (solver.ik(T, np.zeros(4))[1] == UNREACHABLE).all()
+        assert (solver.ik(T, np.zeros(4))[1] == Status.UNREACHABLE).all()
 
 
 def test_exact_solutions_are_not_left_for_what_a_rounded_pose_may_miss(tmp_path: Path) -> None:
@@ -163,6 +163,6 @@ def test_exact_solutions_are_not_left_for_what_a_rounded_pose_may_miss(tmp_path:
     T, seed = solver.fk(np.array(NEXT_TO_SINGULAR)), np.zeros(4)
     rows, status = solver.ik(T, seed)
     known = interpret(module.solver, T[None], seed=seed)
-    for held in (rows[status != UNREACHABLE], known.q[0][known.solved[0]]):
+    for held in (rows[status != Status.UNREACHABLE], known.q[0][known.solved[0]]):
         reached = np.array([solver.fk(np.ascontiguousarray(row)) for row in held])
         np.testing.assert_allclose(reached[:, :3, 2:], [T[:3, 2:]] * len(held), atol=2e-10)

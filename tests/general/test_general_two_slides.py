@@ -19,6 +19,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
+from dhgen.status import Status
 from tests.general.arms import in_c, in_python
 from tests.general.files import assert_all_solutions, compiled, poses, without_derivation, written
 
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
 
 PLACES = list(combinations(range(6), 2))
 POSES = 3
-FREE_JOINT = 2
 COSINES_SINES = tuple(np.array(each) for each in sample_cosines())
 STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 
@@ -167,7 +167,7 @@ def test_where_axes_are_parallel_roots_tell_nothing(tmp_path: Path) -> None:
     T, given = solver.fk(q), np.zeros(1)
     rows, status = solver.ik(T, np.zeros(7), given)
     known = interpret(module.solver, T[None], seed=np.zeros(7), free=given)
-    for held in (rows[status == FREE_JOINT], known.q[0][known.solved[0]]):
+    for held in (rows[status == Status.FREE_JOINT], known.q[0][known.solved[0]]):
         assert len(held) > 0
         for row in held:
             np.testing.assert_allclose(solver.fk(row), T, atol=1e-9)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm_angle import arm_angle, elbow_of, given_values
 from dhgen.survey.oracle.poses import random_joints
 from tests.generated.asking import trial
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 
 GIVEN = [name for name in NAMES if robot(name).arm_angle]
 POSES = 200
-OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
-HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)
 RESIDUAL = 1e-11
 SAME = 1e-9
 IIWA = "kuka_iiwa14_arm_angle"
@@ -110,13 +109,13 @@ def test_an_arm_angle_that_is_no_number() -> None:
     T = trial(IIWA).poses(np.full((1, 7), 0.4))[0]
     for psi in (np.nan, np.inf):
         _, status = library(IIWA).ik(T, np.zeros(7), np.array([psi]))
-        assert (status == INVALID_POSE).all()
+        assert (status == Status.INVALID_POSE).all()
         _, status = module(IIWA).ik_all(T, np.array([psi]))
-        assert (status == INVALID_POSE).all()
+        assert (status == Status.INVALID_POSE).all()
 
 
 def test_poses_out_of_reach_are_so_for_every_arm_angle() -> None:
     T = trial(IIWA).poses(np.full((1, 7), 0.4))[0]
     T[:3, 3] *= 3.0
     _, status = library(IIWA).ik(T, np.zeros(7), np.array([0.3]))
-    assert (status == UNREACHABLE).all()
+    assert (status == Status.UNREACHABLE).all()

@@ -14,6 +14,7 @@ from numba import njit
 from numba.core.runtime import _nrt_python as _nrt  # type: ignore[attr-defined]
 
 from dhgen.robot.robot import JointKind
+from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.poses import joint_sets, random_joints
@@ -33,7 +34,6 @@ COUNT = 4_000
 GENERAL = {"C": 300, "Python": 60}  # for arms with 16 rows
 # numba takes seconds for each; the modules of all arms run without it in clean processes
 ASKED = [*((name, "C") for name in NAMES), *((name, "Python") for name in COMPILED)]
-OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
 RESIDUAL = 1e-11  # of the arm's size
 POLISHED = 1e-9  # the same for the general arms
 POINTER = ctypes.c_void_p
@@ -108,7 +108,7 @@ def test_random_poses(name: str, language: str) -> None:
     q = random_joints(robot(name), most(name, language), seed=71)
     T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
     found, status = (in_c if language == "C" else in_python)(name, T, q)
-    held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))
+    held = np.isin(status, HELD)
     assert held.any(axis=1).all()
     poses = np.repeat(T[:, None], rows, axis=1)
     assert misses(name, found[held], poses[held]).max() < accuracy(name)
@@ -128,7 +128,7 @@ def test_singular_poses(name: str, language: str) -> None:
         q = q[:: 1 + len(q) // most(name, language)]  # noqa: PLW2901
         T = np.ascontiguousarray(forward(arm(robot(name)), q), dtype=float)
         found, status = (in_c if language == "C" else in_python)(name, T, q)
-        held = np.isin(status, (OK, FREE_JOINT, OUT_OF_LIMITS))
+        held = np.isin(status, HELD)
         assert held.any(axis=1).all(), (kind, q[~held.any(axis=1)][:3])
         poses = np.repeat(T[:, None], rows, axis=1)
         enough = accuracy(name)
@@ -190,7 +190,7 @@ def test_every_way_to_call_gives_the_same(name: str) -> None:
     np.testing.assert_array_equal(status, other_status)
     np.testing.assert_array_equal(np.isnan(rows), np.isnan(others))
     assert np.nanmax(np.abs(rows - others)) < 1e-9
-    assert {OK, UNREACHABLE, INVALID_POSE} <= set(np.unique(status).tolist())
+    assert {Status.OK, Status.UNREACHABLE, Status.INVALID_POSE} <= set(np.unique(status).tolist())
     for k in range(0, len(T), 97):
         table, kinds = module(name).ik_all(T[k], *(each[k] for each in given(name, q)))
         np.testing.assert_array_equal(table, others[k])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dhgen import status as statuses
 from tests.targets.made import in_c, in_python, made, single_in_c
 
 if TYPE_CHECKING:
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
 
     from dhgen.survey.oracle.arm import FloatArray
 
-OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = range(5)
-HELD = (OK, FREE_JOINT, OUT_OF_LIMITS)
+OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = statuses.Status
+HELD = statuses.HELD
 LANGUAGES = ("C", "Python")
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
+from dhgen.status import HELD
 from dhgen.survey.oracle.forward import jacobian
 from dhgen.survey.oracle.poses import one_joint_at, random_joints, right_angles
 from tests.targets.made import (
@@ -58,7 +59,7 @@ def test_random_poses(name: str) -> None:
             in_c(name).ik(T[k], q[k], *free),
             in_python(name).ik_all(T[k], *free, q[k]),
         ):
-            held = np.isin(status, (0, 2, 3))
+            held = np.isin(status, HELD)
             assert held.tolist() == meant.solved[k].tolist()
             miss = apart(name, rows[held], meant.q[k][held]).max(initial=0.0)
             assert miss < 1e-12 * condition(name, rows[held])
@@ -92,7 +93,7 @@ def test_singular_poses(name: str, kind: str) -> None:
             assert sorted(status) == sorted(other_status)
         else:
             assert status.tolist() == other_status.tolist()
-        held, held_too = (np.isin(each, (0, 2, 3)) for each in (status, other_status))
+        held, held_too = (np.isin(each, HELD) for each in (status, other_status))
         assert held.any(), q[k]
         for found in (rows[held], others[held_too]):
             assert residual(name, found, T[k]) < (POLISHED if rows.shape[0] == ROOTS else 1e-11)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from dhgen.status import HELD
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward_with_derivatives
 from dhgen.survey.oracle.poses import NEAR, random_joints
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 STRAIGHT = {"kuka_kr6_r900": 0.0, "puma560": 0.0, "stanford": 0.0, "ur5": 0.0}
 POSES = 6
 BUILDS = ("vectors", "portable", "scalar", "libm")
-HELD = (0, 2, 3)  # OK, FREE_JOINT, OUT_OF_LIMITS
 NEARLY = 1e-3  # [rad or arm sizes]
 WRIST = 4  # joint 5, from 0
 SIGNIFICANT = 1e-13  # singular values below it say nothing

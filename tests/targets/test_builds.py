@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
+from dhgen.status import HELD
 from dhgen.targets.layout import WIDTH
 from dhgen.verify.native import FAST_FLAGS, NATIVE, Build
 from tests.targets.made import ROBOTS, apart, given, in_c, made, poses_of, residual, robot, turning
@@ -42,7 +43,6 @@ if CLANG:
 CASES = [(name, build) for name in EVERYWHERE for build in BUILDS]
 CASES += [(name, NATIVE) for name in NATIVELY]
 RANDOM = 200
-SOLVED = (0, 2, 3)  # OK, FREE_JOINT, OUT_OF_LIMITS
 
 
 @cache
@@ -74,7 +74,7 @@ def inside(name: str, q: FloatArray) -> NDArray[np.bool_]:
 def assert_rows(name: str, q: FloatArray, status: NDArray[np.uint8]) -> None:
     """Rows (N, B, n) and their statuses (N, B) against the program's meaning."""
     joints, T, rows = cases(name)
-    held = np.isin(status, SOLVED)
+    held = np.isin(status, HELD)
     assert (np.isnan(q).any(-1) == ~held).all()
     assert (held == rows.solved)[:RANDOM].all()
     assert np.mean(held == rows.solved) > 0.98  # rounding decides at the edge of a tolerance
@@ -113,7 +113,7 @@ def test_one_pose_and_many(name: str, build: Build) -> None:
     assert np.isnan(many[bad]).all()
     many[bad], statuses[bad] = q[bad], status[bad]
     assert_rows(name, many, statuses)
-    same = np.isin(status, SOLVED) & np.isin(statuses, SOLVED)
+    same = np.isin(status, HELD) & np.isin(statuses, HELD)
     assert apart(name, many[same], q[same]).max(initial=0.0) < 1e-3
     assert apart(name, many[:RANDOM][same[:RANDOM]], q[:RANDOM][same[:RANDOM]]).max() < 1e-11
 

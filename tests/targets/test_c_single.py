@@ -17,6 +17,7 @@ from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.tolerances import SINGLE
 from dhgen.robot_files import load_all
+from dhgen.status import Status
 from dhgen.targets.c_single import in_single_precision
 from dhgen.verify.native import c_compiler, compile_solver
 from dhgen.verify.single import RESIDUAL, verify_single
@@ -147,7 +148,7 @@ def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
     rows, status = np.empty((len(q), 8, 6), np.float32), np.empty((len(q), 8), np.uint8)
     pointers = (ctypes.c_void_p(array.ctypes.data) for array in (T, rows, status))
     solver.library[f"{name}_ik_batch"](ctypes.c_size_t(len(q)), *pointers)
-    held = np.isin(status, (0, 2))
+    held = np.isin(status, (Status.OK, Status.FREE_JOINT))
     assert held.any(axis=1).all()
     poses, _ = np.nonzero(held)
     assert np.abs(arm.pose(rows[held].astype(float)) - T[poses]).max() < RESIDUAL

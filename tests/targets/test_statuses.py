@@ -18,12 +18,37 @@ from tests.targets.calling import (
     UNREACHABLE,
     Solver,
 )
-from tests.targets.made import MADE_UP_NAMES, NAMES, entries, given, in_c, poses_of, residual, robot
+from tests.targets.made import (
+    MADE_UP_NAMES,
+    NAMES,
+    entries,
+    given,
+    in_c,
+    in_python,
+    made,
+    poses_of,
+    residual,
+    robot,
+)
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
 
 BAD_NUMBERS = (np.nan, np.inf, -np.inf)
+
+
+def test_the_numbers_are_those_that_callers_know() -> None:
+    numbers = {
+        "OK": 0,
+        "UNREACHABLE": 1,
+        "FREE_JOINT": 2,
+        "OUT_OF_LIMITS": 3,
+        "INVALID_POSE": 4,
+    }
+    module, files = in_python("puma560"), made("puma560").files
+    for name, number in numbers.items():
+        assert getattr(module, name) == number
+        assert f"PUMA560_{name} = {number}" in files["puma560.h"]
 
 
 def pose(name: str, seed: int = 1) -> FloatArray:
