@@ -26,6 +26,7 @@ JOINTS = 6
 LINKS = 5  # the sixth link of the loop is the pose
 # Parallel axes leave a common slide open: this much weight on the slides themselves closes it.
 RIDGE = 1e-9
+OVER = 1e-9  # of the square of the reach: what is farther is out of it, not rounded
 # Lengths between the axes are none beside those outside: they are what the ridge leaves of others
 # that cancel, or a calibration's last digits, and a slide would be longer than any in their unit.
 NO_LENGTH = 1e-3
@@ -111,6 +112,12 @@ def reach(loop: Loop) -> float:
     if loop.slides:
         return inf
     return sum(inf if length is None else length for length in lengths)
+
+
+def out_of_reach(loop: Loop) -> float:
+    """The square of the least distance that is out of reach, beyond rounding [arm sizes]."""
+    farthest = reach(loop)
+    return (1.0 + OVER) * farthest * farthest
 
 
 def _orthonormal(C: Link) -> Link:

@@ -35,7 +35,9 @@ SINGULAR = 1e-6  # the smallest singular value of the Jacobian over the largest
 # only, instead of leaping along a direction that the pose does not determine.
 RANK = 1e-9
 DAMPING = 1e-2
-GOOD_ENOUGH = 1e-15
+# Emitted code adds this to the damped squares that it divides by; singular values want nothing.
+SMALLEST_SQUARE = 1e-30
+GOOD_ENOUGH = 1e-29  # the square of a residual that is rounding: steps end
 
 
 def is_singular(target: Target, theta: FloatArray) -> bool:
@@ -63,7 +65,7 @@ def polish(
         residual = float(np.linalg.norm(miss))
         if residual < least:
             best, least = theta, residual
-        if residual < GOOD_ENOUGH:
+        if residual * residual < GOOD_ENOUGH:
             break
         if afar:
             damped = np.sqrt(DAMPING) * min(residual, 1.0) * np.eye(6)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 TINY = 1e-300
+# Of the largest diagonal: emitted code, which iterates to a null vector, takes none as smaller.
+SMALLEST = 1e-15
 PLANE = 1e-24  # below this the rows of a shift don't span a plane
 EZ = np.array([0.0, 0.0, 1.0])
 

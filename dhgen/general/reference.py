@@ -16,11 +16,12 @@ import numpy as np
 
 from dhgen.general.determinant import equations, fold
 from dhgen.general.hidden_slide import length
-from dhgen.general.loop import reach
+from dhgen.general.loop import out_of_reach
 from dhgen.general.pointing import any_turn
 from dhgen.general.polish import Target, is_singular, polish
 from dhgen.general.recover import null_vectors, partner_values, regularity, remaining_angles
 from dhgen.general.roots import real_roots
+from dhgen.kinematics.order import in_order
 from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ def solve(T: ArrayLike, kernel: GeneralKernel, free: Sequence[float] = ()) -> So
         pose = any_turn(pose)
     P = np.array(loop.left.at(held)) @ pose @ np.array(loop.right.at(held))
     P[:3, 3] /= loop.size
-    if np.linalg.norm(P[:3, 3]) > (1.0 + 1e-9) * reach(loop):
+    if P[:3, 3] @ P[:3, 3] > out_of_reach(loop):
         return Solved(np.empty((0, 6)), np.empty(0), complete=True)
     links = tuple(np.array(K.at(held)) for K in loop.links)
     search = _Search(Target(links, P, loop.slides), kernel.rows)
@@ -169,7 +170,7 @@ class _Search:
         q = np.array([self.found[i] for i in kept]).reshape(-1, 6)
         q += [np.arctan2(s, c) for c, s in loop.advances]
         q = np.where(self.turns, np.pi - np.remainder(np.pi - q, 2 * np.pi), loop.size * q)
-        order = sorted(range(len(q)), key=lambda i: tuple(np.round(q[i], 9)))
+        order = sorted(range(len(q)), key=lambda i: in_order(q[i]))
         residual = np.array([self.residuals[kept[i]] for i in order])
         singular = bool(self.singular or self.doubles or (residual > TOLERANCES.exact).any())
         return Solved(q[order].reshape(-1, 6), residual, complete, singular)

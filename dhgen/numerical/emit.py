@@ -5,9 +5,9 @@ from __future__ import annotations
 from math import inf, pi
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.order import TIE
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import ASIDE
-from dhgen.numerical.reference import TIE
 from dhgen.numerical.starts import directions
 from dhgen.numerical.texts import any_turn, given_places, position_rows, turning_places
 from dhgen.program.tolerances import TOLERANCES

@@ -8,11 +8,11 @@ certificate that there are no other solutions.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cmp_to_key
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.order import in_order
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
 from dhgen.numerical.starts import directions
@@ -25,9 +25,6 @@ if TYPE_CHECKING:
 
     FloatArray = NDArray[np.float64]
     Limits = tuple[FloatArray, FloatArray]
-
-
-TIE = 1e-9  # values closer than this don't decide which of two solutions comes first
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +156,7 @@ class Arm:
     def _sorted(self, kept: list[_Kept]) -> Found:
         q = self.joints(np.array([each.u for each in kept]).reshape(-1, len(self.solved)))
         rows = [(row, each.chosen) for row, each in zip(q, kept, strict=True)]
-        rows.sort(key=cmp_to_key(_order))
+        rows.sort(key=lambda row: in_order(row[0]))
         chosen = np.array([each for _, each in rows], dtype=bool)
         return Found(np.array([row for row, _ in rows]).reshape(q.shape), chosen)
 
@@ -384,10 +381,3 @@ def shortened(steps: FloatArray) -> FloatArray:
     """Steps (..., k), no longer than they may be."""
     longest = np.abs(steps).max(axis=-1, initial=constants.LONGEST)
     return np.asarray(steps * (constants.LONGEST / longest)[..., None])
-
-
-def _order(first: tuple[FloatArray, bool], second: tuple[FloatArray, bool]) -> int:
-    """Negative when the joint values of the first row stand before those of the second."""
-    gaps = first[0] - second[0]
-    apart = np.flatnonzero(np.abs(gaps) > TIE)
-    return 0 if not len(apart) else int(np.sign(gaps[apart[0]]))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import isinf
 from typing import TYPE_CHECKING
 
-from dhgen.general.loop import reach
+from dhgen.general.loop import out_of_reach
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
@@ -43,7 +43,7 @@ class Arm:
 
 def arm(kernel: GeneralKernel) -> Arm:
     """How an arm is solved."""
-    loop, farthest = kernel.loop, reach(kernel.loop)
+    loop, farthest = kernel.loop, out_of_reach(kernel.loop)
     per_root = kernel.closed[0].solutions_per_root if kernel.closed else 0
     return Arm(
         most=kernel.rows,
@@ -54,6 +54,6 @@ def arm(kernel: GeneralKernel) -> Arm:
         eliminations=len(kernel.eliminations),
         size=repr(loop.size),
         per_size=repr(1.0 / loop.size),
-        reach="" if isinf(farthest) else repr((1.0 + 1e-9) * farthest * farthest),
+        reach="" if isinf(farthest) else repr(farthest),
         slides=loop.slides,
     )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from dhgen.general import circle, lens, polish, recover, reference, roots
 from dhgen.general.determinant import TINY
 from dhgen.general.four_turns import ALONG, FARTHEST, MOVED, NEARLY_FLAT, NO_ANGLE, PARALLEL
+from dhgen.kinematics.order import TIE
 from dhgen.program.tolerances import TOLERANCES
 
 
@@ -37,17 +38,17 @@ class Tolerances:
     together: str = repr(reference.TOGETHER)
     same: str = repr(reference.SAME)
     close: str = repr(4.0 - reference.CLOSE**2)  # the square of the sum of two such unit vectors
-    tie: str = repr(1e-9)  # of joint values, when rows are sorted
+    tie: str = repr(TIE)  # of joint values, when rows are sorted
     rank: str = repr(polish.RANK)
     singular: str = repr(polish.SINGULAR)
-    good_enough: str = repr(1e-29)  # a square: the polish ends
+    good_enough: str = repr(polish.GOOD_ENOUGH)
     nearly_flat: str = repr(NEARLY_FLAT)
     along: str = repr(ALONG)
     no_angle: str = repr(NO_ANGLE)
     moved: str = repr(MOVED)
     farthest: str = repr(FARTHEST)
     parallel: str = repr(PARALLEL)
-    smallest: str = repr(1e-15)
-    smallest_square: str = repr(1e-30)
+    smallest: str = repr(recover.SMALLEST)
+    smallest_square: str = repr(polish.SMALLEST_SQUARE)
     damping: str = repr(polish.DAMPING)
     plane: str = repr(recover.PLANE)
