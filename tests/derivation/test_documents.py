@@ -86,7 +86,7 @@ def test_rows_are_said_to_keep_their_place_only_where_they_do() -> None:
 def test_an_arm_near_to_a_closed_form_is_told_so() -> None:
     """The offset of the xArm's wrist is 76 mm; Manseur and Doty's arm is near to nothing."""
     assert "axes 4, 5, 6 miss one point by 0.076 (lengths in m)" in document("xarm6")
-    assert "Near to a closed form" not in document("manseur_doty")
+    assert "from a closed form" not in document("manseur_doty")
 
 
 @pytest.mark.parametrize("name", [*WITH_STEPS, *ALL_WHOLE])
@@ -170,7 +170,7 @@ def test_what_the_pose_leaves_of_a_free_joint_is_said() -> None:
     robot = table(*rows)
     derivation = derive(build_chain(robot))
     text = derivation_document(robot, derivation, lower(derivation), "robots/x.yaml")
-    assert r"every $\theta_1$ serves" not in text
+    assert r"every $\theta_1$ works" not in text
     told = r"this equation holds for every $\theta_1$, the others for all, a few or none of them"
     assert told in text
     assert "every $" in document("puma560")
@@ -193,13 +193,19 @@ def test_numbers_of_a_frame_are_not_called_its_entries() -> None:
     assert r"E = \begin{bmatrix} \cos \eta_2 & -\sin \eta_2 & 0 & 0 \\" in text
 
 
+def test_a_point_of_the_base_has_the_letter_of_its_coordinates() -> None:
+    text = document("franka_panda")
+    assert "w_{2x} & = " in text
+    assert "Seen from the last frame it is at $w_2$:" in text
+
+
 def test_where_all_coefficients_vanish_is_said_in_words() -> None:
     of = story("cuspidal_3r")
     told = "all coefficients of the equation vanish at once"
     assert f"\nDegenerate when {told}: every $" in document("cuspidal_3r")
     assert f"| {told} | — | every $" in document("cuspidal_3r")
     summary = derivation_summary(of.robot, of.derivation, of.program)
-    assert f"degenerate where {told}: every θ₁ serves" in summary
+    assert f"degenerate where {told}: every θ₁ works" in summary
 
 
 @pytest.mark.parametrize("name", WITH_STEPS + ALL_WHOLE)

@@ -37,7 +37,7 @@ def singular_section(found: list[Singularity]) -> list[Block]:
     if not found:
         return [
             *blocks,
-            paragraph("None: every step has its values wherever there is a solution."),
+            paragraph("None: no step degenerates, and no two solutions meet."),
         ]
     header = tuple(say(word) for word in ("step", "condition", "in joint angles", "then"))
     rows = tuple(
@@ -62,17 +62,17 @@ def cost_section(story: Story) -> list[Block]:
     if finds_roots(story.program):
         made_of = "atan2, square roots and roots of a quartic"
     text = (
-        "A value that depends on a part of the signs is computed once for each combination of "
-        f"them. The solutions are made of {made_of} alone"
+        "A value that depends on only some of the signs is computed once for each combination of "
+        f"those. Besides arithmetic, the solutions take only {made_of}"
         + ("." if not count.sines_cosines else "; " + _sines(story))
     )
     solver = regular(story.program)
     if solver is not None:
         lines.append(_operations("at a regular pose", count_operations(solver.program)))
         text += (
-            " At a regular pose no joint is free and no two branches meet, so that neither has to "
-            "be asked; what is odd or even in a sign is computed once for both of its values, and "
-            "additions stand for divisions and roots where they can."
+            " At a regular pose no joint is free and no two branches meet, so neither has to be "
+            "tested; what is odd or even in a sign is computed once for both of its values, and "
+            "additions replace divisions and roots where they can."
         )
     return [Heading(2, say("Cost")), Table(_COUNTED, tuple(lines)), paragraph(text)]
 
@@ -105,7 +105,7 @@ def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
 
 def _sines(story: Story) -> str:
     if story.robot.free or story.robot.arm_angle:
-        return "sine and cosine are taken of values that the caller gives."
+        return "sines and cosines are taken of values that the caller gives."
     if finds_roots(story.program):
-        return "sine and cosine are taken of the roots and, where a joint is free, of the seed."
-    return "sine and cosine are taken of the seed only, where a joint is free."
+        return "sines and cosines are taken of the roots and, where a joint is free, of the seed."
+    return "sines and cosines are taken of the seed only, where a joint is free."

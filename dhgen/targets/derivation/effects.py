@@ -36,7 +36,7 @@ def free_effect(context: StepContext) -> Prose:
     if any(joint.limits for joint in context.story.algebra.chain.joints):
         troubles.append("puts a joint beyond its limits")
     if troubles:
-        value += f" or, where that {' or '.join(troubles)}, the nearest that serves"
+        value += f" or, where that {' or '.join(troubles)}, the nearest value that works"
     parts = [say(f"{{}} {takes} {value}", symbols)]
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
@@ -47,7 +47,7 @@ def free_effect(context: StepContext) -> Prose:
         parts.append(say("{}", equal(remembered.letter, ZERO)))
     if context.number < len(context.story.steps):
         parts.append(say("the steps below go on unchanged"))
-    return joined(parts)
+    return say("{}; {}", parts[0], joined(parts[1:])) if parts[1:] else parts[0]
 
 
 def _decides(context: StepContext, joints: list[int]) -> bool:

@@ -104,7 +104,7 @@ def _products(story: Story) -> list[Block]:
         else:
             blocks += transform_blocks((name,), product, story.write_forward)
     if left:
-        text = "What would fill pages if it were written out is left as a product:"
+        text = "Written out, the others would fill pages; they are left as products:"
         blocks += [paragraph(text), display(*left)]
     return blocks
 
@@ -183,8 +183,8 @@ def _relations(story: Story) -> list[Block]:
         return []
     text = (
         "Let {} be the pose that the tool is to take, and {}. Whatever the joints do, some entries "
-        "of {} are constant or repeat others; a pose that breaks these relations is out of the "
-        "arm's reach:"
+        "of {} are constant or repeat others; a pose that breaks these relations cannot "
+        "be reached:"
     )
     given = paragraph(text, POSE, given_pose(story), target(0))
     return [given, display(Listing(tuple(found)))]

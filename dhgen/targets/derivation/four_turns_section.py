@@ -73,24 +73,24 @@ def _directions(kernel: GeneralKernel) -> list[Block]:
     return [
         Paragraph(
             say(
-                "Slides leave directions alone. Read from {} on and around to it again, the "
-                "loop's rotations are",
+                "Slides do not change directions. Read once around, beginning with {}, the "
+                "rotations of the loop are",
                 turns[0],
             ),
             say("1. The directions."),
         ),
         Display((_ROTATIONS,)),
         paragraph(
-            "φ, β, γ and δ being the angles of {}, {}, {} and {}, and A, B, C, D the rotations "
-            "between them, one of which holds the pose. Where φ is known, so is M in",
+            "where φ, β, γ and δ are the angles of {}, {}, {} and {}, and A, B, C, D the rotations "
+            "between them, one of which holds the pose. Once φ is known, so is M in",
             *turns,
         ),
         Display((_LINKAGE,)),
-        paragraph("The entries zz of M and N are the same, an equation of type 2:"),
+        paragraph("The zz entries of M and N are the same, which is an equation of type 2 in γ:"),
         Display(_MIDDLE),
         paragraph(
-            "or the same with −√Δ; and β and δ turn the third column and the third row of N to "
-            "those of M:"
+            "or the same with −√Δ. β and δ turn the third column and the third row of N into those "
+            "of M:"
         ),
         Display(_OUTER),
     ]
@@ -109,19 +109,19 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
         ),
         Display((translation,)),
         paragraph(
-            "u and v being the directions of {} and {} and p what the rest of the loop adds up "
-            "to. All of this is of the form x + y √Δ, and with g = U + V √Δ the product over both "
-            "branches is",
+            "where u and v are the directions of {} and {}, and p is the sum of what the rest of "
+            "the loop adds. All of this has the form x + y √Δ. With g = U + V √Δ, the product of "
+            "g over both signs of √Δ, times w, is",
             first,
             second,
         ),
         Display((_POLYNOMIAL,)),
         paragraph(
             "a trigonometric polynomial of degree 4 in φ, the angle of {}, and so of degree 8 in "
-            "tan(φ/2), with at most eight roots: in w g the degrees of U "
-            "and V are 3 and 2, and w divides the product, of degree 6, as one of the two branches "
-            "stays finite where w vanishes. Its coefficients come from its values at 24 angles; "
-            "all its real roots are isolated by bounds on the circle.",
+            "tan(φ/2), with at most eight roots: in w g the degrees of U and V are 3 and 2, so the "
+            "product is of degree 6, and w divides it, because g stays finite for one of the two "
+            "signs where w vanishes. Its coefficients come from its values at 24 angles; bounds on "
+            "the circle isolate all its real roots.",
             turns[0],
         ),
     ]
@@ -131,9 +131,9 @@ def _lengths(kernel: GeneralKernel) -> Block:
     _, slides = _symbols(kernel)
     return Paragraph(
         say(
-            "At a root the sign of √Δ for which g vanishes gives the other turns, and the linear "
-            "equations {} and {}. Newton steps on the loop bring each solution to rounding, and a "
-            "solution counts only if the loop closes.",
+            "At a root, the sign of √Δ for which g vanishes gives the other turns, and the linear "
+            "equations give {} and {}. Newton steps on the loop refine each solution to rounding "
+            "accuracy, and a solution counts only if the loop closes.",
             *slides,
         ),
         say("3. The other joints."),

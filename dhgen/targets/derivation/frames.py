@@ -29,7 +29,7 @@ def _notation(story: Story) -> list[Prose]:
         return []
     first = turning[0]
     parts = [equal(cosine(first), _of("cos", first)), equal(sine(first), _of("sin", first))]
-    return [say("In short {} and {}.", *parts)]
+    return [say("For short, {} and {}.", *parts)]
 
 
 def _of(function: str, angle: AngleSum) -> Symbol:
@@ -49,8 +49,8 @@ def _parallel(story: Story) -> list[Prose]:
         if against:
             other = f"axis {against[0]} points" if len(against) == 1 else f"{_axes(against)} point"
             text = (
-                f"Along {axes} the direction stays the same, but {other} the other way: the angles "
-                "appear as sums in which the opposite ones are subtracted, {} with {}."
+                f"{axes.capitalize()} are parallel, but {other} the other way: their angles appear "
+                "as sums in which those of opposite axes are subtracted, {} with {}."
             )
         else:
             text = f"{axes.capitalize()} are parallel: their angles appear as sums, {{}} with {{}}."
@@ -79,7 +79,8 @@ def _meeting(story: Story) -> list[Prose]:
     for group, ending in ((right, " at a right angle"), (other, "")):
         if group:
             names = group[0] if len(group) == 1 else f"{', '.join(group[:-1])}, and {group[-1]}"
-            text = f"{names.capitalize()} meet{ending}: there is no link length between them."
+            each = " each" if group[1:] else ""
+            text = f"{names.capitalize()}{each} meet{ending}, with no link length between them."
             found.append(say(text))
     return [sentences(found)] if found else []
 
@@ -107,8 +108,8 @@ def _ends(story: Story) -> list[Prose]:
     still = identity(chain.ring)
     found = []
     if chain.base != still:
-        text = "The base of the arm stands at {} in the caller's frame."
+        text = "The pose of the arm's base in the caller's frame is {}."
         found.append(say(text, Symbol("Z", "Z")))
     if chain.tool != still:
-        found.append(say("The tool stands at {} in the last frame.", Symbol("E", "E")))
+        found.append(say("The pose of the tool in the last frame is {}.", Symbol("E", "E")))
     return [sentences(found)] if found else []

@@ -21,14 +21,15 @@ if TYPE_CHECKING:
 
 POINTING = (
     "The task names where the tool is and where its z axis points, and leaves its turn about that "
-    "axis open. That turn, {}, is taken for a sixth joint behind the tool: with any axes x and y "
-    "across z the pose is whole, and nobody asks for the sixth value."
+    "axis open. That turn, {}, is taken as a sixth joint behind the tool: with any choice of the x "
+    "and y axes the pose is then complete, and the value of the sixth joint is not needed."
 )
 OFFSET_WRIST = (
     "This arm has an offset wrist: axes 1 and 2 and axes 4 and 5 meet at right angles, axes 2 and "
     "3 are parallel. Its polynomial in θ6 is known in closed form and is tried first; no "
     "determinant is needed where it succeeds."
 )
+MISSED = "What keeps this arm from a closed form"
 UNRELATED = "No three neighbouring axes are parallel or meet in one point"
 
 
@@ -40,11 +41,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         paragraph(f"{_why(kernel)} {_most(kernel)}"),
         *([paragraph(POINTING, joint_symbol(kernel, 5))] if kernel.pointing else []),
         *([one_more_turn(kernel)] if kernel.checked else []),
-        *(
-            [paragraph(f"Near to a closed form: {'; '.join(near)} (lengths in {unit}).")]
-            if near
-            else []
-        ),
+        *([paragraph(f"{MISSED}: {'; '.join(near)} (lengths in {unit}).")] if near else []),
         Paragraph(
             say(
                 "With the constant transforms between the joints' axes the forward model is a loop "
@@ -104,12 +101,13 @@ def _given(kernel: GeneralKernel) -> str:
 def _elimination(kernel: GeneralKernel) -> list[Block]:
     first = kernel.first
     hidden, one, two = (joint_symbol(kernel, first.joints[place]) for place in (0, 1, 2))
-    circle = "the first and the second power of" if kernel.hides_a_slide else "cos and sin of"
+    degree = "quadratic in" if kernel.hides_a_slide else "linear in cos and sin of"
     return [
         Paragraph(
             say(
-                "Let three joints, {}, {} and {}, stand on the left and the others on the right. "
-                "Let l and p be the third and fourth column of a side. The fourteen features",
+                "The loop is written with three joints, {}, {} and {}, on the left and the others "
+                "on the right. Let l and p be the third and fourth columns of a side. The fourteen "
+                "numbers in",
                 hidden,
                 one,
                 two,
@@ -126,13 +124,13 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
             )
         ),
         paragraph(
-            f"are the same on both sides. On the left they are linear in 1, {circle} {{}} with "
-            "nine monomials of {} and {}; on the right one joint does not occur at all and eight "
-            "monomials of two joints remain. Eliminating these eight leaves six equations in the "
-            "three joints of the left side.",
-            hidden,
+            "are the same on both sides. On the left they are linear in nine monomials of {} and "
+            f"{{}}, with coefficients {degree} {{}}; on the right one joint does not "
+            "occur at all, and they are linear in eight monomials of the other two. "
+            "Eliminating these eight leaves six equations in the three joints on the left.",
             one,
             two,
+            hidden,
         ),
         *([_right_slide(kernel)] if kernel.slides_on_the_right else []),
     ]
@@ -142,7 +140,7 @@ def _right_slide(kernel: GeneralKernel) -> Block:
     (slide,) = kernel.loop.slides
     return paragraph(
         "{} slides, and stands on the right for a reason: with it on the left the determinant "
-        "below would vanish for every angle, or elsewhere than at the solutions.",
+        "below would vanish for every angle, or at places that are no solutions.",
         joint_symbol(kernel, slide),
     )
 
@@ -172,9 +170,9 @@ def _polynomial(kernel: GeneralKernel) -> list[Block]:
         paragraph(
             f"a trigonometric polynomial of degree 8 in φ, the angle {_whose(kernel)} {{}}, and so "
             "of degree 16 in tan(φ/2), with at most sixteen roots. Its "
-            "coefficients come from its values at 24 angles. Where its roots lie close together on "
-            "one side, as near the boundary of reach, these angles do too: a Möbius map of the "
-            "circle spreads the roots. All real ones are isolated by bounds on the circle.",
+            "coefficients come from its values at 24 angles. Where its roots crowd together, as "
+            "they do near the boundary of the reach, so do these angles: a Möbius map of the "
+            "circle spreads the roots. Bounds on the circle isolate all real roots.",
             hidden,
         ),
     ]
@@ -191,11 +189,11 @@ def _whose(kernel: GeneralKernel) -> str:
 
 def _hidden_slide(kernel: GeneralKernel) -> Block:
     return paragraph(
-        "With a turn hidden the determinant would vanish for every angle, or elsewhere than at the "
-        f"solutions; so the slide is hidden. {{}} is {UNIT:g} arm sizes times the tangent of half "
-        "an angle that is φ but for a constant. The rows are then linear in cos φ and sin φ, and "
-        "what is a polynomial of degree 16 in the length, or less, is one on the circle. The "
-        "determinant has a zero besides where the length is infinite, which is divided out.",
+        "With a turn in its place the determinant would vanish for every angle, or at places "
+        f"that are no solutions; so it is the slide. {{}} is {UNIT:g} arm sizes times the tangent "
+        "of half an angle that differs from φ by a constant. The rows are then linear in cos φ and "
+        "sin φ, and a polynomial of degree 16 or less in the length becomes one on the circle. The "
+        "determinant has one more zero, where the length is infinite; it is divided out.",
         joint_symbol(kernel, kernel.first.joints[0]),
     )
 
@@ -210,9 +208,9 @@ def _null_vectors() -> Block:
     return Paragraph(
         say(
             "For every root the null vector of the matrix gives the next two joints, a small "
-            "linear system two more, and what is left of the loop the last one. Newton steps "
-            "on the loop bring each solution to rounding, and a solution counts only if the "
-            "loop closes."
+            "linear system gives two more, and what is left of the loop gives the last one. Newton "
+            "steps on the loop refine each solution to rounding accuracy, and a solution counts "
+            "only if the loop closes."
         ),
         say("3. The other joints."),
     )
@@ -223,24 +221,25 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
     blocks: list[Block] = [
         Paragraph(
             say(
-                "Every simple root owns a solution, every double one two, and the number of "
-                "solutions is even; otherwise "
+                "All solutions have been found if there is one for every simple root and two for "
+                "every double root, and their number is even. Otherwise "
                 + (
-                    f"the same is done with {' and then with '.join('{}' for _ in others)} hidden, "
-                    "and then from a pose nearby."
+                    f"the same is done with {', then with '.join('{}' for _ in others)} in the "
+                    f"place of {{}}, and then from a nearby pose."
                     if others
-                    else "the search is repeated from a pose nearby and followed back."
+                    else "the search is repeated from a nearby pose and followed back."
                 ),
                 *others,
+                *([joint_symbol(kernel, kernel.first.joints[0])] if others else []),
             ),
             say("4. The certificate."),
         ),
         paragraph(
             "Rows are ordered by the value of joint 1, then of joint 2 and so on. Where roots meet "
-            "or the certificate is missing, damped least squares from the seed and from a few "
-            "evenly spread starts add what they find. Where the arm is singular, a solution may be "
-            "double, or one of a continuum: then it is pulled along the continuum towards the "
-            "seed, and its status is FREE_JOINT."
+            "or the certificate fails, damped least squares from the seed and from a few evenly "
+            "spread starts add what they find. Where the arm is singular, a solution may be double "
+            "or belong to a continuum: then it is pulled along the continuum towards the seed, and "
+            "its status is FREE_JOINT."
         ),
     ]
     return blocks

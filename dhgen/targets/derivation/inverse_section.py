@@ -163,8 +163,8 @@ def _point(story: Story, point: Point) -> list[Block]:
         text = "The pose gives a second point {}, the origin of frame {}"
         head = say(text, Symbol("w", "w"), Given(str(k)))
     text = (
-        f"{{}}: {joints} {turn} not move it. In the last frame it is {{}}, so its place follows "
-        "from the pose alone,"
+        f"{{}}: {joints} {turn} not move it. In the last frame it is {{}}, so its position "
+        "follows from the pose alone:"
     )
     entries = [story.write(entry) for entry in point.in_tool]
     shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
@@ -174,7 +174,7 @@ def _point(story: Story, point: Point) -> list[Block]:
 def _base_point(story: Story, point: BasePoint) -> list[Block]:
     """A point of the base as the tool sees it: R' (b - t)."""
     target = story.derivation.problem.target
-    name = Symbol("w", "w", point.names[0].rpartition("x")[0])
+    name = letter("w", "w", point.names[0][1:-1])
     coordinates = []
     for column, own in enumerate(point.names):
         total = story.algebra.ring.zero
@@ -183,9 +183,7 @@ def _base_point(story: Story, point: BasePoint) -> list[Block]:
         coordinates.append(equal(story.letters[own], story.write(total)))
     entries = [story.write(entry) for entry in point.in_base]
     shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
-    text = (
-        "The point {} of the base, which no joint before it moves, is seen in the last frame at {},"
-    )
+    text = "The point {} is fixed in the base. Seen from the last frame it is at {}:"
     return [paragraph(text, shown, name), display(*coordinates)]
 
 

@@ -89,22 +89,22 @@ def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
             f"axes {first} and {last} are parallel, and only the sum or the difference of their "
             "angles is determined"
         )
-    serves = "every {} serves"
+    works = "every {} works"
     if _is_left_to_the_pose(context):
-        serves = (
+        works = (
             "this equation holds for every {}, the others for all, a few or none of them; "
-            "a row tells one"
+            "the row holds one"
         )
     if _is_about_first_axis(context):
-        text = "{} lies on axis 1, and " + serves
+        text = "{} lies on axis 1, and " + works
         return say(text, point_name(context), theta(context.angle))
-    return say(serves, theta(context.angle))
+    return say(works, theta(context.angle))
 
 
 def meaning_of_root(context: StepContext) -> Prose:
     """What the arm looks like where the two values of a step meet."""
     if _is_about_first_axis(context):
-        text = "{} is as near to axis 1 as the offset of the arm lets it come"
+        text = "{} is as close to axis 1 as the offset of the arm allows"
         return say(text, point_name(context))
     return say("the arm is at the edge of its reach")
 

@@ -40,8 +40,8 @@ def _text(story: Story) -> Prose:
     joints = story.algebra.chain.joints
     shifted = any(j.kind is JointKind.REVOLUTE and j.offset != 0.0 for j in joints)
     if not (_sums(story) or shifted):
-        return say("What is left are the variables that the caller sees:")
-    text = "What is left is addition; whole turns are taken off, so that every angle lies in {}:"
+        return say("What remains is to return to the joint variables:")
+    text = "What remains is addition; whole turns are taken off, so that every angle lies in {}:"
     return say(text, Symbol(r"(-\pi, \pi]", "(−π, π]"))
 
 
@@ -124,7 +124,7 @@ def _check(story: Story) -> Block:
     asked, own = chain.task.dimension, chain.dof - chain.given
     return paragraph(
         f"The task has {numeral(asked)} independent numbers, the arm {counted(own, 'joint')}, so "
-        "not every pose can be taken. Each solution is put into the forward model; where an entry "
+        "it cannot take every pose. Each solution is put into the forward model; where an entry "
         "differs from the given one, the arm cannot take the pose and the row stays empty."
     )
 
@@ -132,20 +132,20 @@ def _check(story: Story) -> Block:
 def _tightening(program: Program) -> Block:
     """What is done with rows that are good to few digits."""
     text = (
-        "Angles of short vectors, and roots that nearly meet, are good to few digits. A row that "
-        "misses the pose by little is tightened: it takes steps of damped least squares, with the "
-        "Jacobian of the whole task, until it is exact or comes no nearer. Such a row may be a "
-        "little out of reach before, and is none if it still is."
+        "Angles of short vectors, and roots that nearly meet, are good to a few digits only. A row "
+        "that misses the pose by a little is tightened: steps of damped least squares, with the "
+        "Jacobian of the whole task, improve it until it is exact or comes no closer. Before that, "
+        "it may be slightly out of reach; if it still is afterwards, it stays empty."
     )
     if finds_roots(program):
         text += (
-            " Where two roots nearly meet, a joint may be nearly free, and the row of one root "
-            "that stands for both is none of their solutions. Steps from it lead to one of them; "
-            "the root of the other one is as far from it on the other side."
+            " Where two roots nearly meet, a joint may be nearly free. One root may then stand for "
+            "both, and its row is the solution of neither. The steps lead from it to one of the "
+            "two solutions; the root of the other lies as far away on the other side."
         )
     if program.tightened is not None and program.tightened.checked:
         text += (
-            " If one row is exact then, the pose was not rounded, and all have to be exact; if "
-            "none is, they stay as they were."
+            " If a row is exact after that, the pose was not rounded, and all rows have to be "
+            "exact; if none is, they stay as they were."
         )
     return paragraph(text)

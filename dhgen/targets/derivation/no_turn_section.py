@@ -20,11 +20,11 @@ def one_more_turn(kernel: GeneralKernel) -> Block:
     count = kernel.asked
     last, turn = joint_symbol(kernel, count - 1), joint_symbol(kernel, count)
     return paragraph(
-        f"The task names {numeral(count + 1)} numbers and the joints are {numeral(count)}: most "
-        "poses the arm cannot take, and those that it can take it usually takes in one way. To "
-        "find that way, one more joint that the arm does not have, {}, stands between {} and the "
-        "tool, about an axis that was chosen freely, skew to that of {}: the transform W leads to "
-        "it, and W⁻¹ back. With it the arm takes every pose nearby, too. The solutions of the arm "
+        f"The task names {numeral(count + 1)} numbers and the arm has {numeral(count)} joints: it "
+        "cannot take most poses, and usually takes one that it can in a single way. To find that "
+        "way, an imaginary further joint, {}, is put between {} and the tool. It turns about an "
+        "axis that was chosen freely, skew to that of {}: a constant transform W leads to it, and "
+        "W⁻¹ leads back. With it, the arm can take all nearby poses too. The solutions of the arm "
         "are those in which {} comes out as zero.",
         turn,
         last,
@@ -38,14 +38,14 @@ def check(kernel: GeneralKernel) -> Block:
     turn = joint_symbol(kernel, kernel.asked)
     return Paragraph(
         say(
-            f"Solutions in which {{}} is above {NEARLY_NONE:g} rad are set aside, above "
-            f"{NEARLY_NONE_IN_DOUBT:g} rad where the certificate fails or solutions meet. In the "
-            "others it is dropped, and damped least squares take the arm's joints to where they "
-            f"miss the pose least. They count if that is within {_power(TOLERANCES.consistent)} "
-            "arm sizes and rad, because a pose may have been rounded; where one misses it by less "
-            f"than {_power(TOLERANCES.polished)}, the pose was not, and all have to. If none is "
-            "left, the seed and a few evenly spread starts are followed in the same way before the "
-            "pose is UNREACHABLE.",
+            f"Solutions in which {{}} is larger than {NEARLY_NONE:g} rad are set aside, or larger "
+            f"than {NEARLY_NONE_IN_DOUBT:g} rad where the certificate fails or solutions meet. In "
+            "the others it is dropped, and damped least squares take the arm's joints to where "
+            "they miss the pose least. Because a pose may have been rounded, they count if they "
+            f"miss it by no more than {_power(TOLERANCES.consistent)} arm sizes and rad; but if "
+            f"one misses it by less than {_power(TOLERANCES.polished)}, the pose was not rounded, "
+            "and all have to come as close. If none is left, the same is tried from the seed and "
+            "from a few evenly spread starts before the pose is UNREACHABLE.",
             turn,
         ),
         say("5. The check."),

@@ -24,17 +24,17 @@ def numerical_section(kernel: NumericalKernel) -> list[Block]:
     return [
         Heading(2, say("Inverse, numerically")),
         paragraph(
-            f"{why} It is solved by iteration, as was asked for; what follows is no derivation, "
-            "and there is no proof that a solution which is not found does not exist."
+            f"{why} It is solved by iteration, because that was asked for. What follows is not a "
+            "derivation, and nothing proves that there are no solutions besides those found."
         ),
         Paragraph(
             say(
-                "Let e be the motion that is missing from the pose wanted: lengths over the arm's "
-                "size, and the rotation vector where a direction counts. Let A say how the joints "
-                "move the tool: the rows of the Jacobian above that the task names, lengths of "
-                "prismatic joints in arm sizes. From a start the joints go by steps of damped "
-                "least squares (C. W. Wampler, 1986), the damping a part of the squared miss "
-                "(T. Sugihara, 2011), so that the last steps are Newton's:"
+                "Let e be the motion that the tool still lacks to the wanted pose: lengths divided "
+                "by the arm's size and, where directions count, a rotation vector. Let A be the "
+                "rows of the Jacobian above that the task names, with all lengths in units of the "
+                "arm's size. From a start the joints go by steps of damped least squares (C. W. "
+                "Wampler, 1986). The damping is proportional to the squared miss (T. Sugihara, "
+                "2011), so that the last steps are Newton's:"
             ),
             say("1. A descent."),
         ),
@@ -65,9 +65,9 @@ def _all(kernel: NumericalKernel) -> list[Block]:
         ),
         Paragraph(
             say(
-                "Where a direction of the joints leaves the tool where it is, solutions are looked "
-                "for to both sides along it. If there are, the solution is one of a continuum: it "
-                "is pulled along it towards the seed, and its status is FREE_JOINT."
+                "Where the joints can move in a direction without moving the tool, solutions are "
+                "looked for on both sides along it. If there are any, the solution is one of a "
+                "continuum: it is pulled along it towards the seed, and its status is FREE_JOINT."
             ),
             say("3. Singular poses."),
         ),
@@ -78,13 +78,12 @@ def _nearest() -> list[Block]:
     return [
         Paragraph(
             say(
-                "Each step also goes half of the way to the seed, as far as that leaves the tool "
-                "where it is; a joint that would leave its limits is put there and held. This is "
+                "Each step also goes half of the way back to the seed, as far as that does not "
+                "move the tool; a joint that would exceed a limit is put on it and held. This is "
                 f"done from the seed and from {constants.REDUNDANT_STARTS - 1} more starts, which "
-                "fill the joint space evenly (M. Roberts, 2018), and of the solutions found the "
-                "one nearest to the seed is row 0. Only where there is none inside the limits is "
-                "one taken that is not."
+                "fill the joint space evenly (M. Roberts, 2018). Row 0 is the solution nearest to "
+                "the seed among those inside the limits, or among all if none is inside."
             ),
-            say("2. The solution near to the seed."),
+            say("2. The solution near the seed."),
         )
     ]

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ANGLES = ("twist", "the angle")
 TURNED = ("cosine of", "sine of")
-SIGNS = " Cosines and sines stand without their signs, which the formulas have."
+SIGNS = " Cosines and sines are given without their signs, which stand in the formulas."
 
 
 def constant_blocks(story: Story) -> list[Block]:
@@ -35,7 +35,11 @@ def constant_blocks(story: Story) -> list[Block]:
     if made:
         numbers = joined([_constant(story, each) for each in made])
         signs = SIGNS if any(each.meaning.startswith(TURNED) for each in made) else ""
-        blocks.append(paragraph("Numbers without a name in the file: {}." + signs, numbers))
+        blocks.append(
+            paragraph(
+                "Letters for numbers that have no name in the robot file: {}." + signs, numbers
+            )
+        )
     return blocks
 
 

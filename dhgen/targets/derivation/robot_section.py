@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 _TASKS = {
     TaskKind.POSE: "the pose of the tool, position and orientation",
-    TaskKind.POSITION: "the position of the tool; the orientation is what it comes to be",
-    TaskKind.ORIENTATION: "the orientation of the tool; its position is not asked for",
+    TaskKind.POSITION: "the position of the tool; its orientation is not prescribed",
+    TaskKind.ORIENTATION: "the orientation of the tool; its position is not prescribed",
     TaskKind.POINTING: "the position of the tool and the direction of its z axis",
 }
 
@@ -84,11 +84,11 @@ def _solutions(story: Story) -> str:
         return "Every pose within reach has one solution, row 0."
     count = counted(rows, "solution")
     if story.derivation.whole is not None:
-        return f"At most {count}, in rows by ascending values of the joints."
+        return f"At most {count}, in rows by ascending joint values."
     if story.has_branch_words:
         named = ", ".join(f"{place} {name}" for place, name in enumerate(story.branch_names))
         if story.derivation.method is Method.QUARTIC:
-            return f"At most {count}, the roots of the quartic ascending: {named}."
+            return f"At most {count}, in rows by ascending roots of the quartic: {named}."
         return f"At most {count}, each always in the same row: {named}."
     return (
         f"At most {count}, each always in the same row, 0 to {rows - 1}; the tree below gives the "

@@ -127,7 +127,7 @@ def _rewriting(context: StepContext) -> list[Block]:
     ]
     text = "{} is known by now, so" if len(known) == 1 else "{} are known by now, so"
     if not known:
-        return [paragraph("By what is known,"), display(*lines)]
+        return [paragraph("With what is known by now,"), display(*lines)]
     return [paragraph(text, joined(known)), display(*lines)]
 
 

@@ -54,7 +54,7 @@ def _whole(kernel: GeneralKernel | NumericalKernel, story: Story) -> list[str]:
             *([CHECKED] if kernel.checked else []),
         ]
     if kernel.redundant:
-        return ["numerical, as asked for: the solution near to the seed, by damped least squares"]
+        return ["numerical, as asked for: the solution near the seed, by damped least squares"]
     found = "by damped least squares, as many as are found from evenly spread starts"
     return [f"numerical, as asked for: up to {kernel.rows} solutions {found}; others may exist"]
 

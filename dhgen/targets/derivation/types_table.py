@@ -55,11 +55,11 @@ def types_table(story: Story) -> list[Block]:
     header = tuple(say(word) for word in ("type", "equations", "steps"))
     rows = tuple(_row(story, kind) for kind in kinds)
     new = [f"type {kind.value}" for kind in kinds if kind in _BEYOND]
-    beyond = f"; {' and '.join(new)} {'is' if len(new) == 1 else 'are'} beyond it" if new else ""
+    beyond = f"; {' and '.join(new)} {'is' if len(new) == 1 else 'are'} not in it" if new else ""
     text = (
-        "The types that occur here, with their numbers in document 003, which has the table of "
-        f"W. Khalil and E. Dombre (2002{beyond}): {{}} is an unknown length, {{}} and {{}} are "
-        "cosine and sine of an unknown angle, and capitals are known."
+        "The types that occur here, numbered as in document 003, which has the table of W. Khalil "
+        f"and E. Dombre (2002{beyond}): {{}} is an unknown length, {{}} and {{}} are the cosine "
+        "and sine of an unknown angle, and capitals are known."
     )
     letters = Symbol("r", "r"), Symbol("c_i", "cᵢ"), Symbol("s_i", "sᵢ")
     return [paragraph(text, *letters), Table(header, rows)]

@@ -94,7 +94,7 @@ def _homogeneous(context: StepContext) -> StepText:
     free = _free(context, second)
     blocks.append(
         paragraph(
-            "There always is a solution. Degenerate when {}: {}. Then {}.",
+            "There is always a solution. Degenerate when {}: {}. Then {}.",
             free.condition,
             free.meaning,
             free.effect,
@@ -134,7 +134,7 @@ def _free(context: StepContext, second: Second | None) -> Singularity:
 
 
 def _single(context: StepContext) -> StepText:
-    """Y c = Z or X s = Z: the cosine or the sine is known, the other but for its sign."""
+    """Y c = Z or X s = Z: the cosine or the sine is known, the other up to its sign."""
     by_cosine = not context.polynomial("X")
     known, other = (cosine, sine) if by_cosine else (sine, cosine)
     name = "Y" if by_cosine else "X"
@@ -177,7 +177,7 @@ def _general(context: StepContext) -> StepText:
     blocks: list[Block] = [
         *_letters(context, Z, "XYZ"),
         paragraph(
-            "The squares of {} and {} add up to {}, so the second is known but for its sign,",
+            "The squares of {} and {} add up to {}, so the second is known up to its sign,",
             add(times(X, s), times(Y, c)),
             subtract(times(Y, s), times(X, c)),
             SQUARES,

@@ -58,7 +58,9 @@ def _direct(context: StepContext) -> StepText:
         full = over(context.story.write(context.polynomial(value)), context.value(factor))
         lines.append(equal(symbol, full, over(context.value(value), context.value(factor))))
     solution = equal(theta(context.angle), atan2(s, c))
-    return StepText((paragraph("Sine and cosine stand alone:"), display(*lines, solution)))
+    return StepText(
+        (paragraph("Each equation holds the sine or the cosine alone:"), display(*lines, solution))
+    )
 
 
 def _cramer(context: StepContext) -> StepText:
@@ -94,7 +96,7 @@ def _cramer(context: StepContext) -> StepText:
 
 def _free(context: StepContext, turned: int) -> Singularity:
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
-    meaning = say("every {} serves", theta(context.angle))
+    meaning = say("every {} works", theta(context.angle))
     if about is not None and turned:
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
     return Singularity(
@@ -127,7 +129,7 @@ def _only_if(context: StepContext) -> Prose:
                 return say("")
             lengths.append(sum(constant_value(algebra, part) ** 2 for part in parts) ** 0.5)
         equal_links = abs(lengths[0] - lengths[1]) <= CLOSE * sum(lengths)
-        ending = "as here" if equal_links else "unlike here"
+        ending = "as this arm has" if equal_links else "which this arm does not have"
         return say(f" (possible only with two links of equal length, {ending})")
     return say("")
 

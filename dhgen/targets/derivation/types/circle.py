@@ -52,13 +52,13 @@ def print_circle(context: StepContext) -> StepText:
             "its real roots, at most four, give {}; {} follows for each of them.",
             *names,
         ),
-        paragraph("No solution when it has no real root; where two roots meet they count once."),
+        paragraph("No solution when it has no real root; where two roots meet, they count once."),
     ]
     free = Singularity(
         context.number,
         say("all coefficients of the equation vanish at once"),
         None,
-        say("every {} serves", theta(kept)),
+        say("every {} works", theta(kept)),
         free_effect(context),
     )
     text = "Degenerate when {}: {}. Then {}."

@@ -26,7 +26,7 @@ def print_length(context: StepContext) -> StepText:
         solved = equal(r, full, over(context.value("Y"), x))
         quoted = equal(*(context.story.write(s) for s in (quote.left, quote.right)))
         if solved == quoted:
-            return StepText((paragraph("The unknown stands alone already."),))
+            return StepText((paragraph("Here the unknown already stands alone."),))
         return StepText((display(solved),))
     blocks: list[Block] = [
         paragraph("This is {} with", equal(times(X, r), Y)),
@@ -35,8 +35,8 @@ def print_length(context: StepContext) -> StepText:
     ]
     if context.is_constant("X"):
         return StepText(tuple(blocks))
-    meaning = say("every {} serves if {}, none otherwise", r, equal(Y, ZERO))
+    meaning = say("every {} works if {}, and none otherwise", r, equal(Y, ZERO))
     free = Singularity(context.number, equal(X, ZERO), None, meaning, free_effect(context))
-    text = "Degenerate when {}: {}. If it serves, {}."
+    text = "Degenerate when {}: {}. If it works, {}."
     blocks.append(paragraph(text, equal(X, ZERO), meaning, free.effect))
     return StepText(tuple(blocks), (free,))

@@ -21,7 +21,7 @@ def print_polar(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     (full_u, u), (full_v, v) = _quotient(context, "1"), _quotient(context, "2")
     axis = Given(str(context.angle.terms[-1][0]))
-    text = "the slide is drawn in to axis {}, and every {} serves"
+    text = "the slide is drawn in as far as axis {}, and every {} works"
     meaning = say(text, axis, theta(context.angle))
     zero = equal(r, ZERO)
     free = Singularity(context.number, zero, zero, meaning, free_effect(context))
@@ -34,7 +34,7 @@ def print_polar(context: StepContext) -> StepText:
             equal(theta(context.angle), atan2(times(context.sign, u), times(context.sign, v))),
         ),
         paragraph(
-            "There always is a solution. Degenerate when {}: {}. Then {}.",
+            "There is always a solution. Degenerate when {}: {}. Then {}.",
             zero,
             meaning,
             free.effect,

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 PRIMED = {name: Symbol(f"{name}'", f"{name}'") for name in "XY"}
 ADDED = {name: Symbol(rf"\hat {name}", f"{name}^") for name in "XY"}
 WEIGHT = Symbol(r"\sigma", "σ")
+OF_MOMENT = ", an element of the cross product of columns 3 and 4"
 FACING = -1  # the pool's equations are right - left, those on paper left = right
 
 
@@ -68,20 +69,20 @@ class Second:
         along = add(times(x, PRIMED["X"]), times(y, PRIMED["Y"]))
         return [
             paragraph(
-                "Where {} and {} are small this says little of {}. The task asks for more than the "
-                "arm can choose, so that the pose says it twice; from {}{}:",
+                "Where {} and {} are small, this says little about {}. The task fixes more numbers "
+                "than the arm has joints, so the pose gives a second equation; from {}{}:",
                 x,
                 y,
                 theta(angle),
                 element_of(origin),
-                say(", the moment of column 3 at column 4" if origin.column == MOMENT else ""),
+                say(OF_MOMENT if origin.column == MOMENT else ""),
             ),
             display(shown),
             paragraph("This is {} with", equal(left, ZERO)),
             display(*letters),
             paragraph(
-                "Both vectors lie along one line. They are added, turned to the same side, with "
-                "lengths in arm sizes:"
+                "The vectors of both equations lie along one line. They are added, the second one "
+                "turned to the side of the first, with lengths in units of the arm's size:"
             ),
             display(equal(WEIGHT, Call("sgn", (along,))), *sums),
         ]

@@ -71,13 +71,13 @@ def _squares(context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomia
     ]
     if is_elimination(context):
         text = (
-            "With the terms of the other angle alone on one side, the sum of the squares holds {} "
-            "only."
+            "With the terms of the other angle on a side of their own, the sum of the squares "
+            "depends on {} only."
         )
         return [*called, paragraph(text, theta(context.angle))]
     algebra = context.story.algebra
     s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
-    text = "and the sum of the squares of both equations holds {} alone:"
+    text = "and the sum of the squares of both equations depends on {} alone:"
     return [
         *called,
         paragraph(text, theta(context.angle)),
