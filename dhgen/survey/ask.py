@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.status import Status
-from dhgen.survey.oracle.newton import solve
 from dhgen.survey.oracle.poses import random_joints
+from dhgen.survey.oracle.search import solve
 from dhgen.survey.singular import in_a_family, is_redundant, singular_sets
 
 if TYPE_CHECKING:

@@ -16,10 +16,10 @@ from dhgen.program.tolerances import DOUBLE
 from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
-from dhgen.survey.oracle.newton import all_solutions
 from dhgen.targets.c import c_files
 from dhgen.targets.module import SolverModule
 from dhgen.verify.native import compile_solver
+from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -15,8 +15,8 @@ from dhgen.program.interpret import interpret
 from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.status import Status
-from dhgen.survey.oracle.newton import all_solutions
 from tests.general.files import SLIDE, TURNS, compiled, skew, without_derivation
+from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
     from pathlib import Path

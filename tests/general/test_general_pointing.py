@@ -14,8 +14,8 @@ from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.load import load
-from dhgen.survey.oracle.newton import all_solutions
 from tests.general.files import SLIDE, TURNS, alike, skew
+from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -17,10 +17,11 @@ from dhgen.robot.robot import JointKind
 from dhgen.status import HELD, Status
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.oracle.forward import forward
-from dhgen.survey.oracle.poses import joint_sets, random_joints
+from dhgen.survey.oracle.poses import random_joints
 from dhgen.survey.oracle.problem import task_entries
 from dhgen.survey.singular import is_redundant
 from tests.generated.solvers import GENERATED, NAMES, given, library, module, robot
+from tests.oracle.sets import joint_sets
 from tests.structures import COMPILED
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.arm_angle import given_values
-from dhgen.survey.oracle.newton import solve
 from dhgen.survey.oracle.poses import NEAR, right_angles
+from dhgen.survey.oracle.search import solve
 from dhgen.survey.singular import in_a_family, singular_sets
 from tests.generated.asking import GENERAL, trial
 from tests.generated.solvers import NAMES, robot

@@ -7,7 +7,8 @@ import pytest
 
 from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.arm import arm, arm_size
-from dhgen.survey.oracle.poses import boundary, joint_sets, out_of_form, out_of_reach, right_angles
+from dhgen.survey.oracle.poses import boundary, right_angles
+from tests.oracle.sets import joint_sets, out_of_form, out_of_reach
 from tests.robots.cases import NAMES, robot
 
 

@@ -14,7 +14,7 @@ from dhgen.paul.derivation import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lower import lower
 from dhgen.robot.load import load
-from dhgen.survey.oracle.newton import all_solutions
+from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
     from pathlib import Path

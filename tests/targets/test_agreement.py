@@ -10,7 +10,8 @@ import pytest
 from dhgen.program.interpret import interpret
 from dhgen.status import HELD
 from dhgen.survey.oracle.forward import jacobian
-from dhgen.survey.oracle.poses import one_joint_at, random_joints, right_angles
+from dhgen.survey.oracle.poses import random_joints, right_angles
+from tests.oracle.sets import one_joint_at
 from tests.targets.made import (
     MADE_UP_NAMES,
     NAMES,

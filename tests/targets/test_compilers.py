@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import one_joint_at, out_of_reach, random_joints, right_angles
+from dhgen.survey.oracle.poses import random_joints, right_angles
+from tests.oracle.sets import one_joint_at, out_of_reach
 from tests.targets.made import MADE_UP_NAMES, NAMES, ROBOTS, folder, made, poses_of, robot
 
 if TYPE_CHECKING:

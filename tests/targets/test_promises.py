@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.newton import solve
-from dhgen.survey.oracle.poses import one_joint_at, random_joints, right_angles
+from dhgen.survey.oracle.poses import random_joints, right_angles
+from dhgen.survey.oracle.search import solve
+from tests.oracle.sets import one_joint_at
 from tests.targets.calling import HELD, LANGUAGES, OK, Solver
 from tests.targets.made import (
     MADE_UP_NAMES,

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.survey.oracle.poses import out_of_form, out_of_reach, random_joints
+from dhgen.survey.oracle.poses import random_joints
+from tests.oracle.sets import out_of_form, out_of_reach
 from tests.targets.calling import (
     FREE_JOINT,
     HELD,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.survey.oracle.follow import _compiled
+from dhgen.survey.oracle.levenberg_marquardt import _compiled
 from tests.targets.made import folder, made
 
 if TYPE_CHECKING:
@@ -59,5 +59,5 @@ def test_the_search_that_counts_solutions_works_there_too(monkeypatch: pytest.Mo
             raise RuntimeError("cannot cache function: no locator available")
         return "compiled"
 
-    monkeypatch.setattr("dhgen.survey.oracle.follow.njit", without_folder)
+    monkeypatch.setattr("dhgen.survey.oracle.levenberg_marquardt.njit", without_folder)
     assert str(_compiled(lambda: None)) == "compiled"

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.survey.oracle.follow import (
+from dhgen.survey.oracle.levenberg_marquardt import (
     CONVERGED,
     EASED,
     FIRST_DAMPING,

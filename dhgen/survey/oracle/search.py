@@ -1,4 +1,4 @@
-"""All inverse kinematic solutions of a pose, by Levenberg-Marquardt from very many starts.
+"""A search for all inverse kinematic solutions of a pose, downhill from very many starts.
 
 Nothing here knows about a robot's structure: it is slow, plain, and finds for any arm and any
 task what a closed form must also find. Random starts go on, batch after batch, until several
@@ -58,24 +58,6 @@ class _Places:
         return _Places(self.q[chosen], self.times[chosen])
 
 
-def all_solutions(
-    robot: Robot, T: ArrayLike, q_free: Sequence[float] = (), *, seed: int = 0
-) -> FloatArray:
-    """Every isolated, simple solution, whether inside the joint limits or not.
-
-    Args:
-        robot: The robot; its task says which entries of T count, its `free` which joints are given.
-        T: Pose of the tool in the base, shape (4, 4).
-        q_free: Values of the free joints [rad or length], in the order of `robot.free`, or the arm
-            angle.
-        seed: Of the random starts; the answer should not depend on it.
-
-    Returns:
-        Joint values [rad or length], shape (k, n), sorted; revolute joints in (-pi, pi].
-    """
-    return solve(robot, T, q_free, seed=seed).regular
-
-
 def solve(
     robot: Robot,
     T: ArrayLike,
@@ -84,13 +66,16 @@ def solve(
     seed: int = 0,
     at_least: int = 0,
 ) -> Found:
-    """Like `all_solutions`, with the singular solutions that the search came across.
+    """Every isolated, simple solution, and the singular ones that the search came across.
+
+    They may be inside the joint limits or not.
 
     Args:
-        robot: The robot.
+        robot: The robot; its task says which entries of T count, its `free` which joints are given.
         T: Pose of the tool in the base, shape (4, 4).
-        q_free: Values of the free joints [rad or length].
-        seed: Of the random starts.
+        q_free: Values of the free joints [rad or length], in the order of `robot.free`, or the arm
+            angle.
+        seed: Of the random starts; the answer should not depend on it.
         at_least: A search that has found fewer goes on for as long as it may.
     """
     problem = state(robot, np.asarray(T, dtype=float), q_free)

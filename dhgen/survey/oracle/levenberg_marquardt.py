@@ -103,6 +103,18 @@ def _linearise(
 
 
 @_compiled
+def _gradient(J: FloatArray, error: FloatArray, gradient: FloatArray) -> float:
+    """Half the slope of the squared error (k,) is written; its square."""
+    square = 0.0
+    for i in range(len(gradient)):
+        gradient[i] = 0.0
+        for row in range(len(error)):
+            gradient[i] += J[row, i] * error[row]
+        square += gradient[i] * gradient[i]
+    return square
+
+
+@_compiled
 def _damped_step(
     J: FloatArray, gradient: FloatArray, damping: float, L: FloatArray, step: FloatArray
 ) -> None:
@@ -126,6 +138,44 @@ def _damped_step(
         for k in range(i + 1, n):
             total -= L[k, i] * step[k]
         step[i] = total / L[i, i]
+
+
+@_compiled
+def _follow_one(
+    links: FloatArray,
+    twists: FloatArray,
+    turning: NDArray[np.bool_],
+    entries: Indices,
+    target: FloatArray,
+    moving: Indices,
+    here: FloatArray,
+) -> float:
+    """The same of one start (n,), which is overwritten with its end; the squared residual."""
+    n, m, k = len(here), len(entries), len(moving)
+    T, axes, L = np.empty((3, 4)), np.empty((n, 6)), np.empty((k, k))
+    error, J, gradient, step = np.empty(m), np.empty((m, k)), np.empty(k), np.empty(k)
+    trial, trial_error, trial_J = np.empty(n), np.empty(m), np.empty((m, k))
+    damping = FIRST_DAMPING
+    _place(links, twists, turning, here, T, axes)
+    cost = _linearise(T, axes, entries, target, moving, error, J)
+    for _ in range(STEPS):
+        if cost < CONVERGED or damping > MOST_DAMPING:
+            break
+        slope = _gradient(J, error, gradient)
+        if slope < (STATIONARY_NEAR if cost < NEAR else STATIONARY) * cost:
+            break
+        _damped_step(J, gradient, damping, L, step)
+        trial[:] = here
+        trial[moving] -= step
+        _place(links, twists, turning, trial, T, axes)
+        reached = _linearise(T, axes, entries, target, moving, trial_error, trial_J)
+        if reached < cost:
+            here[:], cost = trial, reached
+            error, trial_error, J, trial_J = trial_error, error, trial_J, J
+            damping = max(damping / EASED, LEAST_DAMPING)
+        else:
+            damping *= RAISED
+    return cost
 
 
 @_compiled
@@ -153,39 +203,7 @@ def follow(
     Returns:
         The squared residuals of the ends (N,).
     """
-    n, m, k = q.shape[1], len(entries), len(moving)
-    T, axes, L = np.empty((3, 4)), np.empty((n, 6)), np.empty((k, k))
-    error, J, gradient, step = np.empty(m), np.empty((m, k)), np.empty(k), np.empty(k)
-    trial, trial_error, trial_J = np.empty(n), np.empty(m), np.empty((m, k))
-    costs = np.empty(len(q))
+    squares = np.empty(len(q))
     for start in range(len(q)):
-        here = q[start]
-        damping = FIRST_DAMPING
-        _place(links, twists, turning, here, T, axes)
-        cost = _linearise(T, axes, entries, target, moving, error, J)
-        for _ in range(STEPS):
-            if cost < CONVERGED or damping > MOST_DAMPING:
-                break
-            slope = 0.0
-            for i in range(k):
-                gradient[i] = 0.0
-                for row in range(m):
-                    gradient[i] += J[row, i] * error[row]
-                slope += gradient[i] * gradient[i]
-            if slope < (STATIONARY_NEAR if cost < NEAR else STATIONARY) * cost:
-                break
-            _damped_step(J, gradient, damping, L, step)
-            trial[:] = here
-            for i in range(k):
-                trial[moving[i]] -= step[i]
-            _place(links, twists, turning, trial, T, axes)
-            reached = _linearise(T, axes, entries, target, moving, trial_error, trial_J)
-            if reached < cost:
-                here[:], cost = trial, reached
-                error, trial_error = trial_error, error
-                J, trial_J = trial_J, J
-                damping = max(damping / EASED, LEAST_DAMPING)
-            else:
-                damping *= RAISED
-        costs[start] = cost
-    return costs
+        squares[start] = _follow_one(links, twists, turning, entries, target, moving, q[start])
+    return squares
