@@ -1,4 +1,8 @@
-"""Every tolerance of the generated code, with its reason. Nothing else decides what is zero.
+"""What generated code takes for rounding, in each arithmetic, with the reason.
+
+What one method alone decides by stands with it: in `dhgen/general`, in `dhgen/numerical`, and in
+`dhgen/targets` for families of solutions and for what stands on a limit. So does what the compiler
+itself takes for zero where it looks at numbers.
 
 Lengths are relative to the size of the arm; rounding in a pose is a few 1e-16 of it, after the
 products of a derivation a few 1e-15. In single precision it is a few 1e-8 and a few 1e-7.
