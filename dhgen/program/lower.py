@@ -7,6 +7,7 @@ from functools import cache, partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
+from dhgen.method import Method
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.branches import branch_words
 from dhgen.paul.forms import unknown_name
@@ -151,8 +152,7 @@ class Lowering:
     @property
     def mends_roots(self) -> bool:
         """Whether rows that come from roots of a polynomial are tightened."""
-        rooted = any(step.kind is Kind.CIRCLE for step in self._derivation.steps)
-        return rooted and self._checks.tightened
+        return self._derivation.method is Method.QUARTIC and self._checks.tightened
 
     @property
     def doubts_rows(self) -> bool:
