@@ -50,6 +50,7 @@ class Constant:
         square: Its square if that is rational (square roots), else None.
         cosine: For the sine of a twist, the name of its cosine, else None.
         is_length: Whether it scales with the arm.
+        parameter: What it is called in the robot file, where it has a name there.
     """
 
     name: str
@@ -58,6 +59,7 @@ class Constant:
     square: Fraction | None = None
     cosine: str | None = None
     is_length: bool = True
+    parameter: str | None = None
 
 
 SQRT2 = Constant("sqrt2", math.sqrt(2.0), "square root of 2", square=Fraction(2), is_length=False)
@@ -162,7 +164,8 @@ class ConstantTable:
         free = name
         while _GENERATORS.fullmatch(free) or (free != name and free in self.parameters):
             free += "_"
-        return self._add(Constant(free, self.parameters[name], meaning, is_length=is_length))
+        value = self.parameters[name]
+        return self._add(Constant(free, value, meaning, is_length=is_length, parameter=name))
 
     def _generator(self, name: str) -> Polynomial:
         return generator(self._ring, name) if self._ring is not None else _ANY

@@ -146,3 +146,13 @@ def check_names(folder: Path) -> None:
 def test_a_name_does_not_say_what_a_constant_is(names: tuple[str, ...], tmp_path: Path) -> None:
     """Neither the end of a limit nor a tolerance, though the files have those under such names."""
     verified(compile_robot(robot_file(PLANAR, names, tmp_path)))
+
+
+def test_the_derivation_calls_parameters_as_the_file_does(tmp_path: Path) -> None:
+    """Also those that the ring has another generator for, or that look like numbers it names."""
+    names = ("wx", "r1", "u1x", "p3y")
+    text = compile_robot(robot_file(WRIST, names, tmp_path)).files["arm.md"]
+    listed = [rf"$\mathit{{{name}}} = 0.{place + 31}$ m" for place, name in enumerate(names)]
+    assert f"Parameters: {', '.join(listed[:-1])} and {listed[-1]}." in text
+    assert all(rf"\mathit{{{name}}} " in text for name in names)
+    assert not any(other in text for other in (r"wx\_", r"r1\_", "u_{1x}", "p_{3y}"))

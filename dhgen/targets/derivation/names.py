@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES, SHOULDER_NAMES, AngleSum
@@ -152,6 +153,8 @@ def symbols(algebra: Algebra) -> dict[str, Symbol]:
 def constant_symbol(constant: Constant, constants: tuple[Constant, ...]) -> Symbol:
     """A length by its name, a root as a root, a twist's cosine and sine as such."""
     name = constant.name
+    if constant.parameter is not None:
+        return replace(parameter(constant.parameter), name=name)
     if constant.square is not None:
         return Symbol(rf"\sqrt{{{constant.square}}}", f"√{constant.square}", name)
     if constant.cosine is not None:

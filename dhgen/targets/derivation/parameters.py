@@ -26,12 +26,12 @@ SIGNS = " Cosines and sines are given without their signs, which stand in the fo
 def constant_blocks(story: Story) -> list[Block]:
     """Every letter of the formulas that stands for a number."""
     blocks: list[Block] = []
-    used = {constant.name: constant for constant in story.algebra.chain.constants}
+    constants = story.algebra.chain.constants
+    used = {each.parameter: each for each in constants}
     shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
     if shown:
         blocks.append(paragraph("Parameters: {}.", joined(shown)))
-    own = {each.name for each in story.robot.parameters}
-    made = [each for name, each in used.items() if name not in own and each.square is None]
+    made = [each for each in constants if each.parameter is None and each.square is None]
     if made:
         numbers = joined([_constant(story, each) for each in made])
         signs = SIGNS if any(each.meaning.startswith(TURNED) for each in made) else ""
