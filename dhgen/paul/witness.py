@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
 
     Values = NDArray[np.float64]
+    Truths = NDArray[np.bool_]
 
 COUNT = 4
 LOOSE = 2
@@ -74,13 +75,20 @@ class Witnesses:
 
     def sum_vanishes(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
         """Whether the sum of n f g is zero on any witness, without multiplying it out."""
+        return bool(np.any(self._are_zero(products)))
+
+    def sum_vanishes_always(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> bool:
+        """Whether it is zero on every witness."""
+        return bool(np.all(self._are_zero(products)))
+
+    def _are_zero(self, products: Iterable[tuple[int, Polynomial, Polynomial]]) -> Truths:
         total, sizes = np.zeros(COUNT), np.zeros(COUNT)
         for n, f, g in products:
             if f and g:
                 first, second = self.samples.value_and_size(f), self.samples.value_and_size(g)
                 total += n * first[0] * second[0]
                 sizes += abs(n) * first[1] * second[1]
-        return bool(np.any(np.abs(total) <= VANISHING * sizes))
+        return np.asarray(np.abs(total) <= VANISHING * sizes)
 
     def stay_apart(self, *polynomials: Polynomial) -> bool:
         """Whether polynomials in cosines, sines and lengths have no common zero at right angles.

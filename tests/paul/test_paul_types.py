@@ -10,7 +10,7 @@ from dhgen.paul.forms import unknown_name
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.types.angle_and_length import AngleAndLength
-from dhgen.paul.types.angle_pair import AnglePair
+from dhgen.paul.types.angle_pair import MAY_VANISH_REASON, AnglePair
 from dhgen.paul.types.length import SingleLength
 from dhgen.paul.types.polar import Polar
 from dhgen.paul.types.squared_length import SquaredLength
@@ -108,8 +108,10 @@ def test_type_3_has_two_equations_in_one_angle() -> None:
 
 def test_type_3_takes_a_vector_and_the_same_turned() -> None:
     first = g.t14 * g.s1 - g.t24 * g.c1 - g.d4
-    for second in (g.t24 * g.s1 + g.t14 * g.c1 - g.a1, -g.t24 * g.s1 - g.t14 * g.c1 - g.a1):
-        assert BENCH.why_not(AnglePair(), first, second) is None
+    turned = g.t24 * g.s1 + g.t14 * g.c1
+    for factor in (1, -1, 2 * g.a2, -g.a1 * g.d4):
+        assert BENCH.why_not(AnglePair(), first, factor * turned - g.a1) is None
+    assert BENCH.why_not(AnglePair(), first, g.t11 * turned - g.a1) == MAY_VANISH_REASON
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.paul.forms import is_multiple
 from dhgen.paul.step import NEARLY_NOTHING, NOTHING, Kind, Step, placing
 from dhgen.paul.witness import OWN_LENGTHS
 
@@ -31,8 +30,9 @@ MAY_VANISH_REASON = "the determinant X1 Y2 - X2 Y1 may vanish where the angle is
 class AnglePair:
     """Type 3, one value.
 
-    Taken only when the determinant is a constant, or a sum of two squares (X2, Y2 is X1, Y1
-    turned by a right angle): then it can vanish only where the angle is really free.
+    Taken only when the determinant is a constant, or a constant times a sum of two squares (X2, Y2
+    is X1, Y1 turned by a right angle and stretched): then it can vanish only where the angle is
+    really free.
     """
 
     name = "type 3"
@@ -48,7 +48,7 @@ class AnglePair:
         determinant = read.determinant(view)
         if view.witnesses.sum_vanishes(determinant.terms):
             return "the determinant X1 Y2 - X2 Y1 vanishes"
-        if not (read.is_turned or view.is_constant_sum(determinant)):
+        if not (read.is_turned(view) or view.is_constant_sum(determinant)):
             return MAY_VANISH_REASON
         return None
 
@@ -86,13 +86,15 @@ class _Factors:
         """X1 Y2 - X2 Y1."""
         return view.products((1, self.x1, self.y2), (-1, self.x2, self.y1))
 
-    @property
-    def is_turned(self) -> bool:
-        """Whether (X2, Y2) is (X1, Y1) turned by a right angle."""
-        return any(
-            is_multiple(self.x2, self.y1, -sign) and is_multiple(self.y2, self.x1, sign)
-            for sign in (1, -1)
-        )
+    def is_turned(self, view: View) -> bool:
+        """Whether (X2, Y2) is (X1, Y1) turned by a right angle, times a constant."""
+        across = (1, self.x1, self.x2), (1, self.y1, self.y2)
+        if not (self.x1 or self.y1) or not view.witnesses.sum_vanishes_always(across):
+            return False
+        mine, theirs = (self.y2, self.x1) if self.x1 else (-self.x2, self.y1)
+        factor, rest = divmod(mine, theirs)
+        stretched = -factor * self.y1, factor * self.x1
+        return not rest and view.is_constant(factor) and (self.x2, self.y2) == stretched
 
 
 def _read(forms: Sequence[Form]) -> _Factors | str:

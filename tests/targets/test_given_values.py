@@ -1,0 +1,28 @@
+"""Values of a given joint at which axes become parallel cost no solution."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.targets.calling import HELD, LANGUAGES, OK, Solver, gap
+from tests.targets.made import poses_of, residual
+
+ARM, GIVEN = "upright_shoulder", 2  # the joint, from 0
+ELBOW = 3
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-12, -1e-9, np.pi / 2, np.pi])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_both_elbows_are_found(language: str, value: float) -> None:
+    """Axes 2 and 4 are parallel at 0 and pi: the elbow may point either way, as elsewhere."""
+    q = np.random.default_rng(19).uniform(-2.0, 2.0, (40, 7))
+    q[:, GIVEN] = value
+    for joints, T in zip(q, poses_of(ARM, q), strict=True):
+        rows, status = Solver(ARM, language).all(T, np.zeros(7), joints[[GIVEN]])
+        held = np.isin(status, HELD)
+        assert (status[held] == OK).all()
+        assert gap(rows[held], joints).min() < 1e-8
+        assert residual(ARM, rows[held], T) < 1e-11
+        if value in {0.0, np.pi}:
+            assert np.sort(np.sin(rows[held][:, ELBOW]))[[0, -1]].prod() < 0.0
