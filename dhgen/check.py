@@ -15,6 +15,7 @@ from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
 from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot_files import led_to
+from dhgen.targets.comments import plain_path
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -142,7 +143,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
     not looked at.
     """
     folders = {led_to(path).parent for path in files}
-    told = {_folder_of(source_name(path, out)) for path in files}
+    told = {_folder_of(plain_path(source_name(path, out))) for path in files}
     around = (each for folder in folders for each in folder.glob("*.yaml"))
     neighbours = _stems([*files, *around])
     known = _stems(makers)

@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.program.role import Source
-from dhgen.targets.module import plain
+from dhgen.targets.comments import plain
 from dhgen.targets.walk import merged_constants
 
 if TYPE_CHECKING:

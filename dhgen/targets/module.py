@@ -17,6 +17,7 @@ from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.status import Status
+from dhgen.targets.comments import plain, plain_path
 from dhgen.targets.layout import paragraph
 from dhgen.targets.standing import settles, standing, stands_on_limits, winds
 from dhgen.targets.walk import (
@@ -54,7 +55,7 @@ class SolverModule:
     Attributes:
         name: The robot's identifier, and the suffix of the precision.
         title: What a person calls it.
-        source: Path of the robot file as it stands in the emitted header, relative.
+        source: How the robot file is called, relative; may hold any character.
         chain: The arm.
         method: How it is solved.
         solver: From pose to rows of joint values.
@@ -130,7 +131,6 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "name": module.name,
         "upper": module.name.upper(),
         "title": plain(module.title),
-        "source": module.source,
         "dof": chain.dof,
         "rows": module.solver.rows,
         "task": _task_text(module),
@@ -250,15 +250,13 @@ def named_entries(chain: Chain) -> list[NamedEntry]:
 
 def made_text(module: SolverModule, template: str, indent: str) -> str:
     """Where a file comes from; the lines after the first are indented."""
-    made = f"Inverse kinematics, generated from {module.source} and templates/{template}."
-    mended = f"Do not edit: run {shlex.join(['dhgen', module.source])}."
+    source = plain_path(module.source)
+    made = f"Inverse kinematics, generated from {source} and templates/{template}."
+    # a path that can't be written here is for nobody to type from here
+    command = shlex.join(["dhgen", source]) if source == module.source else "dhgen on that file"
+    mended = f"Do not edit: run {command}."
     told = f"The formulas and where they come from: {module.robot}.md."
     return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
-
-
-def plain(text: str) -> str:
-    """Free text that cannot end a comment or a docstring."""
-    return text.replace("*/", "* /").replace("/*", "/ *").replace('"""', "'''").replace("\\", "/")
 
 
 def _given_text(chain: Chain) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.targets.comments import plain_path
 from dhgen.targets.derivation.alternatives import alternatives_text
 from dhgen.targets.derivation.document import document_blocks, singular_places
 from dhgen.targets.derivation.markdown import markdown
@@ -28,7 +29,7 @@ def derivation_document(robot: Robot, derivation: Derivation, program: Program, 
     return render(
         "derivation/document.md.jinja",
         name=robot.name,
-        source=source,
+        source=plain_path(source),
         blocks=tuple(map(markdown, blocks)),
     )
 
