@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import combinations, groupby
+from itertools import accumulate, combinations, groupby
 from math import comb
 from typing import TYPE_CHECKING
 
@@ -19,7 +19,7 @@ from dhgen.paul.mobility import surplus
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 MOST_CHOICES = 16  # trying more would take longer than a refusal may
+MOST_SHOWN = 100  # characters of sets in a line
 MOST_SKEW = 4  # so many joints are solved, or refused, soon without structure
 MOST_TURNING = 3  # the same whatever the number of slides
 POSITIONS = 3
@@ -88,13 +89,21 @@ def choices_text(choices: tuple[Choice, ...], spare: Surplus) -> list[str]:
     """What is said of them: a line for each method and number of rows."""
     lines = []
     for (_, rows, method), alike in groupby(choices, lambda c: (c.rank, c.rows, c.method)):
-        sets = [f"[{', '.join(map(str, choice.free))}]" for choice in alike]
+        sets = _sets_text([f"[{', '.join(map(str, choice.free))}]" for choice in alike])
         count = "one row" if rows == 1 else f"{rows} rows"
-        lines.append(f"  free: {' or '.join(sets)} leaves a {method} with {count}")
+        lines.append(f"  free: {sets} leaves a {method} with {count}")
     total = comb(len(spare.joints), spare.count)
     if choices and total > MOST_CHOICES:
         lines.append(f"  only some of the {total} sets of {spare.count} joints were tried")
     return lines
+
+
+def _sets_text(sets: Sequence[str]) -> str:
+    """The first few sets of free joints, and how many more there are."""
+    shown = max(1, sum(end <= MOST_SHOWN for end in accumulate(map(len, sets))))
+    left = len(sets) - shown
+    more = [] if not left else ["another set"] if left == 1 else [f"one of {left} more sets"]
+    return " or ".join([*sets[:shown], *more])
 
 
 def _general(chain: Chain) -> list[Choice]:

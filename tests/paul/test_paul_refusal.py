@@ -4,8 +4,10 @@ import pytest
 
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
+from dhgen.method import Method
+from dhgen.paul.choices import GENERAL, Choice, choices_text
 from dhgen.paul.derivation import derive
-from dhgen.paul.mobility import crowded_axes
+from dhgen.paul.mobility import Surplus, crowded_axes
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.refusal import missed_structure, refusal
@@ -196,3 +198,13 @@ def test_of_very_many_sets_of_free_joints_some_are_tried() -> None:
     (free,) = (line for line in lines if line.startswith("  free: "))
     assert free.endswith("leaves a closed form with one row")
     assert "  only some of the 20 sets of 3 joints were tried" in lines
+
+
+def test_of_many_sets_of_free_joints_the_first_few_are_shown() -> None:
+    freed = [tuple(joint for joint in range(1, 21) if joint != held) for held in range(20, 4, -1)]
+    choices = tuple(Choice(GENERAL, 16, free, Method.GENERAL_6R) for free in freed)
+    spare = Surplus(19, tuple(range(1, 21)))
+    first = list(freed[0])
+    for many, more in (16, "one of 15 more sets"), (2, "another set"):
+        told = f"  free: {first} or {more} leaves a general 6R with 16 rows"
+        assert choices_text(choices[:many], spare)[0] == told
