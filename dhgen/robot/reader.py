@@ -38,6 +38,12 @@ _FORBIDDEN = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff\ufeff]"
 )
 _KEYS = "expected keys with values, e.g. 'name: puma560'"
+_TABLE = (
+    "this looks like a table of a spreadsheet, and a robot file is YAML: a line 'name: my_arm', a "
+    "line 'joints:', and below it a line like '  - {theta: q, d: 0.1, a: 0.4, alpha: pi/2}' for "
+    "every joint; the README has all keys"
+)
+_WRITE_OUT = "write the values out wherever they belong"
 _LIST = (
     "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
     "JSON are for 'dhgen survey'"
@@ -105,6 +111,8 @@ def read_document(text: str, file: str) -> Document:
         _check_events(source)
         root = YAML(typ="safe", pure=True).compose(text)
     except MarkedYAMLError as error:
+        if _is_table(text):
+            raise RobotFileError((source.point(Span(0), _TABLE),)) from None
         raise RobotFileError(syntax_errors(source, error, _check_events)) from None
     except YAMLError as error:
         raise _whole(source, f"this is no YAML: {error}") from None
@@ -113,7 +121,7 @@ def read_document(text: str, file: str) -> Document:
     if root is None or is_null(root):
         raise _whole(source, "the file is empty")
     if not isinstance(root, MappingNode):
-        message = blank_told(str(root.value)) or _KEYS
+        message = _TABLE if _is_table(text) else blank_told(str(root.value)) or _KEYS
         raise RobotFileError((source.point(span_of(root), message),))
     pairs, mistakes = index_pairs(source, root)
     return Document(source, root, pairs, tuple(mistakes))
@@ -157,15 +165,25 @@ def _refusal(event: Event) -> str | None:
     """Why a robot file can't hold this, or None."""
     match event:
         case AliasEvent():
-            what = f"aliases ({quoted('*' + event.anchor)})"
+            what, instead = f"aliases ({quoted('*' + event.anchor)})", _WRITE_OUT
         case DocumentStartEvent() if event.tags or event.version:
-            what = "YAML directives (%)"
+            what, instead = "YAML directives (%)", "leave them out"
         case ScalarEvent() | CollectionStartEvent() if event.anchor:
-            what = f"anchors ({quoted('&' + event.anchor)})"
+            what, instead = f"anchors ({quoted('&' + event.anchor)})", _WRITE_OUT
         case ScalarEvent() | CollectionStartEvent() if event.tag is not None:
-            what = "tags (!)"
+            what, instead = "tags (!)", "leave them out"
         case ScalarEvent(value="<<") if event.implicit[0]:
-            what = "merge keys (<<)"
+            what, instead = "merge keys (<<)", _WRITE_OUT
         case _:
             return None
-    return f"{what} have no place in a robot file"
+    return f"{what} have no place in a robot file: {instead}"
+
+
+def _is_table(text: str) -> bool:
+    """Whether a text looks like a spreadsheet's: the same separator in all of several lines."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    return (
+        ":" not in text
+        and len(lines) > 1
+        and any(all(mark in line for line in lines) for mark in ";\t,")
+    )

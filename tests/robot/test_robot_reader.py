@@ -13,6 +13,13 @@ from tests.robot.robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, 
 if TYPE_CHECKING:
     from pathlib import Path
 
+NO_PLACE = "have no place in a robot file"
+WRITE_OUT = "write the values out wherever they belong"
+SPREADSHEET = (
+    "this looks like a table of a spreadsheet, and a robot file is YAML: a line 'name: my_arm', a "
+    "line 'joints:', and below it a line like '  - {theta: q, d: 0.1, a: 0.4, alpha: pi/2}' for "
+    "every joint; the README has all keys"
+)
 LIST = (
     "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
     "JSON are for 'dhgen survey'"
@@ -65,12 +72,12 @@ def test_duplicate_keys_are_all_reported() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (f"name: &r r\n{JOINTS}", "anchors ('&r') have no place in a robot file"),
-        (f"name: *r\n{JOINTS}", "aliases ('*r') have no place in a robot file"),
-        (f"name: !!str r\n{JOINTS}", "tags (!) have no place in a robot file"),
-        (f"name: ! r\n{JOINTS}", "tags (!) have no place in a robot file"),
-        (f"{MINIMAL}base: {{<<: {{}}}}\n", "merge keys (<<) have no place in a robot file"),
-        (f"%YAML 1.1\n---\n{MINIMAL}", "YAML directives (%) have no place in a robot file"),
+        (f"name: &r r\n{JOINTS}", f"anchors ('&r') {NO_PLACE}: {WRITE_OUT}"),
+        (f"name: *r\n{JOINTS}", f"aliases ('*r') {NO_PLACE}: {WRITE_OUT}"),
+        (f"name: !!str r\n{JOINTS}", f"tags (!) {NO_PLACE}: leave them out"),
+        (f"name: ! r\n{JOINTS}", f"tags (!) {NO_PLACE}: leave them out"),
+        (f"{MINIMAL}base: {{<<: {{}}}}\n", f"merge keys (<<) {NO_PLACE}: {WRITE_OUT}"),
+        (f"%YAML 1.1\n---\n{MINIMAL}", f"YAML directives (%) {NO_PLACE}: leave them out"),
         (
             f"{MINIMAL}---\n{MINIMAL}",
             "a robot file holds one document; give each robot its own file",
@@ -79,6 +86,12 @@ def test_duplicate_keys_are_all_reported() -> None:
         ("- 1\n", LIST),
         ('[{"name": "r", "joints": [{"theta": "q"}]}]', LIST),
         ("robot", "expected keys with values, e.g. 'name: puma560'"),
+        ("one line, no table", "expected keys with values, e.g. 'name: puma560'"),
+        ("a text, folded\n\ninto two", "expected keys with values, e.g. 'name: puma560'"),
+        ("theta;d;a;alpha\nq;0,1;0;90\nq;0;0,4;0\n", SPREADSHEET),
+        ("theta,d,a,alpha\r\nq,0.1,0,90\r\n\r\n", SPREADSHEET),
+        ("theta\td\ta\talpha\nq\t0.1\t0\t90\n", SPREADSHEET),
+        ("theta [deg];d [mm]\n-90;\n", SPREADSHEET),
         ("", "the file is empty"),
         ("# nothing\n", "the file is empty"),
         ("---\n", "the file is empty"),
