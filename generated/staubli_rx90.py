@@ -130,6 +130,7 @@ _WEIGHT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _ZEROS = np.zeros(DOF)
 _FLOAT = np.dtype(np.float64)
 _BYTE = np.dtype(np.uint8)
+_NONE = type(None)
 
 
 class Unreachable(ValueError):  # noqa: N818
@@ -167,8 +168,9 @@ def _numbers(values, shape, name):
     try:
         values = np.ascontiguousarray(values)
         if values.dtype != _FLOAT:
-            # numpy would drop imaginary parts, and make NaN of None
-            if values.dtype.kind == "c" or (values.dtype.kind == "O" and None in values.ravel()):
+            # numpy would drop imaginary parts, read texts and dates, and make NaN of None
+            kind, objects = values.dtype.kind, values.ravel() if values.dtype.kind == "O" else ()
+            if kind not in "biufO" or any(isinstance(o, (str, bytes, _NONE)) for o in objects):
                 raise TypeError
             values = values.astype(_FLOAT)
     except (TypeError, ValueError):
@@ -177,10 +179,10 @@ def _numbers(values, shape, name):
 
 
 def _array(values, shape, name):
-    values = _numbers(values, shape, name)
-    if values.shape != shape:
-        raise ValueError(f"{name} must have shape {shape}, not {values.shape}") from None
-    return values
+    numbers = _numbers(values, shape, name)
+    if numbers.shape != shape:
+        raise ValueError(f"{name} must have shape {shape}, not {np.shape(values)}") from None
+    return numbers
 
 
 def _of_joints(function):
@@ -318,7 +320,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "staubli_rx90 5d316e1d155d4138"
+_KEY = "staubli_rx90 f9158f1581d21783"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1040,7 +1042,7 @@ def ik_all(T, q_seed=None):
         ValueError: An argument has another shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
-    T = _numbers(T, (4, 4), "T")
+    given, T = T, _numbers(T, (4, 4), "T")
     try:
         if q_seed is None:
             _unseeded(T, q, status)
@@ -1049,7 +1051,7 @@ def ik_all(T, q_seed=None):
             ik_into(T, q, status, seed)
     except Exception:
         # Shapes are looked at in there: only who fails is asked again, and told which one it is.
-        _array(T, (4, 4), "T")
+        _array(given, (4, 4), "T")
         raise
     return q, status
 
@@ -1473,9 +1475,9 @@ def ik_batch(T, *, cores=None, out=None):
     Raises:
         ValueError: An argument has another shape, or cores is no number of at least 1.
     """
-    T = _numbers(T, "(N, 4, 4)", "T")
+    given, T = T, _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
-        raise ValueError(f"T must have shape (N, 4, 4), not {T.shape}")
+        raise ValueError(f"T must have shape (N, 4, 4), not {np.shape(given)}")
     if cores is not None and not (_is_number(cores) and cores >= 1):
         raise ValueError(f"cores must be at least 1, or None for all of them, not {cores!r}")
     q, status = _results(out, len(T))

@@ -139,6 +139,7 @@ def module_values(module: SolverModule) -> dict[str, object]:
         "has_slides": "P" in module.joint_types,
         "has_turns": "R" in module.joint_types,
         "free_count": chain.given,
+        "gives_one": chain.given == 1,
         "given_text": _given_text(chain),
         "given_sentence": _given_text(chain)[0].upper() + _given_text(chain)[1:],
         "given_comment": _given_comment(chain),

@@ -123,6 +123,12 @@ def test_constants_names_and_the_arm_angle() -> None:
         assert c.arm_angle(joints) == pytest.approx(python.arm_angle(joints), abs=1e-9)
     public = {name for name in vars(python) if not name.startswith("_")}
     assert public == {name for name in vars(c) if not name.startswith("_")}
+    poses_of, angles = np.array([python.fk(joints) for joints in q]), [c.arm_angle(v) for v in q]
+    np.testing.assert_array_equal(
+        c.ik_batch(poses_of, angles)[0], c.ik_batch(poses_of, np.array(angles)[:, None])[0]
+    )
+    with pytest.raises(ValueError, match=r"q must hold real numbers, in shape \(7,\)"):
+        c.fk(["0.1"] * 7)
     assert c.Unreachable is python.Unreachable
     assert c.__name__ == python.__name__
     c.warm_up()

@@ -108,6 +108,15 @@ def read_only(module: Any, which: int) -> Any:
         (lambda m, T: m.ik(T, branch=np.arange(2)), "no branch array"),
         (lambda m, T: m.ik_batch(T[None], cores=True), "cores must be at least 1, or None"),
         (lambda m, T: m.ik((T + np.outer(T[0], T[3])).T), "last row not 0, 0, 0, 1 .is it tr"),
+        (lambda m, _: m.fk(0.1), r"q must have shape \(6,\), not \(\)"),
+        (lambda m, T: m.ik_all(T, 0.1), r"q_seed must have shape \(6,\), not \(\)"),
+        (lambda m, _: m.ik_all(0.1), r"T must have shape \(4, 4\), not \(\)"),
+        (lambda m, _: m.ik_batch(0.1), r"T must have shape \(N, 4, 4\), not \(\)"),
+        (lambda m, _: m.fk(["0.1"] * 6), "q must hold real numbers, in shape"),
+        (lambda m, _: m.fk(np.array(["0.1", *[0.1] * 5], object)), "q must hold real numbers"),
+        (lambda m, _: m.fk([b"0.1"] * 6), "q must hold real numbers, in shape"),
+        (lambda m, T: m.ik_all(T.astype(str)), "T must hold real numbers, in shape"),
+        (lambda m, _: m.fk(np.zeros(6, "M8[s]")), "q must hold real numbers, in shape"),
         (lambda m, T: m.ik_all(T.size * [None]), "T must hold real numbers, in shape"),
         (lambda m, T: m.ik_all(T, [None] * 6), "q_seed must hold real numbers, in shape"),
         (lambda m, T: m.ik_batch(T[None], out=read_only(m, 0)), "q in out .* it is read-only"),
@@ -137,6 +146,17 @@ def test_arrays_that_round_are_refused(rows: type, kinds: type) -> None:
         module.ik_into(np.eye(4), np.empty((2, 4), rows), np.empty(2, kinds))
 
 
+def test_a_batch_takes_a_value_a_pose_of_one_free_joint() -> None:
+    module = in_python("planar_4r")
+    T, q_free = np.array([module.fk([0.1 * k] * 4) for k in range(1, 4)]), [0.1, 0.2, 0.3]
+    q, status = module.ik_batch(T, np.array(q_free)[:, None])
+    assert (status == module.OK).any(axis=1).all()
+    for values in (q_free, np.array(q_free), np.array([0.1, 9.0, 0.2, 9.0, 0.3])[::2]):
+        others, other_status = module.ik_batch(T, values)
+        np.testing.assert_array_equal(others, q)
+        np.testing.assert_array_equal(other_status, status)
+
+
 def test_free_joints_are_checked() -> None:
     module = in_python("planar_4r")
     with pytest.raises(ValueError, match=r"q_free must have shape \(1,\), not \(2,\)"):
@@ -144,8 +164,9 @@ def test_free_joints_are_checked() -> None:
     assert module.ik_all(np.eye(4), [np.nan])[1].tolist() == [module.INVALID_POSE] * 2
     with pytest.raises(ValueError, match="the value of a free joint not finite"):
         module.ik(np.eye(4), [np.nan])
-    with pytest.raises(ValueError, match=r"q_free must have shape \(3, 1\), not \(3,\)"):
-        module.ik_batch(np.tile(np.eye(4), (3, 1, 1)), np.zeros(3))
+    for wrong, told in (np.zeros(2), r"\(2,\)"), (0.1, r"\(\)"), (np.zeros((3, 2)), r"\(3, 2\)"):
+        with pytest.raises(ValueError, match=rf"q_free must have shape \(3, 1\), not {told}"):
+            module.ik_batch(np.tile(np.eye(4), (3, 1, 1)), wrong)
     T, q, status = np.eye(4), np.empty((2, 4)), np.empty(2, np.uint8)
     assert module.ik_into(T, np.array([np.inf]), q, status) == 0
     assert status.tolist() == [module.INVALID_POSE] * 2
