@@ -199,6 +199,32 @@ def test_a_point_of_the_base_has_the_letter_of_its_coordinates() -> None:
     assert "Seen from the last frame it is at $w_2$:" in text
 
 
+def test_the_square_of_a_cosine_is_not_that_of_its_angle() -> None:
+    assert r"\cos^2 \alpha_2" in document("manseur_doty")
+    assert r"\alpha_2^2" not in document("manseur_doty")
+
+
+def test_directions_do_not_meet_an_axis() -> None:
+    """The last step of both compares directions; in one of them they are never parallel."""
+    assert "lies on axis 6" not in document("spherical_wrist_general_arm")
+    assert "every $\\theta_4$ works" not in document("concurrent_345")
+    assert r"Y_1 & = \frac{1}{2} \\" in document("concurrent_345")
+
+
+def test_other_forms_than_those_of_paul_are_announced() -> None:
+    right, seen = "and so on from the right.", "in which a frame of the base is seen from the tool"
+    assert right in document("ur5")
+    assert seen not in document("ur5")
+    assert right in document("concurrent_345")
+    assert seen in document("concurrent_345")
+    assert right not in document("puma560")
+
+
+def test_why_the_squares_hold_one_angle_is_said() -> None:
+    assert r"alone, because $\theta_{23} - \theta_2 = \theta_3$:" in document("puma560")
+    assert r"alone, because $\theta_2 - \theta_{2-3} = \theta_3$:" in document("comau_ns16")
+
+
 def test_where_all_coefficients_vanish_is_said_in_words() -> None:
     of = story("cuspidal_3r")
     told = "all coefficients of the equation vanish at once"

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.targets.derivation.blocks import paragraph
 from dhgen.targets.derivation.formula import Symbol
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
+    from dhgen.targets.derivation.blocks import Block
 
 
 def loop_that_closes(kernel: GeneralKernel) -> Symbol:
@@ -22,10 +24,23 @@ def loop_that_closes(kernel: GeneralKernel) -> Symbol:
     )
 
 
+def loop_letters(kernel: GeneralKernel) -> Block:
+    """What stands between the joints, before the first and behind the last."""
+    between = "constant transforms between the joints"
+    if kernel.given:
+        between = "transforms between these joints, known with the values that the caller gives"
+    names = (Symbol(f"{x}_{k}", f"{x}{k}") for x, k in (("K", 0), ("K", 4), ("C", 0), ("C", 6)))
+    return paragraph(
+        "{} to {} are the " + between + ", {} is that before the first joint, and {} that behind "
+        "the last.",
+        *names,
+    )
+
+
 def _motion(kernel: GeneralKernel, place: int) -> Symbol:
     number = kernel.numbers[place]
     if place in kernel.loop.slides:
-        return Symbol(f"T_z(d_{number})", f"Tz(d{number})")
+        return Symbol(f"T_z(r_{number})", f"Tz(r{number})")
     return Symbol(rf"R_z(\theta_{number})", f"Rz(θ{number})")
 
 
@@ -33,5 +48,5 @@ def joint_symbol(kernel: GeneralKernel, place: int) -> Symbol:
     """The angle or length of a joint of the loop, from 0."""
     number = kernel.numbers[place]
     if place in kernel.loop.slides:
-        return Symbol(f"d_{number}", f"d{number}")
+        return Symbol(f"r_{number}", f"r{number}")
     return Symbol(rf"\theta_{number}", f"θ{number}")

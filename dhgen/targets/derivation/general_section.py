@@ -9,7 +9,7 @@ from dhgen.paul.refusal import near_structure
 from dhgen.targets.derivation.blocks import Display, Heading, Paragraph, paragraph, say
 from dhgen.targets.derivation.formula import Symbol
 from dhgen.targets.derivation.four_turns_section import four_turns
-from dhgen.targets.derivation.general_loop import joint_symbol, loop_that_closes
+from dhgen.targets.derivation.general_loop import joint_symbol, loop_letters, loop_that_closes
 from dhgen.targets.derivation.no_turn_section import check, one_more_turn
 from dhgen.targets.derivation.words import joined, numeral
 
@@ -43,13 +43,11 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
         *([one_more_turn(kernel)] if kernel.checked else []),
         *([paragraph(f"{MISSED}: {'; '.join(near)} (lengths in {unit}).")] if near else []),
         Paragraph(
-            say(
-                "With the constant transforms between the joints' axes the forward model is a loop "
-                "that closes:"
-            ),
+            say("The forward model is a loop that closes:"),
             say("The loop."),
         ),
         Display((loop_that_closes(kernel),)),
+        loop_letters(kernel),
     ]
     if kernel.eliminations:
         blocks += [*_elimination(kernel), *_polynomial(kernel), _null_vectors()]
@@ -236,10 +234,10 @@ def _rest(kernel: GeneralKernel) -> list[Block]:
         ),
         paragraph(
             "Rows are ordered by the value of joint 1, then of joint 2 and so on. Where roots meet "
-            "or the certificate fails, damped least squares from the seed and from a few evenly "
-            "spread starts add what they find. Where the arm is singular, a solution may be double "
-            "or belong to a continuum: then it is pulled along the continuum towards the seed, and "
-            "its status is FREE_JOINT."
+            "or the certificate fails, damped least squares from the seed (joint values that the "
+            "caller may give) and from a few evenly spread starts add what they find. Where the "
+            "arm is singular, a solution may be double or belong to a continuum: then it is pulled "
+            "along the continuum towards the seed, and its status is FREE_JOINT."
         ),
     ]
     return blocks

@@ -9,7 +9,16 @@ from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.problem import task_entries
 from dhgen.robot.task import TaskKind
-from dhgen.targets.derivation.blocks import Given, Heading, display, joined, paragraph, say
+from dhgen.targets.derivation.blocks import (
+    Given,
+    Heading,
+    Paragraph,
+    display,
+    joined,
+    paragraph,
+    say,
+    sentences,
+)
 from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
 from dhgen.targets.derivation.given_pose import BASE, POSE, TOOL, given_pose, moved_left
 from dhgen.targets.derivation.matrices import (
@@ -25,6 +34,7 @@ from dhgen.targets.derivation.shoulder_section import shoulder_blocks
 from dhgen.targets.derivation.style import LATEX, PLAIN, show
 from dhgen.targets.derivation.types_table import types_table
 from dhgen.targets.derivation.words import many
+from dhgen.targets.walk import reads
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
@@ -33,6 +43,12 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.matrices import Form
     from dhgen.targets.derivation.story import Story
+
+
+SEED = (
+    "The seed is a set of joint values that the caller may give, such as the arm's present ones: a "
+    "joint that the pose leaves free takes its value from there."
+)
 
 
 def inverse_beginning(story: Story) -> list[Block]:
@@ -72,11 +88,27 @@ def _given(story: Story) -> list[Block]:
             given_pose(story),
             which,
             method,
-        )
+        ),
+        *_other_forms(story),
+        *([paragraph(SEED)] if reads(story.program, "seed") else []),
     ]
     if left or right:
         blocks += _entries(story, left=left, right=right)
     return blocks
+
+
+def _other_forms(story: Story) -> list[Block]:
+    """How the forms come about that are none of Paul's U_i."""
+    mixed = [o for step in story.steps for o in step.origins if o.is_mixed]
+    texts: list[Prose] = []
+    last = [inverse_name(link(story.dof - i)) for i in (0, 1)]
+    if not all(origin.inverse for origin in mixed):
+        text = "Some steps need the last joints on the left as well: there both sides are also "
+        texts.append(say(text + "multiplied by {}, {} and so on from the right.", *last))
+    if any(origin.inverse for origin in mixed):
+        text = "Some equations are those of {}, in which a frame of the base is seen from the tool."
+        texts.append(say(text, inverse_name(target(0))))
+    return [Paragraph(sentences(texts))] if texts else []
 
 
 def _named(story: Story) -> Prose:

@@ -29,7 +29,8 @@ def jacobian_columns(story: Story) -> list[Block]:
     return [
         paragraph(
             "The geometric Jacobian {} takes joint velocities to the velocity of the tool's origin "
-            "{} and its angular velocity. Its column {} is, for a revolute and a prismatic joint,",
+            "{} and its angular velocity. Its column {} is, for a revolute and for a prismatic "
+            "joint,",
             *(_J, _TOOL_ORIGIN, Symbol("i", "i")),
         ),
         *_columns(story),

@@ -55,9 +55,10 @@ def _all(kernel: NumericalKernel) -> list[Block]:
     return [
         Paragraph(
             say(
-                "The first start is the seed, the others fill the joint space evenly (M. Roberts, "
-                f"2018). They are tried {constants.STARTS} at a time, until a round finds nothing "
-                f"new, {constants.ROUNDS} rounds at most; {kernel.rows} solutions are kept. A "
+                "The first start is the seed (joint values that the caller may give), the others "
+                "fill the joint space evenly (M. Roberts, 2018). They are tried "
+                f"{constants.STARTS} at a time, until a round finds nothing new, "
+                f"{constants.ROUNDS} rounds at most; {kernel.rows} solutions are kept. A "
                 f"solution misses its pose by {kernel.residual:.0e} at most. Rows are ordered by "
                 "the first joint, then by the second and so on."
             ),
@@ -78,8 +79,9 @@ def _nearest() -> list[Block]:
     return [
         Paragraph(
             say(
-                "Each step also goes half of the way back to the seed, as far as that does not "
-                "move the tool; a joint that would exceed a limit is put on it and held. This is "
+                "Each step also goes half of the way to the seed (joint values that the caller may "
+                "give), as far as that does not move the tool; a joint that would exceed a limit "
+                "is put on it and held. This is "
                 f"done from the seed and from {constants.REDUNDANT_STARTS - 1} more starts, which "
                 "fill the joint space evenly (M. Roberts, 2018). Row 0 is the solution nearest to "
                 "the seed among those inside the limits, or among all if none is inside."

@@ -56,7 +56,7 @@ def _points(plane: ArmPlane) -> Block:
 
 def _meaning() -> Block:
     return paragraph(
-        "It is counted from the plane of that line and axis 1, about the line: at zero the elbow "
+        "It is the angle about that line from the plane of the line and axis 1: at zero the elbow "
         "leans towards the direction of axis 1."
     )
 
@@ -74,7 +74,10 @@ def _in_base(story: Story, plane: ArmPlane) -> list[Block]:
         "In the base frame {} leads from the shoulder to the wrist, and {} is the direction of "
         "axis 1:"
     )
-    three = "Three unit vectors point along the arm, from its line to the elbow, and across both:"
+    three = (
+        "Unit vectors point along that line ({}), across the plane of the line and axis 1 ({}), "
+        "from the line to the elbow ({}), and across the first and the third ({}):"
+    )
     upright = (
         "Where {} is parallel to {} there is no such plane; then {} takes the place of {}, with {} "
         "the {} axis of the base frame."
@@ -85,7 +88,7 @@ def _in_base(story: Story, plane: ArmPlane) -> list[Block]:
     return [
         paragraph(text, v, z),
         display(Listing((equal(v, _column(story, wrist)), equal(z, _column(story, plane.first))))),
-        paragraph(three),
+        paragraph(three, *(_vector(name) for name in "gbun")),
         display(
             _plain(r"\mathbf{g} = \mathbf{v} / |\mathbf{v}|", "g = v / |v|"),
             _plain(
@@ -115,8 +118,8 @@ def _in_link(story: Story, plane: ArmPlane) -> list[Block]:
     angle = plane.elbow_angle
     wrist, elbow, axis = (_primed(name) for name in "vez")
     text = (
-        "Frame {} sees the wrist at {} and the elbow at {} from the shoulder, and axis 4 along {}. "
-        "They are known once {} is:"
+        "In frame {} let {} lead from the shoulder to the wrist and {} to the elbow, and let {} be "
+        "the direction of axis 4. They are known once {} is:"
     )
     vectors = (wrist, plane.wrist), (elbow, plane.elbow), (axis, plane.fourth)
     columns = Listing(tuple(equal(name, _column(story, vector)) for name, vector in vectors))
@@ -126,20 +129,17 @@ def _in_link(story: Story, plane: ArmPlane) -> list[Block]:
             r"\mathbf{z}'",
             "n′ = sgn(z′ · (v′ × e′)) z′",
         )
-        end = (
-            "An arm that is stretched or folded has its plane, too: the sign is then taken as "
-            "positive."
-        )
+        end = "Where the arm is stretched or folded, the sign is taken as positive."
     else:
         normal = _plain(
             r"\mathbf{n}' = \mathbf{v}' \times \mathbf{e}' / |\mathbf{v}' \times \mathbf{e}'|",
             "n′ = v′ × e′ / |v′ × e′|",
         )
-        end = "The elbow never comes to lie on the line, so the arm always has its plane."
+        end = "The elbow never lies on the line, so this is always defined."
     return [
         paragraph(text, Given(str(SHOULDER)), wrist, elbow, axis, theta(angle)),
         display(columns),
-        paragraph("There the three unit vectors are"),
+        paragraph("In that frame the unit vectors {}, {} and {} are", *map(_vector, "gnu")),
         display(
             _plain(r"\mathbf{g}' = \mathbf{v}' / |\mathbf{v}'|", "g′ = v′ / |v′|"),
             normal,
@@ -157,14 +157,17 @@ def _matrix() -> Block:
         "g g′ᵀ + u u′ᵀ + n n′ᵀ",
     )
     text = (
-        "The joints before the elbow turn one triple into the other. So the rotation of {} is "
-        "known, {}, and the equations of the shoulder are those of an orientation, {} in place of "
-        "{}."
+        "The joints before the elbow turn {} into {}. So the rotation of {} is known, {}, and the "
+        "equations of the shoulder are those of an orientation, {} in place of {}."
+    )
+    triples = (
+        _plain(r"\mathbf{g}', \mathbf{u}', \mathbf{n}'", "g′, u′, n′"),
+        _plain(r"\mathbf{g}, \mathbf{u}, \mathbf{n}", "g, u, n"),
     )
     shoulder, links = shoulder_target(0), product_of(range(1, SHOULDER + 1))
     step = equal(letter("B", "B", "i"), Symbol(r"A_i^{-1} B_{i-1}", "Aᵢ⁻¹ Bᵢ₋₁"))
     usual = equal(Symbol("U_i", "Uᵢ"), Symbol(r"A_i^{-1} U_{i-1}", "Aᵢ⁻¹ Uᵢ₋₁"))
-    return paragraph(text, links, equal(shoulder, entries, dyads), step, usual)
+    return paragraph(text, *triples, links, equal(shoulder, entries, dyads), step, usual)
 
 
 def _vector(name: str) -> Symbol:

@@ -26,6 +26,9 @@ if TYPE_CHECKING:
     from dhgen.targets.derivation.story import Story
 
 
+SQUARED = ", the squared length of column 4"  # behind its symbol, which comes last
+
+
 def step_blocks(story: Story, number: int) -> tuple[list[Block], tuple[Singularity, ...]]:
     """One step, with the singular places it brings."""
     step = story.steps[number - 1]
@@ -68,7 +71,7 @@ def _where(step: Step) -> Prose:
     head = say("From {}", joined(names))
     first = origins[0]
     if not all(o.matrix == first.matrix for o in origins):
-        return say("{}:", head)
+        return say("{}{}:", head, say("" if all(o.row for o in origins) else SQUARED))
     if first.inverse:
         return say("{}{}, seen from the tool:", head, _line_of(origins))
     if first.is_mixed:
@@ -79,7 +82,9 @@ def _where(step: Step) -> Prose:
 
 
 def _line_of(origins: tuple[Origin, ...]) -> Prose:
-    """(column 4) or (row 3), for two elements."""
+    """(column 4) or (row 3), for two elements; what the squared length of a column is."""
+    if not all(origin.row for origin in origins):
+        return say(SQUARED)
     if len(origins) < 2:
         return say("")
     if origins[0].column == origins[1].column:

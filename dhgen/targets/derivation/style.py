@@ -202,6 +202,9 @@ def _show_unit(formula: Number | Power | Quotient | Root | Size, style: Style) -
             return str(value)
         case Number(value):
             return style.quotient(str(value.numerator), str(value.denominator))
+        case Power(Symbol(text=text) as base, exponent) if text.startswith(("cos ", "sin ")):
+            function, _, angle = show(base, style).partition(" ")
+            return f"{style.power(function, exponent)} {angle}"
         case Power(base, exponent):
             return style.power(_base(base, style), exponent)
         case Quotient(above, below):

@@ -183,7 +183,12 @@ def _general(context: StepContext) -> StepText:
             SQUARES,
         ),
         display(_combination(context, remembered, radicand)),
-        paragraph("and both together give {} and {}, each times {}:", s, c, SQUARES),
+        paragraph(
+            "and both together give {} and {}, each times {}, which does not change the angle:",
+            s,
+            c,
+            SQUARES,
+        ),
         display(
             equal(
                 theta(context.angle),

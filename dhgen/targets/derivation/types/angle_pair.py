@@ -82,10 +82,14 @@ def _cramer(context: StepContext) -> StepText:
     blocks: list[Block] = [
         paragraph("These are {} and {} with", equal(first, Z1), equal(second, Z2)),
         display(*_definitions(context, turned)),
-        paragraph("The determinant is {}, and Cramer's rule gives", delta),
+        paragraph(
+            "The determinant is {}. By Cramer's rule, without the positive factor that sine and "
+            "cosine share,",
+            delta,
+        ),
         display(equal(theta(context.angle), atan2(*parts))),
     ]
-    if context.is_constant("X1", "Y1", "X2", "Y2"):
+    if context.is_constant("X1", "Y1", "X2", "Y2") or (turned and _never_vanishes(context)):
         return StepText(tuple(blocks))
     free = _free(context, turned)
     blocks.append(
@@ -94,10 +98,15 @@ def _cramer(context: StepContext) -> StepText:
     return StepText(tuple(blocks), (free,))
 
 
+def _never_vanishes(context: StepContext) -> bool:
+    """Whether X1^2 + Y1^2 is always positive, because one of the two is a constant."""
+    return any(context.polynomial(name) and context.is_constant(name) for name in ("X1", "Y1"))
+
+
 def _free(context: StepContext, turned: int) -> Singularity:
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
     meaning = say("every {} works", theta(context.angle))
-    if about is not None and turned:
+    if about is not None and turned and all(o.column == 4 for o in context.step.origins):
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
     return Singularity(
         context.number,

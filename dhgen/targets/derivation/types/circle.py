@@ -44,7 +44,7 @@ def print_circle(context: StepContext) -> StepText:
     tangent = equal(half, Call("tan", (over(theta(kept), number(2)),)))
     names = (cosine(kept), sine(kept), tangent, half, theta(kept), theta(gone))
     blocks: list[Block] = [
-        paragraph("These are {} and {}, where {} occurs in", *rows, theta(kept)),
+        paragraph("These are {} and {}, with {} as the only unknown in", *rows, theta(kept)),
         display(*(_definition(context, f"{x}{n}") for n in "12" for x in "PQR")),
         *_elimination(context, c, s, gone),
         paragraph(
@@ -87,13 +87,13 @@ def _elimination(context: StepContext, c: Formula, s: Formula, gone: AngleSum) -
     """How the other angle drops out."""
     step = context.step
     if not step.has("V1x"):
-        text = "By Cramer's rule for {} and {}, whose squares sum to 1, {} drops out:"
+        text = "Cramer's rule gives {} and {}. Their squares add up to 1, so {} drops out:"
         return [paragraph(text, c, s, theta(gone)), display(_by_cramer())]
     ring = context.story.algebra.ring
     if (step.coefficient("V1x"), step.coefficient("V1y")) == (ring.one, ring.zero):
         text = (
-            "{} is {} turned by a right angle, so the two equations give a vector that is {} "
-            "turned by {}, and its length gives"
+            "{} is {} turned by a right angle. So the two equations give, up to signs, the "
+            "elements of {} turned by {}. A turn does not change its length:"
         )
         first, second = (
             Symbol(f"(P_{n}, Q_{n})", f"(P{sub}, Q{sub})") for n, sub in (("1", "₁"), ("2", "₂"))
@@ -101,8 +101,8 @@ def _elimination(context: StepContext, c: Formula, s: Formula, gone: AngleSum) -
         turned = equal(add(square(R1), square(R2)), add(square(P1), square(Q1)))
         return [paragraph(text, second, first, first, theta(gone)), display(turned)]
     text = (
-        "{} and {} are one vector, turned and stretched by what is known. As complex numbers, {} "
-        "with the known"
+        "{} and {} are the same vector, turned and stretched by known amounts. As complex "
+        "numbers, {} with"
     )
     vectors = [add(p, times(I, q)) for p, q in ((P1, Q1), (P2, Q2))]
     same = equal(times(vectors[0], V2), times(vectors[1], V1))
@@ -122,7 +122,7 @@ def _elimination(context: StepContext, c: Formula, s: Formula, gone: AngleSum) -
     return [
         paragraph(text, *vectors, same),
         display(*known),
-        paragraph("The size of that vector does not depend on {}, and gives", theta(gone)),
+        paragraph("The size of that vector does not depend on {}, which gives", theta(gone)),
         display(condition),
     ]
 

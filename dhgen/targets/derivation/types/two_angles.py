@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import permutations
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value, primitive
 from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import merged_effect
@@ -53,9 +55,10 @@ def print_two_angles(context: StepContext) -> StepText:
         display(*lines),
         *_solution(context, x, y),
         paragraph(
-            "No solution when {}{}. The two solutions meet when both sides are equal: {}. Then {}.",
+            "No solution when {}{}. The two solutions meet when {}: {}. Then {}.",
             far,
             _reach(context),
+            met.condition,
             met.meaning,
             met.effect,
         ),
@@ -77,12 +80,27 @@ def _squares(context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomia
         return [*called, paragraph(text, theta(context.angle))]
     algebra = context.story.algebra
     s, c = (algebra.generator(name) for name in (context.angle.sine, context.angle.cosine))
-    text = "and the sum of the squares of both equations depends on {} alone:"
+    text = "and the sum of the squares of both equations depends on {} alone{}:"
     return [
         *called,
-        paragraph(text, theta(context.angle)),
+        paragraph(text, theta(context.angle), _difference(context)),
         display(equal(context.story.write_forward(x * s + y * c + rest), REACH)),
     ]
+
+
+def _difference(context: StepContext) -> Prose:
+    """That the step's angle is the difference of the equations' two, where it is."""
+    angles = [u for u in context.step.forms[0].unknowns if isinstance(u, AngleSum)]
+    for first, second in permutations(angles, 2):
+        terms = dict(first.terms)
+        for joint, facing in second.terms:
+            terms[joint] = terms.get(joint, 0) - facing
+        if {joint: facing for joint, facing in terms.items() if facing} == dict(
+            context.angle.terms
+        ):
+            difference = subtract(theta(first), theta(second))
+            return say(", because {}", equal(difference, theta(context.angle)))
+    return say("")
 
 
 def reduced_coefficients(context: StepContext) -> tuple[Polynomial, Polynomial, Polynomial]:
@@ -108,9 +126,9 @@ def _solution(context: StepContext, x: Polynomial, y: Polynomial) -> list[Block]
         solution = atan2(add(times(X, K), times(Y, W)), subtract(times(Y, K), times(X, W)))
         return [
             paragraph(
-                "The squares of both combinations of {} and {} add up to {}, so",
-                s,
-                c,
+                "The squares of {} and {} add up to {}, so",
+                add(times(X, s), times(Y, c)),
+                subtract(times(Y, s), times(X, c)),
                 add(square(X), square(Y)),
             ),
             display(
