@@ -79,7 +79,7 @@ def parse(text: str, values: Mapping[str, float]) -> Expression:
         end = len(text.rstrip(" ")) - 1
         column = min(error.offset - 1 + shift, end) if error.offset else end
         raise CellError(
-            "this is no arithmetic: an operand or an operator is missing", Span(column)
+            "not valid arithmetic: an operand or an operator is missing", Span(column)
         ) from None
     except (RecursionError, MemoryError):
         raise CellError(f"nested more than {MAX_DEPTH} deep", Span(0)) from None
@@ -124,7 +124,7 @@ class _Parser:
                 return self._binary(node, _OPERATORS[type(operator)], depth)
             case ast.Call(func=ast.Name(id=name)):
                 return self._call(node, name, depth)
-        raise self._error(node, f"this is no arithmetic: allowed are {ALLOWED}")
+        raise self._error(node, f"not valid arithmetic: allowed are {ALLOWED}")
 
     def _name(self, node: ast.expr, name: str) -> _Part:
         if name == "pi":
@@ -136,7 +136,7 @@ class _Parser:
         if name in FUNCTIONS:
             raise self._error(node, f"{name} needs an argument: {name}(...)")
         if name == "q":
-            raise self._error(node, "the variable q stands in theta or in d of a joint only")
+            raise self._error(node, "the variable q is only allowed in theta or d of a joint")
         valid = (*self.values, "pi", "deg", *FUNCTIONS)
         end = nearest(name, valid)
         if "q" in self.values and _VARIABLE.fullmatch(name):
@@ -149,8 +149,8 @@ class _Parser:
         if len(set(_VARIABLE.findall(self.body))) == 1:
             return ": in every row the joint's own variable is called q"
         return (
-            ": a table can't couple joints; write q for all that this joint turns or slides, and "
-            "convert what the drives do in the program that calls the solver"
+            ": a table can't couple joints; write q for this joint's whole motion, and "
+            "convert drive positions in the program that calls the solver"
         )
 
     def _binary(self, node: ast.BinOp, operator: Operator, depth: int) -> _Part:
@@ -172,7 +172,7 @@ class _Parser:
             case _:
                 exponent = MAX_EXPONENT + 1
         if exponent > MAX_EXPONENT:
-            message = f"an exponent is a whole number from -{MAX_EXPONENT} to {MAX_EXPONENT}"
+            message = f"an exponent must be a whole number from -{MAX_EXPONENT} to {MAX_EXPONENT}"
             raise self._error(node.right, message)
         value = self._value(node, Binary("**", Name("l"), right), left.value)
         expression = Binary("**", left.expression, right)
@@ -205,7 +205,7 @@ class _Parser:
 
     def _bounded(self, node: ast.expr, part: _Part) -> _Part:
         if part.degree > MAX_DEGREE:
-            raise self._error(node, f"more than {MAX_DEGREE} factors multiply here")
+            raise self._error(node, f"this multiplies more than {MAX_DEGREE} factors")
         return part
 
     def _error(self, node: ast.expr, message: str) -> CellError:

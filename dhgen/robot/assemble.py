@@ -47,7 +47,7 @@ class _Assembly:
         base, tool = self._frame("base"), self._frame("tool")
         free = self._free(self._count("joints") or self._count("axes"))
         for name in self.cells.used.unused():
-            message = f"no cell uses the parameter '{name}': leave it out, or name it in its cell"
+            message = f"no cell uses the parameter '{name}': remove it, or use it in a cell"
             self.report.notice_at_key(("parameters", name), message)
         note_spread(self.report, self.cells.lengths)
         file = self.shape.file
@@ -133,10 +133,10 @@ class _Assembly:
                 continue
             number = int(entry)
             if not 1 <= number <= joints:
-                message = f"there is no joint {number}: joints count from 1 to {joints}"
+                message = f"there is no joint {number}: joints are numbered from 1 to {joints}"
                 self.report.error(path, message)
             elif free and number <= free[-1]:
-                self.report.error(path, "free joints stand in ascending order, each once")
+                self.report.error(path, "list free joints in ascending order, each once")
             free.append(number)
         if joints and free == list(range(1, joints + 1)):
             self.report.error(("free",), "every joint is free: there is nothing to solve")

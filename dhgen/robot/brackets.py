@@ -56,7 +56,7 @@ def in_brackets(
 def _message(key: str, value: Node, items: Sequence[ScalarNode]) -> str:
     written = shortened(", ".join(item.value for item in items))
     quotes = ", without quotes" if isinstance(value, ScalarNode) and value.style else ""
-    return f"'{key}' holds a list in square brackets{quotes}: [{written}]"
+    return f"'{key}' takes a list in square brackets{quotes}: [{written}]"
 
 
 def _is_bare(entry: Entry) -> bool:

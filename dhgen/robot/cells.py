@@ -153,7 +153,7 @@ class Cells:
         """Report a length that is an angle."""
         if self.units.is_in_degrees(expression):
             message = (
-                "is an angle, and a length belongs here: leave out deg, or take its sin or cos"
+                "is an angle, but a length belongs here: leave out deg, or take its sin or cos"
             )
             self.report.error(path, f"{quoted(text.strip())} {message}")
 

@@ -47,10 +47,12 @@ def read_frame(cells: Cells, path: Path, entry: FrameEntry) -> Frame:
         keys = [key for key in plain if getattr(entry, key, None)]
     given = [key for key in keys if key in _ROTATIONS]
     for key in given[1:]:
-        message = f"'{given[0]}' gives the rotation already: write one of {', '.join(_ROTATIONS)}"
+        message = (
+            f"'{given[0]}' already gives the rotation: write only one of {', '.join(_ROTATIONS)}"
+        )
         cells.report.error_at_key((*path, key), message)
     if "matrix" in given and "xyz" in keys:
-        message = "'matrix' gives the translation already: write one of xyz, matrix"
+        message = "'matrix' already gives the translation: write only one of xyz, matrix"
         cells.report.error_at_key((*path, "xyz"), message)
     xyz = read_lengths(cells, (*path, "xyz"), entry.xyz)
     frames = [_read_rotation(cells, (*path, key), entry, xyz) for key in given]
@@ -91,7 +93,7 @@ def _from_quaternion(
     if math.isnan(norm):
         return IDENTITY
     if norm <= SNAP:
-        cells.report.error(path, "a quaternion of length 0 is no rotation")
+        cells.report.error(path, "a quaternion of length 0 is not a rotation")
         return IDENTITY
     if abs(norm - 1) > SNAP:
         cells.report.notice(path, f"the quaternion has length {norm:.9g} and is normalised")
@@ -104,12 +106,12 @@ def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
     written = [[cells.ratio((*path, i, j), entry[i][j]) for j in range(3)] for i in range(3)]
     bottom = [cells.value(cells.parse((*path, 3, j), entry[3][j])) for j in range(4)]
     if any(abs(p - q) > SNAP for p, q in zip(bottom, (0, 0, 0, 1), strict=True)):
-        cells.report.error((*path, 3), "the last row of a frame's matrix is 0 0 0 1")
+        cells.report.error((*path, 3), "the last row of a frame's matrix must be 0 0 0 1")
     a, b, c = ((cells.value(p), cells.value(q), cells.value(r)) for p, q, r in written)
     rows: Rows = (a, b, c)
     deviation = _check_rotation(cells, path, rows)
     if deviation > _EXACT:
-        message = f"the rotation is off by {deviation:.1e}; the nearest exact one is taken"
+        message = f"the rotation is off by {deviation:.1e}; the nearest exact one is used"
         cells.report.notice(path, message)
         quaternion = (Fraction(repr(value)) for value in to_quaternion(nearest_rotation(rows)))
         return Frame((x, y, z), cells.exact_ratios(numbers(from_quaternion(*quaternion))))

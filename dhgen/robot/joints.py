@@ -31,11 +31,11 @@ def read_row(cells: Cells, path: Path, entry: JointRow, *, complete: bool) -> Dh
     d = _split(cells, (*path, "d"), entry.d)
     if INVALID not in (theta.offset, d.offset):
         if theta.sign and d.sign:
-            cells.report.error((*path, "d"), "q stands in theta already: a joint has one variable")
+            cells.report.error((*path, "d"), "q is already in theta: a joint has only one variable")
         elif complete and not theta.sign and not d.sign:
             message = (
-                "no variable: write q in theta (revolute) or in d (prismatic); what does not move "
-                "belongs to base, tool or a row beside it"
+                "no variable: write q in theta (revolute) or in d (prismatic); a fixed "
+                "transform belongs in base, tool or a neighbouring row"
             )
             cells.report.error(path, message)
     kind = JointKind.PRISMATIC if d.sign else JointKind.REVOLUTE
@@ -63,7 +63,7 @@ def read_axis(cells: Cells, path: Path, entry: AxisRow, *, complete: bool) -> Ax
     kind = JointKind(entry.type)
     x, y, z = (cells.ratio((*path, "direction", i), cell) for i, cell in enumerate(entry.direction))
     if math.hypot(*(cells.value(part) for part in (x, y, z))) <= SNAP:
-        cells.report.error((*path, "direction"), "a direction of length 0 is no axis")
+        cells.report.error((*path, "direction"), "a direction can't have length 0")
     if complete and kind is JointKind.REVOLUTE and not entry.point:
         cells.report.error(path, "the key 'point' is missing: a revolute joint turns about a line")
     return AxisJoint(
@@ -78,6 +78,6 @@ def _split(cells: Cells, path: Path, text: str) -> Split:
     expression = cells.parse(path, text, more={VARIABLE.name: math.nan})
     parts = split(expression)
     if parts is None:
-        message = "q stands alone, with a sign or with an offset: q, -q, q + pi/2, pi - q"
+        message = "q may only have a sign and an offset: q, -q, q + pi/2, pi - q"
         cells.report.error(path, message)
     return parts or Split(0, INVALID)

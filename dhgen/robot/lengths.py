@@ -43,11 +43,11 @@ def note_spread(report: Report, lengths: Iterable[Length]) -> None:
     shortest, longest = min(links, key=_value), max(arm, key=_value)
     ratio = shortest.value / longest.value
     told = f"{quoted(shortest.text)} is {ratio:.1e} of the longest length, {longest.value:g}"
-    write = "write 0 if that is meant, and all lengths in one unit"
+    write = "write 0 if that is meant, and give all lengths in one unit"
     if ratio < NOTHING:
-        report.notice(shortest.path, f"{told}, and may count as nothing: {write}")
+        report.notice(shortest.path, f"{told}, and may count as zero: {write}")
     elif ratio < COARSE:
-        why = "rounding may be more than is promised where it is all that is between two axes"
+        why = "rounding may exceed what is promised if it alone separates two axes"
         report.doubt(shortest.path, f"{told}, and {why}: {write}")
 
 

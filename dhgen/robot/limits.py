@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from dhgen.robot.expression import Expression
     from dhgen.robot.reader import Path
 
-_NOWHERE = "both ends are nowhere: leave 'limits' out"
+_NOWHERE = "neither value limits the joint: leave 'limits' out"
 
 # Beyond, an end is as good as nowhere, and doubles have too few digits of it.
 _FARTHEST = {
@@ -27,8 +27,8 @@ _FARTHEST = {
 }
 # What to write for an end that there is not. Tolerances are relative to how far a slide goes.
 _INSTEAD = {
-    JointKind.REVOLUTE: "where nothing stops the joint write some turns, e.g. {}3600 deg",
-    JointKind.PRISMATIC: "where nothing stops the slide write how far it is ever sent, not more",
+    JointKind.REVOLUTE: "if nothing stops the joint, write some turns, e.g. {}3600 deg",
+    JointKind.PRISMATIC: "if nothing stops the slide, write the farthest that it is ever sent",
 }
 
 
@@ -53,7 +53,7 @@ def read_limits(
     low, high = (_value(cells, kind, end) for end in ends)
     farthest, shown = _FARTHEST[kind]
     reasons = [
-        "no number" if none else f"beyond {shown}" if abs(value) > farthest else ""
+        "not a number" if none else f"beyond {shown}" if abs(value) > farthest else ""
         for none, value in zip(endless, (low, high), strict=True)
     ]
     if all(reasons):

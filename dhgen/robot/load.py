@@ -71,12 +71,12 @@ def load_text(text: str, file_name: str) -> Robot:
 def _no_utf8(content: bytes, name: str, start: int) -> Diagnostic:
     """What a file is told that is not UTF-8 from some byte on; one without lines shows none."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return Diagnostic(name, 0, 0, "the file is UTF-16, not UTF-8: save it so")
+        return Diagnostic(name, 0, 0, "the file is UTF-16: save it as UTF-8")
     if _BINARY.search(content):
-        return Diagnostic(name, 0, 0, "this is no text; a robot file is YAML")
+        return Diagnostic(name, 0, 0, "this is not text; a robot file is YAML")
     source = SourceText.of(content.decode("utf-8", "replace"), name)
     place = Span(len(content[:start].decode("utf-8")))
-    return source.point(place, "the file is not UTF-8: save it so")
+    return source.point(place, "the file is not UTF-8: save it as UTF-8")
 
 
 def _refusal(diagnostic: Diagnostic) -> RobotFileError:

@@ -29,7 +29,7 @@ _BIDIRECTIONAL = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e") |
 def why_no_robot_name(name: str) -> str | None:
     """Why a robot can't be called so, or None."""
     if name.casefold() in FILES:
-        return "it is the name of a library or of a device, and the robot's files bear its name"
+        return "it is the name of a library or a device, so generated files can't have it"
     return _why_no_identifier(name, MAX_ROBOT_NAME)
 
 
@@ -38,7 +38,7 @@ def why_no_parameter_name(name: str) -> str | None:
     if name in RESERVED:
         return f"it is reserved ({', '.join(RESERVED)} have their own meaning)"
     if _GENERATED.fullmatch(name):
-        return "the derivation itself makes such names (c1, s23, q4, theta2, t06, T, U, R)"
+        return "the derivation uses such names itself (c1, s23, q4, theta2, t06, T, U, R)"
     if name in PYTHON:
         return "the generated Python needs this name"
     return _why_no_identifier(name, MAX_PARAMETER_NAME)
@@ -50,9 +50,9 @@ def why_no_text(text: str, longest: int) -> str | None:
         return f"it has {len(text)} characters; at most {longest} are allowed"
     for character in text:
         if unicodedata.category(character) in _CONTROL:
-            return f"it holds the control character U+{ord(character):04X}"
+            return f"it contains the control character U+{ord(character):04X}"
         if character in _BIDIRECTIONAL:
-            return f"it holds U+{ord(character):04X}, which changes the direction of reading"
+            return f"it contains U+{ord(character):04X}, which changes the reading direction"
     return None
 
 

@@ -35,7 +35,7 @@ def index_pairs(source: SourceText, root: Node) -> tuple[dict[int, Pairs], list[
             if not isinstance(key, ScalarNode):
                 mistakes.append(source.point(span_of(key), "a key is a name, not a collection"))
             elif key.value[:1].isdecimal() and is_null(value):  # {a: 0,4} is a pair and a key
-                message = f"a decimal comma has to be a point: .{key.value}, not ,{key.value}"
+                message = f"write a decimal point: .{key.value}, not ,{key.value}"
                 mistakes.append(source.point(span_of(key), message))
             else:
                 _add(known, *_apart(source, key, value, mistakes), source, mistakes)

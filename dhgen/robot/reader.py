@@ -39,14 +39,14 @@ _FORBIDDEN = re.compile(
 )
 _KEYS = "expected keys with values, e.g. 'name: puma560'"
 _TABLE = (
-    "this looks like a table of a spreadsheet, and a robot file is YAML: a line 'name: my_arm', a "
+    "this looks like a spreadsheet table, but a robot file is YAML: a line 'name: my_arm', a "
     "line 'joints:', and below it a line like '  - {theta: q, d: 0.1, a: 0.4, alpha: pi/2}' for "
     "every joint; the README has all keys"
 )
 _WRITE_OUT = "write the values out wherever they belong"
 _LIST = (
-    "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
-    "JSON are for 'dhgen survey'"
+    "a robot file holds keys with values, e.g. 'name: puma560', not a list; JSON lists of "
+    "tables are for 'dhgen survey'"
 )
 
 
@@ -115,9 +115,9 @@ def read_document(text: str, file: str) -> Document:
             raise RobotFileError((source.point(Span(0), _TABLE),)) from None
         raise RobotFileError(syntax_errors(source, error, _check_events)) from None
     except YAMLError as error:
-        raise _whole(source, f"this is no YAML: {error}") from None
+        raise _whole(source, f"not valid YAML: {error}") from None
     except (ValueError, OverflowError):  # an escape like \\UFFFFFFFF, beyond Unicode
-        raise _whole(source, "this is no YAML: an escape names no character") from None
+        raise _whole(source, "not valid YAML: an escape stands for no character") from None
     if root is None or is_null(root):
         raise _whole(source, "the file is empty")
     if not isinstance(root, MappingNode):
@@ -136,7 +136,7 @@ def _check_characters(source: SourceText) -> None:
         raise _whole(source, f"a robot file has at most {MAX_BYTES // 1024} KiB")
     found = _FORBIDDEN.search(source.text)
     if found:
-        message = f"the character U+{ord(found[0]):04X} can't stand in a robot file"
+        message = f"the character U+{ord(found[0]):04X} is not allowed in a robot file"
         raise RobotFileError((source.point(Span(found.start()), message),))
 
 
@@ -176,7 +176,7 @@ def _refusal(event: Event) -> str | None:
             what, instead = "merge keys (<<)", _WRITE_OUT
         case _:
             return None
-    return f"{what} have no place in a robot file: {instead}"
+    return f"{what} are not allowed in a robot file: {instead}"
 
 
 def _is_table(text: str) -> bool:

@@ -43,7 +43,7 @@ class ExpectedError(ValueError):
 def _robot_name(name: str) -> str:
     reason = why_no_robot_name(name)
     if reason:
-        raise ValueError(f"the robot can't be called so: {reason}")
+        raise ValueError(f"the robot can't have this name: {reason}")
     return name
 
 
@@ -66,7 +66,7 @@ def _task(value: object) -> object:
             raise ValueError("a list of coordinates holds some of x, y, z, each once")
         return value
     if value not in TASKS:
-        raise ExpectedError(f"one of {', '.join(TASKS)}, or a list out of x, y, z")
+        raise ExpectedError(f"one of {', '.join(TASKS)}, or a list of some of x, y, z")
     return value
 
 
@@ -260,7 +260,7 @@ class RobotFile(_Strict):
     task: Task = Field(
         default="pose",
         description="What of the pose the caller means: pose, position, orientation, pointing "
-        "(position and the tool's z axis), or a list out of x, y, z.",
+        "(position and the tool's z axis), or a list of some of x, y, z.",
     )
     free: Free = Field(
         default=[],

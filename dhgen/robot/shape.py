@@ -97,8 +97,8 @@ def _glued(key: str, path: Path) -> str:
     if not found or found[1] not in _valid_keys(path):
         return ""
     if found[2] == ":" and "," in key:
-        return "; several keys in one line stand in braces, with a blank after every colon"
-    return f": write '{found[1]}: {found[3]}', with a colon and a blank"
+        return "; put several keys on one line in braces, with a space after every colon"
+    return f": write '{found[1]}: {found[3]}', with a colon and a space"
 
 
 def _valid_keys(path: Path) -> tuple[str, ...]:

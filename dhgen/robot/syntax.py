@@ -41,7 +41,7 @@ def syntax_errors(
     place = Span(min(mark.index, len(source.text.rstrip())) if mark else 0)
     problem = error.problem or "unreadable"
     hint = _tabs(source, place) or _second_colon(source, place, problem)
-    message = f"this is no YAML: {problem}{context}{hint}"
+    message = f"not valid YAML: {problem}{context}{hint}"
     return (source.point(place, " ".join(message.split())),)
 
 
@@ -54,7 +54,7 @@ def split_glued(text: str) -> tuple[str, str] | None:
 def blank_message(key: str, value: str) -> str:
     """What is told of a key whose value follows without a blank."""
     meant, said = f"{key}: {value}", f"{key}:{value}"
-    return f"a blank has to follow the colon: {quoted(meant)}, not {quoted(said)}"
+    return f"a space must follow the colon: {quoted(meant)}, not {quoted(said)}"
 
 
 def blank_told(text: str) -> str | None:
@@ -118,7 +118,7 @@ def _tabs(source: SourceText, place: Span) -> str:
     """The end of a message about a line that begins with a tab, which nobody sees."""
     line = source.lines[source.number(place)]
     indent = line[: len(line) - len(line.lstrip())]
-    return "; YAML wants spaces at the beginning of a line, not tabs" if "\t" in indent else ""
+    return "; YAML indents with spaces, not tabs" if "\t" in indent else ""
 
 
 def _second_colon(source: SourceText, place: Span, problem: str) -> str:
@@ -128,5 +128,5 @@ def _second_colon(source: SourceText, place: Span, problem: str) -> str:
     if not problem.startswith("mapping values") or ":" not in before:
         return ""
     if re.match(r"(title|source)\s*:", before):
-        return "; a text with a colon stands in quotes"
-    return "; several keys in one line stand in braces, e.g. {theta: q, d: 0}"
+        return "; put a text with a colon in quotes"
+    return "; put several keys on one line in braces, e.g. {theta: q, d: 0}"

@@ -72,8 +72,8 @@ def check_tokens(text: str, names: Container[str] = ()) -> None:
         if (unit := _UNIT.match(text, position)) and unit[2] not in names:
             raise CellError(_unit_message(*unit.groups()), Span(position, len(unit[0])))
         if glued:
-            hint = f"write '{number} deg'" if glued == "deg" else "between factors stands a *"
-            message = f"{quoted(number + glued)} is no number; {hint}"
+            hint = f"write '{number} deg'" if glued == "deg" else "write * between factors"
+            message = f"{quoted(number + glued)} is not a number; {hint}"
             raise CellError(message, Span(position, len(number + glued)))
         if number:
             _check_number(number, position)
@@ -116,7 +116,7 @@ def _names(text: str) -> list[str]:
 def _unit_message(number: str, unit: str) -> str:
     if unit.startswith("deg"):
         return f"the unit of degrees is deg: write '{number} deg'"
-    write = f"a cell has no unit: write '{number}', and once for all"
+    write = f"a cell takes no unit: write '{number}', and for all"
     if unit == "rad":
         return f"{write} angles 'units: {{angle: rad}}', which is the default"
     return f"{write} lengths of the file 'units: {{length: {unit}}}'"
@@ -124,11 +124,11 @@ def _unit_message(number: str, unit: str) -> str:
 
 def _stray(text: str, position: int) -> CellError:
     if endless := _NOT_FINITE.match(text, position):
-        return CellError(f"{quoted(endless[0])} is no finite number", Span(position, 4))
+        return CellError(f"{quoted(endless[0])} is not a finite number", Span(position, 4))
     character = text[position]
     meant = "." if _DECIMAL_COMMA.match(text, position) else _LOOKALIKES.get(character)
     hint = f"write '{meant}'" if meant else f"allowed are {ALLOWED}"
-    message = f"{quoted(character)} (U+{ord(character):04X}) can't stand in a cell: {hint}"
+    message = f"{quoted(character)} (U+{ord(character):04X}) is not allowed in a cell: {hint}"
     return CellError(message, Span(position))
 
 
@@ -139,6 +139,6 @@ def _check_number(number: str, position: int) -> None:
         raise CellError(f"a number has at most {MAX_DIGITS} digits", span)
     if len(exponent) > 4 or (exponent and abs(int(exponent)) > MAX_DECIMAL_EXPONENT):
         bounds = f"from -{MAX_DECIMAL_EXPONENT} to {MAX_DECIMAL_EXPONENT}"
-        raise CellError(f"a decimal exponent is a whole number {bounds}", span)
+        raise CellError(f"a decimal exponent must be a whole number {bounds}", span)
     if re.match(r"0\d", mantissa) and mantissa.isdigit() and not exponent:
-        raise CellError("a number does not start with 0", span)
+        raise CellError("a number can't start with 0", span)

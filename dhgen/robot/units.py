@@ -97,7 +97,7 @@ class SaidUnits:
         number = self._plain_addend(angle)
         if number is None:
             return None
-        said = f"has {to_text(number)} in rad, as pi or deg stands beside it"
+        said = f"has {to_text(number)} in rad, as it is next to pi or deg"
         return f"{said}: write {degrees_text(number)} if degrees are meant"
 
     def _plain_addend(self, expression: Expression) -> Expression | None:

@@ -18,7 +18,7 @@ ENDLESS = (
     *(".inf", "inf", "infinity", "oo"),
     *("none", "null", "no", "false", "unlimited", "continuous", "endless"),
 )
-NO_LIMITS = "where nothing stops the joint leave 'limits' out"
+NO_LIMITS = "if nothing stops the joint, leave 'limits' out"
 
 # By the kind of mistake, where every key that takes such a value takes the same.
 _KINDS = {

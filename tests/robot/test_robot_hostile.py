@@ -114,7 +114,7 @@ def test_too_many_mistakes_of_spelling_take_no_time() -> None:
 
 
 def test_a_name_from_another_alphabet() -> None:
-    assert mistake(f"name: рuma\n{JOINTS}").startswith("'рuma': the robot can't be called so")
+    assert mistake(f"name: рuma\n{JOINTS}").startswith("'рuma': the robot can't have this name")
 
 
 FULL = """\

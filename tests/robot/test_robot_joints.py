@@ -68,45 +68,45 @@ def test_a_prismatic_joint() -> None:
     ("cells", "at", "message"),
     [
         ("theta: 0", "{", "no variable: write q in theta (revolute) or in d (prismatic);"),
-        ("theta: q, d: q", "q", "q stands in theta already: a joint has one variable"),
-        ("theta: 2*q", "2*q", "q stands alone, with a sign or with an offset"),
-        ("theta: q + q", "q + q", "q stands alone, with a sign or with an offset"),
-        ("theta: q - q", "q - q", "q stands alone, with a sign or with an offset"),
-        ("theta: sin(q)", "sin(q)", "q stands alone, with a sign or with an offset"),
-        ("theta: q**1", "q**1", "q stands alone, with a sign or with an offset"),
-        ("theta: q, a: q", "q", "the variable q stands in theta or in d of a joint only"),
+        ("theta: q, d: q", "q", "q is already in theta: a joint has only one variable"),
+        ("theta: 2*q", "2*q", "q may only have a sign and an offset"),
+        ("theta: q + q", "q + q", "q may only have a sign and an offset"),
+        ("theta: q - q", "q - q", "q may only have a sign and an offset"),
+        ("theta: sin(q)", "sin(q)", "q may only have a sign and an offset"),
+        ("theta: q**1", "q**1", "q may only have a sign and an offset"),
+        ("theta: q, a: q", "q", "the variable q is only allowed in theta or d of a joint"),
         ("theta: q, limits: [0]", "[", "expected 2 values, not 1"),
         ("theta: q, limits: [1, 1]", "[", "the lower limit 1 is not below the upper one 1"),
         ("theta: q, limits: [1, -1]", "[", "the lower limit 1 is not below the upper one -1"),
-        ("theta: q, limits: [-.inf, 1]", "-.inf", "'-.inf' is no number: where nothing stops the"),
-        ("theta: q, limits: [-1, Infinity]", "Infinity", "'Infinity' is no number: where"),
-        ("theta: q, limits: [-1, 1e16]", "1e16", "'1e16' is beyond 1e+04 rad: where nothing stops"),
-        ("d: q, limits: [null, 1]", "null", "'null' is no number: where nothing stops the slide"),
+        ("theta: q, limits: [-.inf, 1]", "-.inf", "'-.inf' is not a number: if nothing stops the"),
+        ("theta: q, limits: [-1, Infinity]", "Infinity", "'Infinity' is not a number: if"),
+        ("theta: q, limits: [-1, 1e16]", "1e16", "'1e16' is beyond 1e+04 rad: if nothing stops"),
+        ("d: q, limits: [null, 1]", "null", "'null' is not a number: if nothing stops the slide"),
         (
             "d: q, limits: [-2e9, 1]",
             "-2e9",
-            "'-2e9' is beyond 1e+09: where nothing stops the slide",
+            "'-2e9' is beyond 1e+09: if nothing stops the slide",
         ),
-        ("d: q, limits: [-inf, inf]", "[", "both ends are nowhere: leave 'limits' out"),
+        ("d: q, limits: [-inf, inf]", "[", "neither value limits the joint: leave 'limits' out"),
         ("theta: q, alhpa: 0", "alhpa", "unknown key 'alhpa'; did you mean 'alpha'? valid: theta"),
         ("theta: , d: q", "theta", "expected a number or an expression, not nothing"),
-        ("theta: q, a: 0,4", "4", "a decimal comma has to be a point: .4, not ,4"),
-        ("theta: q, a:1", "a:1", "a blank has to follow the colon: 'a: 1', not 'a:1'"),
+        ("theta: q, a: 0,4", "4", "write a decimal point: .4, not ,4"),
+        ("theta: q, a:1", "a:1", "a space must follow the colon: 'a: 1', not 'a:1'"),
         ("theta = q + pi", "theta = q + pi", "unknown key 'theta = q + pi': write 'theta: q + pi'"),
         ("theta: q, a 1", "a 1", "unknown key 'a 1': write 'a: 1', with a colon"),
         ("theta: q, b 1", "b 1", "unknown key 'b 1'; valid: theta, d"),
         ("theta: q, alpha: PI", "PI", "unknown name 'PI'; did you mean 'pi'? valid: pi, deg"),
         ("theta: q1", "q1", "unknown name 'q1': in every row the joint's own variable is called q"),
         ("d: 0.1 - q_2", "q_2", "unknown name 'q_2': in every row the joint's own variable is"),
-        ("theta: q - q2", "q2", "unknown name 'q2': a table can't couple joints; write q for all"),
+        ("theta: q - q2", "q2", "unknown name 'q2': a table can't couple joints; write q for this"),
         ("theta: q1 + q2", "q1", "unknown name 'q1': a table can't couple joints; write q for"),
         ("theta: q, a: q1", "q1", "unknown name 'q1'; valid: pi, deg, sqrt, sin, cos"),
         ("thata: q", "thata", "unknown key 'thata'; did you mean 'theta'?"),
         ("theta: q, alpha: 1e5", "1e5", "the angle 100000 rad is beyond 1e+04"),
-        ("theta: q, a: 30 deg", "30 deg", "'30 deg' is an angle, and a length belongs here: leave"),
-        ("theta: q, d: 0.1 + deg", "0.1 + deg", "'0.1 + deg' is an angle, and a length belongs"),
-        ("d: q - 30 deg", "q - 30 deg", "'q - 30 deg' is an angle, and a length belongs here"),
-        ("d: q, limits: [0, 100 deg]", "100 deg", "'100 deg' is an angle, and a length belongs"),
+        ("theta: q, a: 30 deg", "30 deg", "'30 deg' is an angle, but a length belongs here: leave"),
+        ("theta: q, d: 0.1 + deg", "0.1 + deg", "'0.1 + deg' is an angle, but a length belongs"),
+        ("d: q - 30 deg", "q - 30 deg", "'q - 30 deg' is an angle, but a length belongs here"),
+        ("d: q, limits: [0, 100 deg]", "100 deg", "'100 deg' is an angle, but a length belongs"),
     ],
 )
 def test_refused_rows(cells: str, at: str, message: str) -> None:
@@ -127,7 +127,7 @@ def test_refused_rows(cells: str, at: str, message: str) -> None:
 )
 def test_limits_without_square_brackets_are_told_so(limits: str, written: str) -> None:
     (found,) = mistakes(table(f"theta: q, limits: {limits}, a: 0.4"))
-    assert found.message == f"'limits' holds a list in square brackets: {written}"
+    assert found.message == f"'limits' takes a list in square brackets: {written}"
     assert marked(found) == limits.strip("{}")
     if "{" not in limits:
         below = f"name: r\njoints:\n  - theta: q\n    limits: {limits}\n    a: 0.4\n"
@@ -138,19 +138,19 @@ def test_what_stands_in_a_list_without_square_brackets_is_read_all_the_same() ->
     rows = "theta: q, limits: 1, x", "theta: q, limits: (1, -1)"
     found = mistakes(table(*rows, tool="{xyz: 0, y, 0.1}", free="1,2"))
     assert [each.message.split(":")[0] for each in found] == [
-        "'xyz' holds a list in square brackets",
+        "'xyz' takes a list in square brackets",
         "unknown name 'y'; valid",
-        "'free' holds a list in square brackets",
+        "'free' takes a list in square brackets",
         "every joint is free",
-        "'limits' holds a list in square brackets",
+        "'limits' takes a list in square brackets",
         "unknown name 'x'; valid",
-        "'limits' holds a list in square brackets",
+        "'limits' takes a list in square brackets",
         "the lower limit 1 is not below the upper one -1",
     ]
 
 
 def test_a_list_in_quotes_is_told_so() -> None:
-    told = "'limits' holds a list in square brackets, without quotes: [-1, 1]"
+    told = "'limits' takes a list in square brackets, without quotes: [-1, 1]"
     assert mistake(table("theta: q, limits: '[-1, 1]'")) == told
 
 
@@ -168,7 +168,7 @@ def test_ends_in_the_wrong_order_are_shown_with_what_is_told_of_them(
     ends = f"'-90 deg + 10' ({low}) is not below the upper one 'pi' ({high})"
     assert order.message == f"the lower limit {ends}"
     (note,) = info.value.notes
-    mixed = "has 10 in rad, as pi or deg stands beside it: write 10 deg if degrees are meant"
+    mixed = "has 10 in rad, as it is next to pi or deg: write 10 deg if degrees are meant"
     assert note.message == f"'-90 deg + 10' {mixed}"
     assert str(info.value) == f"{order}\nnote: {note}"
 
@@ -192,7 +192,7 @@ def test_notes_on_other_fields_wait_until_the_mistakes_are_mended() -> None:
 )
 def test_of_limits_that_are_nowhere_one_is_told_to_leave_them_out(joint: str, ends: str) -> None:
     told = mistake(table(f"{joint}, limits: [{ends}]"))
-    assert told == "both ends are nowhere: leave 'limits' out"
+    assert told == "neither value limits the joint: leave 'limits' out"
     assert not robot(table(joint)).notices
 
 
@@ -222,7 +222,7 @@ def test_what_is_to_be_written_for_an_end_that_there_is_not_is_accepted(
 
 def test_a_slide_s_end_that_there_is_not_is_as_far_as_it_is_sent() -> None:
     told = mistake(axes(f"{SLIDE}, limits: [0, ~]"))
-    assert told.endswith("where nothing stops the slide write how far it is ever sent, not more")
+    assert told.endswith("if nothing stops the slide, write the farthest that it is ever sent")
 
 
 @pytest.mark.parametrize("limits", ["1", "(1)", "none", "{min: -1, max: 1}"])
@@ -332,7 +332,7 @@ def test_degrees_leave_lengths_alone() -> None:
 
 
 def test_an_angle_under_a_name_is_no_length_either() -> None:
-    told = "'{}' is an angle, and a length belongs here: leave out deg, or take its sin or cos"
+    told = "'{}' is an angle, but a length belongs here: leave out deg, or take its sin or cos"
     assert mistake(table("theta: q, a: w", parameters="{v: 30 deg, w: -v}")) == told.format("w")
     assert mistake(table("theta: q", tool="{xyz: [0, 0, 5 deg]}")) == told.format("5 deg")
     slide = f"{SLIDE}, limits: [-1, -(5 deg)]"
@@ -385,7 +385,7 @@ def test_degrees_in_a_file_of_radians_are_told() -> None:
 def test_a_plain_number_beside_pi_is_told_in_a_file_of_degrees(joint: str, told: str) -> None:
     (message,) = told_of_cells(table(joint, parameters="{w: 90}", units="{angle: deg}"))
     meant = "w/2*deg" if "w" in joint else "90 deg"
-    beside = ", as pi or deg stands beside it: write"
+    beside = ", as it is next to pi or deg: write"
     assert message == f"{told}{beside} {meant} if degrees are meant"
 
 
@@ -479,8 +479,8 @@ def test_axes() -> None:
         ("type: revolute, direction: [0, 0, 1]", "the key 'point' is missing: a revolute joint"),
         ("direction: [0, 0, 1]", "the key 'type' is missing"),
         ("type: revolute, point: [0, 0, 0]", "the key 'direction' is missing"),
-        ("type: prismatic, direction: [0, 0, 0]", "a direction of length 0 is no axis"),
-        ("type: prismatic, direction: [l - l, 0, 0]", "a direction of length 0 is no axis"),
+        ("type: prismatic, direction: [0, 0, 0]", "a direction can't have length 0"),
+        ("type: prismatic, direction: [l - l, 0, 0]", "a direction can't have length 0"),
         ("type: rotary, direction: [0, 0, 1]", "expected 'revolute' or 'prismatic', not 'rotary'"),
         ("type: prismatic, direction: [0, 1]", "expected 3 values, not 2"),
         ("type: prismatic, direction: [0, 0, 1e12]", "the value 1e+12 is beyond 1e+09"),

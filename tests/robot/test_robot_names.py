@@ -51,12 +51,12 @@ def test_names_of_robots(name: str) -> None:
         ("NAN", "it is a name of the C library"),
         ("j0", "it is a name of the C library"),
         ("main", "it is a name of the C library"),
-        ("math", "it is the name of a library or of a device"),
-        ("numba", "it is the name of a library or of a device"),
-        ("llvmlite", "it is the name of a library or of a device"),
-        ("json", "it is the name of a library or of a device"),
-        ("cProfile", "it is the name of a library or of a device"),
-        ("CON", "it is the name of a library or of a device"),
+        ("math", "it is the name of a library or a device"),
+        ("numba", "it is the name of a library or a device"),
+        ("llvmlite", "it is the name of a library or a device"),
+        ("json", "it is the name of a library or a device"),
+        ("cProfile", "it is the name of a library or a device"),
+        ("CON", "it is the name of a library or a device"),
     ],
 )
 def test_names_that_no_robot_can_have(name: str, reason: str) -> None:
@@ -72,7 +72,7 @@ def test_no_robot_hides_a_module_of_this_python() -> None:
 def test_a_hostile_name_is_shown_harmlessly(escaped: str) -> None:
     message = mistake(f'name: "{escaped}"\n{JOINTS}')
     assert message.isprintable()
-    assert "the robot can't be called so: a name is made of a-z, A-Z, 0-9 and _" in message
+    assert "the robot can't have this name: a name is made of a-z, A-Z, 0-9 and _" in message
 
 
 @pytest.mark.parametrize("name", ["a2", "d4", "L1", "l_1", "theta_off", "s", "t1", "TU"])
@@ -117,12 +117,12 @@ def test_the_title_is_the_name_when_left_out() -> None:
 @pytest.mark.parametrize("key", ["title", "source"])
 @pytest.mark.parametrize("escape", ["\\x07", "\\e", "\\0", "\\r", "\\u202e", "\\u2066", "\\u2028"])
 def test_control_characters_are_refused(key: str, escape: str) -> None:
-    assert "this text can't be used: it holds" in mistake(f'{MINIMAL}{key}: "a{escape}b"\n')
+    assert "this text can't be used: it contains" in mistake(f'{MINIMAL}{key}: "a{escape}b"\n')
 
 
 @pytest.mark.parametrize("character", ["\0", "\x07", "\x1b", "\x7f", "\x85", "\u2028", "\u202e"])
 def test_control_characters_can_stand_nowhere_in_a_file(character: str) -> None:
-    expected = f"the character U+{ord(character):04X} can't stand in a robot file"
+    expected = f"the character U+{ord(character):04X} is not allowed in a robot file"
     assert mistake(f"{MINIMAL}# {character}\n") == expected
 
 

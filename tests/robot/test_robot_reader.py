@@ -13,19 +13,19 @@ from tests.robot.robot_texts import JOINTS, MINIMAL, marked, mistake, mistakes, 
 if TYPE_CHECKING:
     from pathlib import Path
 
-NO_PLACE = "have no place in a robot file"
+NO_PLACE = "are not allowed in a robot file"
 WRITE_OUT = "write the values out wherever they belong"
 SPREADSHEET = (
-    "this looks like a table of a spreadsheet, and a robot file is YAML: a line 'name: my_arm', a "
+    "this looks like a spreadsheet table, but a robot file is YAML: a line 'name: my_arm', a "
     "line 'joints:', and below it a line like '  - {theta: q, d: 0.1, a: 0.4, alpha: pi/2}' for "
     "every joint; the README has all keys"
 )
 LIST = (
-    "a robot file holds keys with values, e.g. 'name: puma560', and not a list; lists of tables in "
-    "JSON are for 'dhgen survey'"
+    "a robot file holds keys with values, e.g. 'name: puma560', not a list; JSON lists of "
+    "tables are for 'dhgen survey'"
 )
-SECOND_COLON = "this is no YAML: mapping values are not allowed here"
-BRACES = "; several keys in one line stand in braces, e.g. {theta: q, d: 0}"
+SECOND_COLON = "not valid YAML: mapping values are not allowed here"
+BRACES = "; put several keys on one line in braces, e.g. {theta: q, d: 0}"
 
 
 def test_positions_of_keys_and_values() -> None:
@@ -95,11 +95,11 @@ def test_duplicate_keys_are_all_reported() -> None:
         ("", "the file is empty"),
         ("# nothing\n", "the file is empty"),
         ("---\n", "the file is empty"),
-        ('name: "\\UFFFFFFFF"', "this is no YAML: an escape names no character"),
+        ('name: "\\UFFFFFFFF"', "not valid YAML: an escape stands for no character"),
         ("name: r\n  joints: []\n", SECOND_COLON),
         ("name: r\njoints:\n  - theta: q, d: 0\n", SECOND_COLON + BRACES),
         ("name: r\nparameters: l: 0.1, m: 0.2\n", SECOND_COLON + BRACES),
-        ("title: r: an arm\n", f"{SECOND_COLON}; a text with a colon stands in quotes"),
+        ("title: r: an arm\n", f"{SECOND_COLON}; put a text with a colon in quotes"),
     ],
 )
 def test_refused_yaml(text: str, message: str) -> None:
@@ -113,7 +113,7 @@ def test_a_long_list_is_a_list_first() -> None:
 def test_a_syntax_error_has_its_place() -> None:
     (found,) = mistakes("name: r\njoints: [\n")
     assert (found.line, found.column) == (2, 10)
-    assert found.message.startswith("this is no YAML: ")
+    assert found.message.startswith("not valid YAML: ")
 
 
 def test_a_quoted_merge_key_is_a_plain_unknown_key() -> None:
@@ -144,15 +144,15 @@ def test_a_file_that_is_not_utf8_says_where(tmp_path: Path) -> None:
         load(path)
     (found,) = info.value.diagnostics
     assert (found.line, found.column) == (2, 14)
-    assert found.message == "the file is not UTF-8: save it so"
+    assert found.message == "the file is not UTF-8: save it as UTF-8"
 
 
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (b"\x7fELF\x02\x01\x01\0\0\xff\n", "this is no text; a robot file is YAML"),
-        (b"\x89PNG\r\n\x1a\n", "this is no text; a robot file is YAML"),
-        (MINIMAL.encode("utf-16"), "the file is UTF-16, not UTF-8: save it so"),
+        (b"\x7fELF\x02\x01\x01\0\0\xff\n", "this is not text; a robot file is YAML"),
+        (b"\x89PNG\r\n\x1a\n", "this is not text; a robot file is YAML"),
+        (MINIMAL.encode("utf-16"), "the file is UTF-16: save it as UTF-8"),
     ],
 )
 def test_what_is_no_text_is_not_shown(content: bytes, message: str, tmp_path: Path) -> None:
@@ -171,7 +171,7 @@ def test_paths_and_texts_load_the_same(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("text", ["name: r\njoints:\n\t- {theta: q}\n", "name: r\n \ttask: x\n"])
 def test_tabs_at_the_beginning_of_a_line_are_named(text: str) -> None:
-    assert mistake(text).endswith("; YAML wants spaces at the beginning of a line, not tabs")
+    assert mistake(text).endswith("; YAML indents with spaces, not tabs")
 
 
 def test_other_mistakes_of_yaml_are_not_blamed_on_tabs() -> None:
@@ -181,12 +181,12 @@ def test_other_mistakes_of_yaml_are_not_blamed_on_tabs() -> None:
 def test_what_is_no_text_does_not_fill_the_screen(tmp_path: Path) -> None:
     path = tmp_path / "r.yaml"
     path.write_bytes(b"4^" + b"\xff\xc3\xa9" * 1000)
-    with pytest.raises(RobotFileError, match="the file is not UTF-8: save it so") as info:
+    with pytest.raises(RobotFileError, match="the file is not UTF-8: save it as UTF-8") as info:
         load(path)
     assert max(len(line) for line in str(info.value).splitlines()[1:]) <= 124
 
 
-BLANK = "a blank has to follow the colon: "
+BLANK = "a space must follow the colon: "
 
 
 @pytest.mark.parametrize(
@@ -238,8 +238,6 @@ def test_other_mistakes_of_yaml_are_not_blamed_on_blanks() -> None:
         "name: r\nsource: 'see a,b:c'\njoints: [\n",
         f"name: r # as in x.yaml, line:1\ntitle: [\n{JOINTS}",
     ):
-        assert mistake(text).startswith("this is no YAML: ")
+        assert mistake(text).startswith("not valid YAML: ")
     told = mistake("name: r\njoints:\n  - theta:q, d: 0\n")
-    assert told.endswith(
-        "; several keys in one line stand in braces, with a blank after every colon"
-    )
+    assert told.endswith("; put several keys on one line in braces, with a space after every colon")

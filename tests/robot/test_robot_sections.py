@@ -56,16 +56,16 @@ SLIDE = "type: prismatic, direction: [0, 0, 1]"
         (f"{MINIMAL}jionts: []\n", "unknown key 'jionts'; did you mean 'joints'? valid: name, tit"),
         (
             f"{MINIMAL}task: poses\n",
-            "expected one of pose, position, orientation, pointing, or a list out of x, y, z, not",
+            "expected one of pose, position, orientation, pointing, or a list of some of x, y, z",
         ),
         (f"{MINIMAL}task: [x, x]\n", "a list of coordinates holds some of x, y, z, each"),
         (f"{MINIMAL}task: [w]\n", "a list of coordinates holds some of x, y, z, each"),
         (f"{MINIMAL}task: []\n", "a list of coordinates holds some of x, y, z, each"),
         (f"{MINIMAL}task: {{a: 1}}\n", "expected one of pose"),
-        (f"{MINIMAL}free: [2]\n", "there is no joint 2: joints count from 1 to 1"),
-        (f"{MINIMAL}free: [0]\n", "there is no joint 0: joints count from 1 to 1"),
-        (f"{MINIMAL}free: [-1]\n", "there is no joint -1: joints count from 1 to 1"),
-        (f"{MINIMAL}free: [1, 1]\n", "free joints stand in ascending order, each once"),
+        (f"{MINIMAL}free: [2]\n", "there is no joint 2: joints are numbered from 1 to 1"),
+        (f"{MINIMAL}free: [0]\n", "there is no joint 0: joints are numbered from 1 to 1"),
+        (f"{MINIMAL}free: [-1]\n", "there is no joint -1: joints are numbered from 1 to 1"),
+        (f"{MINIMAL}free: [1, 1]\n", "list free joints in ascending order, each once"),
         (f"{MINIMAL}free: [a]\n", "expected the number of a joint, not 'a'"),
         (f"{MINIMAL}free: [1.5]\n", "expected the number of a joint, not '1.5'"),
         (f"{MINIMAL}free: [1.0]\n", "expected the number of a joint, not '1.0'"),
@@ -157,15 +157,15 @@ def test_parameters_may_use_those_before_them() -> None:
             "these parameters are defined by each other: l by m, m by n, n by l; give",
         ),
         ("{l: l + 1}", "the parameter 'l' is defined by itself"),
-        ("{l: q}", "the variable q stands in theta or in d of a joint only"),
+        ("{l: q}", "the variable q is only allowed in theta or d of a joint"),
         ("{q: 1}", "'q' can't be a parameter: it is reserved (q, pi, deg, sqrt, sin, cos"),
-        ("{c1: 1}", "'c1' can't be a parameter: the derivation itself makes such names"),
+        ("{c1: 1}", "'c1' can't be a parameter: the derivation uses such names itself"),
         ("{l: }", "expected a number or an expression, not nothing"),
         ("{l: [1]}", "expected a number or an expression, not a list of 1"),
         ("[l]", "expected names with values, e.g. {a1: 0.4}, not a list of 1"),
-        ("{l: 0,5, m: 0.5}", "a decimal comma has to be a point: .5, not ,5"),
-        ("{l: 0,5 deg}", "a decimal comma has to be a point: .5 deg, not ,5 deg"),
-        ("\n  l: 0,5", "',' (U+002C) can't stand in a cell: write '.'"),
+        ("{l: 0,5, m: 0.5}", "write a decimal point: .5, not ,5"),
+        ("{l: 0,5 deg}", "write a decimal point: .5 deg, not ,5 deg"),
+        ("\n  l: 0,5", "',' (U+002C) is not allowed in a cell: write '.'"),
         ("{l: 1/0, m: 1/l}", "division by zero"),
     ],
 )
@@ -178,15 +178,15 @@ def test_parameters_that_nothing_of_the_arm_uses_are_told() -> None:
     text = table("theta: q, a: a1, alpha: w", parameters=named, tool="{xyz: [0, 0, b]}")
     told = robot(text).notices
     assert [marked(notice) for notice in told] == ["a2", "a3", "a4"]
-    meant = "leave it out, or name it in its cell"
+    meant = "remove it, or use it in a cell"
     assert told[0].message == f"no cell uses the parameter 'a2': {meant}"
 
 
 def test_lengths_out_of_all_proportion_are_told() -> None:
     told = robot(table("theta: q, a: 1e-3", "theta: q, d: -1e6, a: 20")).notices
     assert [marked(notice) for notice in told] == ["1e-3"]
-    beside = "'1e-3' is 1.0e-09 of the longest length, 1e+06, and may count as nothing"
-    assert told[0].message.startswith(f"{beside}: write 0 if that is meant, and all lengths")
+    beside = "'1e-3' is 1.0e-09 of the longest length, 1e+06, and may count as zero"
+    assert told[0].message.startswith(f"{beside}: write 0 if that is meant, and give all")
     assert robot(table("theta: q, a: 0.4", "d: q, limits: [-1e8, 0]")).notices
     assert not robot(table("theta: q, a: 0.4, d: 1e-8", base="{xyz: [3e6, 0, 0]}")).notices
     assert not robot(table("theta: q, a: 0.4", "d: q, limits: [1e-9, 1]")).notices
@@ -208,7 +208,7 @@ def test_switches_as_yaml_writes_them(value: str) -> None:
 
 
 def test_a_unit_in_a_cell_is_told_where_units_stand() -> None:
-    file = "a cell has no unit: write '400', and once for all lengths of the file"
+    file = "a cell takes no unit: write '400', and for all lengths of the file"
     assert mistake(table("theta: q, a: 400 mm")) == f"{file} 'units: {{length: mm}}'"
     assert mistake(table("theta: q, a: 400in")) == f"{file} 'units: {{length: in}}'"
     assert mistake(table("theta: q + 1 rad")).endswith(
@@ -217,7 +217,7 @@ def test_a_unit_in_a_cell_is_told_where_units_stand() -> None:
     assert mistake(table("theta: q, alpha: 90 degrees")).endswith("write '90 deg'")
     # m is no unit where a parameter is called so
     message = mistake(table("theta: q, a: 2 m", parameters="{m: 1}"))
-    assert message == "this is no arithmetic: an operand or an operator is missing"
+    assert message == "not valid arithmetic: an operand or an operator is missing"
 
 
 def test_decimal_commas_are_each_told_at_their_place() -> None:

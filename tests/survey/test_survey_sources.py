@@ -88,8 +88,8 @@ def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
         ("arm", "joints", [{"theta": "q", "d": "x"}], 'table 2: unknown name \'x\'; .*: "d": "x"$'),
         ("arm", "base", [[1, 0], [0, 1]], "table 2: base: expected 4 values, not 2: a row of four"),
         ("arm", "tool", {"xyz": [0, "z", 0]}, "table 2: tool, xyz: unknown name 'z'; .*: \"z\"$"),
-        ("../arm", "joints", [], "table 2: '../arm': the robot can't be called so"),
-        ("\x1b[31m", "joints", [], "table 2: .*can't be called so"),
+        ("../arm", "joints", [], "table 2: '../arm': the robot can't have this name"),
+        ("\x1b[31m", "joints", [], "table 2: .*can't have this name"),
     ],
 )
 def test_a_mistake_in_a_table_has_its_place(
