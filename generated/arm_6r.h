@@ -26,13 +26,13 @@ enum {
 enum {
     /* joint values */
     ARM_6R_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     ARM_6R_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     ARM_6R_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     ARM_6R_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose */
+    /* NaN: T is not a valid pose */
     ARM_6R_INVALID_POSE = 4
 };
 
@@ -49,10 +49,10 @@ void arm_6r_jacobian(const double q[6], double J[36]);
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -ARM_6R_INVALID_POSE, also for a seed that is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int arm_6r_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns ARM_6R_OK or ARM_6R_FREE_JOINT, or, with NaN in q,
  * minus ARM_6R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */

@@ -27,13 +27,13 @@ enum {
 enum {
     /* joint values */
     BARTELL_RPRPR_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     BARTELL_RPRPR_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     BARTELL_RPRPR_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     BARTELL_RPRPR_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose */
+    /* NaN: T is not a valid pose */
     BARTELL_RPRPR_INVALID_POSE = 4
 };
 
@@ -51,11 +51,11 @@ void bartell_rprpr_jacobian(const double q[5], double J[30]);
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -BARTELL_RPRPR_INVALID_POSE, also for a seed that
  * is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns BARTELL_RPRPR_OK or BARTELL_RPRPR_FREE_JOINT, or, with NaN in q,
  * minus BARTELL_RPRPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */

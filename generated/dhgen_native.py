@@ -3,11 +3,11 @@
 Generated from templates/python/dhgen_native.py.jinja. Do not edit.
 
     import dhgen_native, scara
-    robot = dhgen_native.native(scara)  # scara.c and scara.h lie beside scara.py
+    robot = dhgen_native.native(scara)  # scara.c and scara.h are next to scara.py
     q, status = robot.ik_all(T)
 
 What comes back is a module like the one given, with the same functions, constants and errors; only
-the solving is done in C. It is not for calls from numba functions, which want the module itself.
+the solving is done in C. numba functions cannot call it: they need the module itself.
 
 Libraries are kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache folder, under the digest of
 their source, the compiler, its flags and the processor. Any number of processes may build at once.
@@ -46,8 +46,8 @@ FLAGS = (
 )
 # With these NaN means nothing, which says that a row has no solution.
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
-FLAGS_APART = "what is more than its name belongs to flags"
-WRITABLE = "set DHGEN_CACHE_DIR to a folder that can be written to"
+FLAGS_APART = "its options belong in flags"
+WRITABLE = "set DHGEN_CACHE_DIR to a writable folder"
 
 
 class NoCompiler(RuntimeError):  # noqa: N818
@@ -55,7 +55,7 @@ class NoCompiler(RuntimeError):  # noqa: N818
 
 
 class BuildError(RuntimeError):
-    """The compiler refuses the source, or its flags; the text is what it says."""
+    """The compiler rejects the source or its flags; the message is its output."""
 
 
 def native(
@@ -65,17 +65,17 @@ def native(
 
     Args:
         module: The robot's Python; its C and header are looked for in the same folder.
-        compiler: A C compiler that takes the flags of gcc: a name or a path. Without it $CC, cc,
-            gcc or clang, the first one that there is.
-        flags: For the compiler, in place of FLAGS: words, or a text that is split as a shell does.
+        compiler: A C compiler that takes the flags of gcc: a name or a path. By default the first
+            of $CC, cc, gcc and clang that exists.
+        flags: For the compiler, in place of FLAGS: strings, or one that is split as by a shell.
 
     Raises:
-        TypeError: What is given is no robot's module, no compiler's name or no flags.
-        NoCompiler: There is none.
-        BuildError: The compiler refuses.
+        TypeError: An argument is not a robot's module, a compiler's name or flags.
+        NoCompiler: No C compiler was found.
+        BuildError: The compiler rejects the source or its flags.
         ValueError: With these flags NaN would mean nothing.
-        FileNotFoundError: The C or its header is not there.
-        OSError: No library can be kept in the folder for them.
+        FileNotFoundError: The C or its header is missing.
+        OSError: The folder for libraries can't be written to.
     """
     if not hasattr(module, "MAX_SOLUTIONS"):
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
@@ -83,13 +83,13 @@ def native(
     path = Path(str(module.__file__))
     for source in (path.with_suffix(".c"), path.with_suffix(".h")):
         if not source.exists():
-            raise FileNotFoundError(f"{source} is not there: native compiles it beside {path.name}")
+            raise FileNotFoundError(f"{source} not found: native needs it next to {path.name}")
     words = shlex.split(flags) if isinstance(flags, str) else flags
     if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):
-        raise TypeError(f"flags must be a list of words, or one text, not {flags!r}")
+        raise TypeError(f"flags must be a list of strings, or one string, not {flags!r}")
     if wrong := FORGET_NAN.intersection(words):
-        told = " and ".join(sorted(wrong))
-        raise ValueError(f"flags must be without {told}: NaN says that a row has no solution")
+        told = " or ".join(sorted(wrong))
+        raise ValueError(f"flags must not include {told}: NaN marks rows without a solution")
     library = _build(path.with_suffix(".c"), _compiler(compiler), words)
     # The same text once more: its functions find those of the C where those of numba were.
     spec = importlib.util.spec_from_file_location(module.__name__, path)
@@ -158,9 +158,10 @@ class _Solver:
         filled = tuple(getattr(each, "shape", None) for each in (q, status))
         if [each.shape for each in arrays] != shapes or filled != rows:
             wanted = ", ".join(map(str, (*shapes, *rows)))
-            raise ValueError(f"T{', q_free' * bool(self._given)}, q and status must be {wanted}")
+            first = "T, q_free" if self._given else "T"
+            raise ValueError(f"{first}, q and status must have shapes {wanted}")
         if q.dtype.kind != "f" or status.dtype.kind not in "iuf":
-            raise ValueError("q must hold float64, status uint8")
+            raise ValueError("q must be float64, status uint8")
         values = None if seed is None else self._seed(seed)
         results = _place(q, np.float64), _place(status, np.uint8)
         count = self._ik(
@@ -218,15 +219,15 @@ def _place(array: NDArray[Any], kind: type) -> NDArray[Any]:
 
 def _compiler(wanted: str | None) -> str:
     if not isinstance(wanted, (str, type(None))):
-        raise TypeError(f"compiler must be a name or a path as a text, not {wanted!r}: {FLAGS_APART}")
+        raise TypeError(f"compiler must be a name or a path, not {wanted!r}: {FLAGS_APART}")
     names = (wanted,) if wanted else (os.environ.get("CC"), "cc", "gcc", "clang")
     for name in names:
         if name and (found := shutil.which(name)):
             return found
-    asked = f"{wanted} is not there" if wanted else "none of $CC, cc, gcc and clang is there"
+    asked = f"{wanted} not found" if wanted else "none of $CC, cc, gcc and clang found"
     if wanted and len(wanted.split()) > 1:
         asked += f" ({FLAGS_APART})"
-    raise NoCompiler(f"no C compiler: {asked}; without one the robot's own module solves, by numba")
+    raise NoCompiler(f"no C compiler: {asked}; without one use the robot's own module, with numba")
 
 
 def _build(source: Path, compiler: str, flags: Sequence[str]) -> Path:
@@ -252,7 +253,7 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         return tempfile.TemporaryDirectory(dir=folder)
     except OSError as error:
-        told = f"no library can be kept there ({error.strerror}): {WRITABLE}"
+        told = f"libraries can't be written there ({error.strerror}): {WRITABLE}"
         raise OSError(error.errno, told, str(folder)) from None
 
 
@@ -263,7 +264,7 @@ def _folder() -> Path:
     try:
         return (Path(user) if user else Path.home() / ".cache") / "dhgen"
     except RuntimeError:
-        raise RuntimeError(f"the user has no home: {WRITABLE}") from None
+        raise RuntimeError(f"the user has no home folder: {WRITABLE}") from None
 
 
 def _run(*command: str) -> str:

@@ -6,13 +6,13 @@
  * unit of length of the caller, last row 0 0 0 1. Angles are in radians.
  *
  * Every function returns DHGEN_POSE_OK, or one of the negative codes below and fills its outputs
- * with NaN, which the solvers refuse in their turn. Inputs and outputs must not overlap. A T that
+ * with NaN, which the solvers reject in turn. Inputs and outputs must not overlap. A T that
  * is only rounded, to float32 or to six decimals, is read to within that rounding. The checks need
  * arithmetic with NaN: do not compile with -ffast-math or -ffinite-math-only.
  *
  * Reading a pose and writing it again gives the same T to about 1e-15, at and near the singular
  * orientations too. There the angles themselves are not unique: each function says which it
- * returns. Where the formulas come from stands in dhgen_pose.c.
+ * returns. dhgen_pose.c says where the formulas come from.
  */
 #ifndef DHGEN_POSE_H
 #define DHGEN_POSE_H
@@ -25,8 +25,8 @@ enum {
     DHGEN_POSE_OK = 0,
     DHGEN_POSE_NOT_FINITE = -1,      /* an input is NaN or infinite */
     DHGEN_POSE_NOT_RIGID = -2,       /* T is not a rotation and a translation */
-    DHGEN_POSE_ZERO_QUATERNION = -3, /* a zero quaternion is no rotation */
-    DHGEN_POSE_ZERO_AXIS = -4        /* a zero axis with an angle other than 0 is no rotation */
+    DHGEN_POSE_ZERO_QUATERNION = -3, /* a zero quaternion is not a rotation */
+    DHGEN_POSE_ZERO_AXIS = -4        /* a zero axis with an angle other than 0 is not a rotation */
 };
 
 /* rpy = roll, pitch, yaw about the fixed axes x, then y, then z: R = Rz(yaw) Ry(pitch) Rx(roll).
@@ -57,7 +57,7 @@ int dhgen_pose_to_xyz_quaternion_wxyz(const double T[16], double xyz[3], double 
  * with angle 0.
  *
  * to: a unit axis, angle in [0, pi]. Without rotation the axis is 0, 0, 1. For a half turn both
- * axis and -axis serve: the one whose first component other than zero is positive, and within
+ * axis and -axis are right: the one whose first component other than zero is positive, and within
  * rounding of a half turn it may be either.
  */
 int dhgen_pose_from_xyz_axis_angle(const double xyz[3], const double axis[3], double angle,

@@ -53,9 +53,9 @@ try:
 except RuntimeError:
     _KEEPS = False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
-        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
-        "that can be written to",
+        f"numba can't cache what it compiles of {__file__}, neither next to it nor in the user's "
+        "cache folder, and compiles it again in every process: set NUMBA_CACHE_DIR to a "
+        "writable folder",
         stacklevel=2,
     )
 
@@ -165,7 +165,7 @@ def from_xyz_quaternion_xyzw(xyz: Array, quaternion_xyzw: Array) -> Array:
     q = _vector(quaternion_xyzw, 4)
     largest = max(abs(q[0]), abs(q[1]), abs(q[2]), abs(q[3]))
     if largest == 0.0:
-        raise ValueError("a zero quaternion is no rotation")
+        raise ValueError("a zero quaternion is not a rotation")
     # Scaled first: the squares of very long or short quaternions would leave the range of floats.
     x, y, z, w = q[0] / largest, q[1] / largest, q[2] / largest, q[3] / largest
     k = 2.0 / (x * x + y * y + z * z + w * w)
@@ -243,12 +243,12 @@ def from_xyz_axis_angle(xyz: Array, axis: Array, angle: float) -> Array:
     v = _vector(axis, 3)
     theta = np.float64(angle)
     if not math.isfinite(theta):
-        raise ValueError("every number must be finite")
+        raise ValueError("all numbers must be finite")
     T = _pose_at(xyz)
     largest = max(abs(v[0]), abs(v[1]), abs(v[2]))
     if largest == 0.0:
         if theta != 0.0:
-            raise ValueError("a zero axis with an angle other than 0 is no rotation")
+            raise ValueError("a zero axis with an angle other than 0 is not a rotation")
         return T
     # Scaled first: the squares of very long or short axes would leave the range of floats.
     x, y, z = v[0] / largest, v[1] / largest, v[2] / largest
@@ -268,7 +268,7 @@ def to_xyz_axis_angle(T: Array) -> tuple[Array, Array, float]:
 
     From the quaternion (document 001, eq. (11b)): the axis in eq. (11) is divided by sin(angle),
     which loses it near 0 and pi. Without rotation the axis is 0, 0, 1. For a half turn both axis
-    and -axis serve: the one whose first component other than zero is positive is returned, and
+    and -axis are right: the one whose first component other than zero is positive is returned;
     within rounding of a half turn it may be either.
 
     Args:
@@ -403,12 +403,12 @@ def _angle(sine: float, cosine: float) -> float:
 def _vector(numbers: Array, length: int) -> Array:
     """A float64 copy of `length` finite numbers: numba checks no index and computes in float32."""
     if numbers.shape != (length,):
-        raise ValueError("wrong length: 4 numbers make a quaternion, 3 everything else")
+        raise ValueError("wrong length: a quaternion has 4 numbers, everything else 3")
     copy = np.empty(length)
     for i in range(length):
         copy[i] = numbers[i]
         if not math.isfinite(copy[i]):
-            raise ValueError("every number must be finite")
+            raise ValueError("all numbers must be finite")
     return copy
 
 
@@ -428,16 +428,16 @@ def _rigid(T: Array) -> Array:
     is the cross product of the next two, and the length of one row tells zero apart.
     """
     if T.shape != (4, 4):
-        raise ValueError("a pose has shape (4, 4)")
+        raise ValueError("T must have shape (4, 4)")
     P = np.empty((4, 4))
     for i in range(4):
         for j in range(4):
             P[i, j] = T[i, j]
             if not math.isfinite(P[i, j]):
-                raise ValueError("every number must be finite")
+                raise ValueError("all numbers must be finite")
             # Entries out of bounds end here, before their products overflow.
             if j < 3 and abs(P[i, j]) > 1.0 + RIGID_TOLERANCE:
-                raise ValueError("not a rotation and a translation")
+                raise ValueError("T is not a rotation and a translation")
     deviation = max(abs(P[3, 0]), abs(P[3, 1]), abs(P[3, 2]), abs(P[3, 3] - 1.0))
     deviation = max(deviation, abs(P[0, 0] ** 2 + P[0, 1] ** 2 + P[0, 2] ** 2 - 1.0))
     for i in range(3):
@@ -446,7 +446,7 @@ def _rigid(T: Array) -> Array:
             cofactor = P[i1, j1] * P[i2, j2] - P[i1, j2] * P[i2, j1]
             deviation = max(deviation, abs(cofactor - P[i, j]))
     if deviation > RIGID_TOLERANCE:
-        raise ValueError("not a rotation and a translation")
+        raise ValueError("T is not a rotation and a translation")
     return P
 
 

@@ -28,13 +28,13 @@ enum {
 enum {
     /* joint values */
     KINOVA_GEN3_7_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     KINOVA_GEN3_7_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     KINOVA_GEN3_7_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     KINOVA_GEN3_7_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose, or a free joint's value is not finite */
+    /* NaN: T is not a valid pose, or a free joint's value is not finite */
     KINOVA_GEN3_7_INVALID_POSE = 4
 };
 
@@ -52,12 +52,12 @@ void kinova_gen3_7_jacobian(const double q[7], double J[42]);
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -KINOVA_GEN3_7_INVALID_POSE, also for a seed that
  * is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int kinova_gen3_7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns KINOVA_GEN3_7_OK or KINOVA_GEN3_7_FREE_JOINT, or, with NaN in q,
  * minus KINOVA_GEN3_7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */

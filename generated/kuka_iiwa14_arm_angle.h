@@ -29,13 +29,13 @@ enum {
 enum {
     /* joint values */
     KUKA_IIWA14_ARM_ANGLE_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     KUKA_IIWA14_ARM_ANGLE_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     KUKA_IIWA14_ARM_ANGLE_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose, or the arm angle is not finite */
+    /* NaN: T is not a valid pose, or the arm angle is not finite */
     KUKA_IIWA14_ARM_ANGLE_INVALID_POSE = 4
 };
 
@@ -57,12 +57,12 @@ double kuka_iiwa14_arm_angle_arm_angle(const double q[7]);
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE, also for a
  * seed that is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int kuka_iiwa14_arm_angle_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns KUKA_IIWA14_ARM_ANGLE_OK or KUKA_IIWA14_ARM_ANGLE_FREE_JOINT, or, with NaN in q,
  * minus KUKA_IIWA14_ARM_ANGLE_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
  * seed

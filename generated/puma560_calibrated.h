@@ -27,13 +27,13 @@ enum {
 enum {
     /* joint values */
     PUMA560_CALIBRATED_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     PUMA560_CALIBRATED_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     PUMA560_CALIBRATED_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     PUMA560_CALIBRATED_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose */
+    /* NaN: T is not a valid pose */
     PUMA560_CALIBRATED_INVALID_POSE = 4
 };
 
@@ -51,11 +51,11 @@ void puma560_calibrated_jacobian(const double q[6], double J[36]);
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -PUMA560_CALIBRATED_INVALID_POSE, also for a seed
  * that is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int puma560_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns PUMA560_CALIBRATED_OK or PUMA560_CALIBRATED_FREE_JOINT, or, with NaN in q,
  * minus PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a
  * seed

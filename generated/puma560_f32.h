@@ -26,13 +26,13 @@ enum {
 enum {
     /* joint values */
     PUMA560_F32_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     PUMA560_F32_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     PUMA560_F32_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     PUMA560_F32_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose */
+    /* NaN: T is not a valid pose */
     PUMA560_F32_INVALID_POSE = 4
 };
 
@@ -49,11 +49,11 @@ void puma560_f32_jacobian(const float q[6], float J[36]);
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -PUMA560_F32_INVALID_POSE, also for a seed that is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int puma560_f32_ik(
     const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns PUMA560_F32_OK or PUMA560_F32_FREE_JOINT, or, with NaN in q,
  * minus PUMA560_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */

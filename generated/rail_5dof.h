@@ -27,13 +27,13 @@ enum {
 enum {
     /* joint values */
     RAIL_5DOF_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     RAIL_5DOF_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     RAIL_5DOF_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     RAIL_5DOF_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose */
+    /* NaN: T is not a valid pose */
     RAIL_5DOF_INVALID_POSE = 4
 };
 
@@ -50,10 +50,10 @@ void rail_5dof_jacobian(const double q[5], double J[30]);
 /* All solutions. Row b is always branch b. q_seed gives the values of joints that are indeterminate
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -RAIL_5DOF_INVALID_POSE, also for a seed that is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns RAIL_5DOF_OK or RAIL_5DOF_FREE_JOINT, or, with NaN in q,
  * minus RAIL_5DOF_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */

@@ -27,13 +27,13 @@ enum {
 enum {
     /* joint values */
     STAUBLI_TX40_OK = 0,
-    /* NaN: no solution in this branch, or one that a row before it holds */
+    /* NaN: no solution in this branch, or one that an earlier row holds */
     STAUBLI_TX40_UNREACHABLE = 1,
-    /* joint values; a joint was indeterminate and took the seed's value, or one near */
+    /* joint values; a joint was indeterminate and took the seed's value, or one near it */
     STAUBLI_TX40_FREE_JOINT = 2,
-    /* joint values, of which one is beyond its limits */
+    /* joint values, at least one beyond its limits */
     STAUBLI_TX40_OUT_OF_LIMITS = 3,
-    /* NaN: T is no pose */
+    /* NaN: T is not a valid pose */
     STAUBLI_TX40_INVALID_POSE = 4
 };
 
@@ -51,11 +51,11 @@ void staubli_tx40_jacobian(const double q[6], double J[36]);
  * at this pose (NULL: zeros).
  * Returns how many rows are OK or FREE_JOINT, or -STAUBLI_TX40_INVALID_POSE, also for a seed that
  * is
- * not finite where it may count. */
+ * not finite where it may be needed. */
 int staubli_tx40_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, angles moved by whole turns inside their limits.
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns STAUBLI_TX40_OK or STAUBLI_TX40_FREE_JOINT, or, with NaN in q,
  * minus STAUBLI_TX40_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */

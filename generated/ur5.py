@@ -48,9 +48,9 @@ try:
 except RuntimeError:
     _COMPILED, _OPTIONS["cache"] = True, False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
-        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
-        "that can be written to",
+        f"numba can't cache what it compiles of {__file__}, neither next to it nor in the user's "
+        "cache folder, and compiles it again in every process: set NUMBA_CACHE_DIR to a "
+        "writable folder",
         stacklevel=2,
     )
 _jit = njit(**_OPTIONS)
@@ -96,10 +96,10 @@ MAX_SOLUTIONS = 8
 
 # What a row of ik_all holds.
 OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
-OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
-INVALID_POSE = 4  # NaN: T is no pose
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
+OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
+INVALID_POSE = 4  # NaN: T is not a valid pose
 
 d1 = 0.089159  # joint offset 1 [m]
 a2 = -0.425  # link length 2 [m]
@@ -142,7 +142,7 @@ _NONE = type(None)
 
 
 class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the text says which."""
+    """There is no solution, or none inside the limits; the message says which."""
 
 
 @njit(fastmath={"contract"}, **_OPTIONS)
@@ -188,7 +188,7 @@ def _numbers(values, shape, name):
                 raise TypeError
             values = values.astype(_FLOAT)
     except (TypeError, ValueError):
-        raise ValueError(f"{name} must hold real numbers, in shape {shape}") from None
+        raise ValueError(f"{name} must hold real numbers, with shape {shape}") from None
     return values
 
 
@@ -370,7 +370,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "ur5 47b43c886b623983"
+_KEY = "ur5 8dfdb1c10e4c623f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1358,12 +1358,12 @@ def _regular(pose, q, status):
 def _into(T, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (8, 6) or status.shape != (8,):
-        raise ValueError("T, q and status must be (4, 4), (8, 6) and (8,)")
+        raise ValueError("T, q and status must have shapes (4, 4), (8, 6), (8,)")
     q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
     holds = q[0, 0] == 0.5
     status[0] = INVALID_POSE
     if not holds or status[0] != INVALID_POSE:
-        raise ValueError("q must hold float64, status uint8")
+        raise ValueError("q must be float64, status uint8")
     valid, pose = _read(T)
     if not valid:
         status[:] = INVALID_POSE
@@ -1409,12 +1409,12 @@ def ik_into(T, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, q or status cannot hold what is written, or the
-            seed is not finite.
+        ValueError: An array has the wrong shape, q or status has the wrong type, or the seed is
+            not finite.
     """
     seed = _zeros(carray(_room(6), 6)) if q_seed is None else q_seed
     if seed.shape != (6,):
-        raise ValueError("q_seed must be (6,)")
+        raise ValueError("q_seed must have shape (6,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
@@ -1431,7 +1431,7 @@ def ik_all(T, q_seed=None):
         q_seed: Values for joints that are indeterminate at this pose (6,); zeros without it.
 
     Raises:
-        ValueError: An argument has another shape, or the seed is not finite.
+        ValueError: An argument has the wrong shape, or the seed is not finite.
     """
     q, status = np.empty((8, 6)), np.empty(8, _BYTE)
     given, T = T, _numbers(T, (4, 4), "T")
@@ -1480,24 +1480,24 @@ def _nearest(rows, status, seed, limits, q):
 def ik(T, q_seed=None, *, branch=None, limits=True):
     """One solution (6,): the nearest to the seed.
 
-    Angles are moved by whole turns inside their limits.
+    Angles are moved by whole turns into their limits.
 
     Args:
         T: Pose (4, 4).
         q_seed: Where the arm is (6,); zeros without it.
-        branch: Only this branch: a name out of BRANCHES, or its row.
+        branch: Only this branch: a name from BRANCHES, or its row.
         limits: Whether joint limits count: True or False.
 
     Raises:
-        Unreachable: There is no such solution; the text says why.
-        ValueError: T is no pose, there is no such branch, or limits is no truth value.
+        Unreachable: There is no such solution; the message says why.
+        ValueError: T is not a valid pose, branch does not exist, or limits is not True or False.
     """
     if not isinstance(limits, (bool, np.bool_)):
         raise ValueError(f"limits must be True or False, not {limits!r}")
     first, last = (0, 8) if branch is None else _span(branch)
     rows, status = ik_all(T, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
+        raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?)")
     rows, status, q = rows[first:last], status[first:last], np.empty(6)
     seed = _ZEROS if q_seed is None else _array(q_seed, (6,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
@@ -1887,19 +1887,19 @@ def _in_tiles(T, q, status):
 
 
 def ik_batch(T, *, cores=None, out=None):
-    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+    """ik_all for N poses (N, 4, 4), shared among `cores` cores, by default all of them.
 
     Args:
         T: Poses (N, 4, 4).
         cores: How many threads share the poses.
-        out: The arrays q and status to write to, those that an earlier call returned or like
-            them: fresh memory can cost more time than the solutions.
+        out: The arrays q and status to write to, from an earlier call or like those: fresh
+            memory can cost more time than the solutions.
 
     Returns:
         q (N, 8, 6) and status (N, 8).
 
     Raises:
-        ValueError: An argument has another shape, or cores is no number of at least 1.
+        ValueError: An argument has the wrong shape, or cores is not a whole number from 1.
     """
     given, T = T, _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
@@ -1931,7 +1931,7 @@ def _results(out, count):
     if out is None:
         return np.empty(rows), np.empty(row, _BYTE)
     if not isinstance(out, (tuple, list)) or len(out) != 2:
-        raise ValueError("out must be (q, status), two arrays as an earlier call returned them")
+        raise ValueError("out must be (q, status), two arrays like those an earlier call returned")
     q, status = out
     for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
         ready = isinstance(array, np.ndarray) and array.flags.carray
@@ -1961,7 +1961,7 @@ def _span(branch):
     if _is_number(branch) and 0 <= branch < MAX_SOLUTIONS:
         return branch, branch + 1
     names = ", ".join(BRANCHES)
-    raise ValueError(f"no branch {branch!r}; there are {names}, by name or by row from 0")
+    raise ValueError(f"no branch {branch!r}; give a row, from 0, or a name: {names}")
 
 
 def _is_number(value):

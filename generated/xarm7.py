@@ -48,9 +48,9 @@ try:
 except RuntimeError:
     _COMPILED, _OPTIONS["cache"] = True, False
     warnings.warn(
-        f"numba can't keep what it compiles of {__file__}, neither beside it nor in the user's "
-        "cache folder, and compiles it anew in every process: set NUMBA_CACHE_DIR to a folder "
-        "that can be written to",
+        f"numba can't cache what it compiles of {__file__}, neither next to it nor in the user's "
+        "cache folder, and compiles it again in every process: set NUMBA_CACHE_DIR to a "
+        "writable folder",
         stacklevel=2,
     )
 _jit = njit(**_OPTIONS)
@@ -106,10 +106,10 @@ FREE_JOINTS = (3,)  # from 1: the caller gives their values
 
 # What a row of ik_all holds.
 OK = 0  # joint values
-UNREACHABLE = 1  # NaN: no solution in this branch, or one that a row before it holds
-FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near
-OUT_OF_LIMITS = 3  # joint values, of which one is beyond its limits
-INVALID_POSE = 4  # NaN: T is no pose, or a free joint's value is not finite
+UNREACHABLE = 1  # NaN: no solution in this branch, or one that an earlier row holds
+FREE_JOINT = 2  # joint values; a joint was indeterminate and took the seed's value, or one near it
+OUT_OF_LIMITS = 3  # joint values, at least one beyond its limits
+INVALID_POSE = 4  # NaN: T is not a valid pose, or a free joint's value is not finite
 
 d1 = 0.267  # joint offset 1 [m]
 d3 = 0.293  # joint offset 3 [m]
@@ -134,7 +134,7 @@ _NONE = type(None)
 
 
 class Unreachable(ValueError):  # noqa: N818
-    """There is no solution, or none inside the limits; the text says which."""
+    """There is no solution, or none inside the limits; the message says which."""
 
 
 def _numbers(values, shape, name):
@@ -147,7 +147,7 @@ def _numbers(values, shape, name):
                 raise TypeError
             values = values.astype(_FLOAT)
     except (TypeError, ValueError):
-        raise ValueError(f"{name} must hold real numbers, in shape {shape}") from None
+        raise ValueError(f"{name} must hold real numbers, with shape {shape}") from None
     return values
 
 
@@ -362,7 +362,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 3866c8f818776ee0"
+_KEY = "xarm7 b0a9eee15004b212"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2127,14 +2127,14 @@ def _whole(pose, q_free, seed, q, status):
 def _into(T, q_free, seed, q, status):
     """All solutions into q and status; how many rows are OK or FREE_JOINT."""
     if T.shape != (4, 4) or q.shape != (16, 7) or status.shape != (16,):
-        raise ValueError("T, q and status must be (4, 4), (16, 7) and (16,)")
+        raise ValueError("T, q and status must have shapes (4, 4), (16, 7), (16,)")
     if q_free.shape != (1,):
-        raise ValueError("q_free must be (1,)")
+        raise ValueError("q_free must have shape (1,)")
     q[0, 0] = 0.5  # arrays of integers or truth values would round what is written
     holds = q[0, 0] == 0.5
     status[0] = INVALID_POSE
     if not holds or status[0] != INVALID_POSE:
-        raise ValueError("q must hold float64, status uint8")
+        raise ValueError("q must be float64, status uint8")
     valid, pose = _read(T, q_free)
     if not valid:
         status[:] = INVALID_POSE
@@ -2176,12 +2176,12 @@ def ik_into(T, q_free, q, status, q_seed=None):
         How many rows are OK or FREE_JOINT.
 
     Raises:
-        ValueError: An array has another shape, q or status cannot hold what is written, or the
-            seed is not finite.
+        ValueError: An array has the wrong shape, q or status has the wrong type, or the seed is
+            not finite.
     """
     seed = _zeros(carray(_room(7), 7)) if q_seed is None else q_seed
     if seed.shape != (7,):
-        raise ValueError("q_seed must be (7,)")
+        raise ValueError("q_seed must have shape (7,)")
     for value in seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
@@ -2199,7 +2199,7 @@ def ik_all(T, q_free, q_seed=None):
         q_seed: Values for joints that are indeterminate at this pose (7,); zeros without it.
 
     Raises:
-        ValueError: An argument has another shape, or the seed is not finite.
+        ValueError: An argument has the wrong shape, or the seed is not finite.
     """
     q, status = np.empty((16, 7)), np.empty(16, _BYTE)
     given, T = T, _numbers(T, (4, 4), "T")
@@ -2250,25 +2250,25 @@ def _nearest(rows, status, seed, limits, q):
 def ik(T, q_free, q_seed=None, *, branch=None, limits=True):
     """One solution (7,): the nearest to the seed.
 
-    Angles are moved by whole turns inside their limits.
+    Angles are moved by whole turns into their limits.
 
     Args:
         T: Pose (4, 4).
         q_free: Values of the joints 3 (1,).
         q_seed: Where the arm is (7,); zeros without it.
-        branch: Only this branch: a name out of BRANCHES, or its row.
+        branch: Only this branch: a name from BRANCHES, or its row.
         limits: Whether joint limits count: True or False.
 
     Raises:
-        Unreachable: There is no such solution; the text says why.
-        ValueError: T is no pose, there is no such branch, or limits is no truth value.
+        Unreachable: There is no such solution; the message says why.
+        ValueError: T is not a valid pose, branch does not exist, or limits is not True or False.
     """
     if not isinstance(limits, (bool, np.bool_)):
         raise ValueError(f"limits must be True or False, not {limits!r}")
     first, last = (0, 16) if branch is None else _span(branch)
     rows, status = ik_all(T, q_free, q_seed)
     if status[0] == INVALID_POSE:
-        raise ValueError("T is no pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
+        raise ValueError("T is not a valid pose: not finite, or not a right-handed rotation to six digits, or its last row not 0, 0, 0, 1 (is it transposed?), or the value of a free joint not finite")
     rows, status, q = rows[first:last], status[first:last], np.empty(7)
     seed = _ZEROS if q_seed is None else _array(q_seed, (7,), "q_seed")
     if _nearest(rows, status, seed, limits, q):
@@ -2286,20 +2286,20 @@ def _one_by_one(T, q_free, q, status):
 
 
 def ik_batch(T, q_free, *, cores=None, out=None):
-    """ik_all for N poses (N, 4, 4), shared among so many cores; all of them without a number.
+    """ik_all for N poses (N, 4, 4), shared among `cores` cores, by default all of them.
 
     Args:
         T: Poses (N, 4, 4).
         q_free: Values of the joints 3 (N,) or (N, 1).
         cores: How many threads share the poses.
-        out: The arrays q and status to write to, those that an earlier call returned or like
-            them: fresh memory can cost more time than the solutions.
+        out: The arrays q and status to write to, from an earlier call or like those: fresh
+            memory can cost more time than the solutions.
 
     Returns:
         q (N, 16, 7) and status (N, 16).
 
     Raises:
-        ValueError: An argument has another shape, or cores is no number of at least 1.
+        ValueError: An argument has the wrong shape, or cores is not a whole number from 1.
     """
     given, T = T, _numbers(T, "(N, 4, 4)", "T")
     if T.ndim != 3 or T.shape[1:] != (4, 4):
@@ -2336,7 +2336,7 @@ def _results(out, count):
     if out is None:
         return np.empty(rows), np.empty(row, _BYTE)
     if not isinstance(out, (tuple, list)) or len(out) != 2:
-        raise ValueError("out must be (q, status), two arrays as an earlier call returned them")
+        raise ValueError("out must be (q, status), two arrays like those an earlier call returned")
     q, status = out
     for name, array, shape, kind in ("q", q, rows, _FLOAT), ("status", status, row, _BYTE):
         ready = isinstance(array, np.ndarray) and array.flags.carray
@@ -2366,7 +2366,7 @@ def _span(branch):
     if _is_number(branch) and 0 <= branch < MAX_SOLUTIONS:
         return branch, branch + 1
     names = ", ".join(BRANCHES)
-    raise ValueError(f"no branch {branch!r}; there are {names}, by name or by row from 0")
+    raise ValueError(f"no branch {branch!r}; give a row, from 0, or a name: {names}")
 
 
 def _is_number(value):

@@ -101,10 +101,10 @@ def read_only(module: Any, which: int) -> Any:
         (lambda m, T: m.ik(T, [0, 0, np.nan, 0, 0, 0]), "q_seed must be finite"),
         (
             lambda m, T: m.ik(T, branch="sideways"),
-            "no branch 'sideways'; there are left-down-noflip,",
+            "no branch 'sideways'; give a row, from 0, or a name: left-down-noflip,",
         ),
-        (lambda m, T: m.ik(T, branch=8), "no branch 8; there are .*, by name or by row from 0"),
-        (lambda m, T: m.ik(T, branch=True), "no branch True; there are"),
+        (lambda m, T: m.ik(T, branch=8), "no branch 8; give a row, from 0, or a name: "),
+        (lambda m, T: m.ik(T, branch=True), "no branch True; give a row"),
         (lambda m, T: m.ik(T, branch=np.arange(2)), "no branch array"),
         (lambda m, T: m.ik_batch(T[None], cores=True), "cores must be at least 1, or None"),
         (lambda m, T: m.ik((T + np.outer(T[0], T[3])).T), "last row not 0, 0, 0, 1 .is it tr"),
@@ -112,17 +112,20 @@ def read_only(module: Any, which: int) -> Any:
         (lambda m, T: m.ik_all(T, 0.1), r"q_seed must have shape \(6,\), not \(\)"),
         (lambda m, _: m.ik_all(0.1), r"T must have shape \(4, 4\), not \(\)"),
         (lambda m, _: m.ik_batch(0.1), r"T must have shape \(N, 4, 4\), not \(\)"),
-        (lambda m, _: m.fk(["0.1"] * 6), "q must hold real numbers, in shape"),
+        (lambda m, _: m.fk(["0.1"] * 6), "q must hold real numbers, with shape"),
         (lambda m, _: m.fk(np.array(["0.1", *[0.1] * 5], object)), "q must hold real numbers"),
-        (lambda m, _: m.fk([b"0.1"] * 6), "q must hold real numbers, in shape"),
-        (lambda m, T: m.ik_all(T.astype(str)), "T must hold real numbers, in shape"),
-        (lambda m, _: m.fk(np.zeros(6, "M8[s]")), "q must hold real numbers, in shape"),
-        (lambda m, T: m.ik_all(T.size * [None]), "T must hold real numbers, in shape"),
-        (lambda m, T: m.ik_all(T, [None] * 6), "q_seed must hold real numbers, in shape"),
+        (lambda m, _: m.fk([b"0.1"] * 6), "q must hold real numbers, with shape"),
+        (lambda m, T: m.ik_all(T.astype(str)), "T must hold real numbers, with shape"),
+        (lambda m, _: m.fk(np.zeros(6, "M8[s]")), "q must hold real numbers, with shape"),
+        (lambda m, T: m.ik_all(T.size * [None]), "T must hold real numbers, with shape"),
+        (lambda m, T: m.ik_all(T, [None] * 6), "q_seed must hold real numbers, with shape"),
         (lambda m, T: m.ik_batch(T[None], out=read_only(m, 0)), "q in out .* it is read-only"),
         (lambda m, T: m.ik_batch(T[None], out=read_only(m, 1)), "status in out .* it is read-only"),
-        (lambda m, T: m.ik(T, branch=-1), "no branch -1; there are"),
-        (lambda m, T: m.ik(2.0 * T), "T is no pose: not finite, or not a right-handed rotation"),
+        (lambda m, T: m.ik(T, branch=-1), "no branch -1; give a row"),
+        (
+            lambda m, T: m.ik(2.0 * T),
+            "T is not a valid pose: not finite, or not a right-handed rotation",
+        ),
     ],
 )
 def test_mistakes_are_told(call, message: str) -> None:  # type: ignore[no-untyped-def]
@@ -142,7 +145,7 @@ def test_a_branch_may_be_a_number_of_numpy() -> None:
 @pytest.mark.parametrize(("rows", "kinds"), [(np.int64, np.uint8), (np.float64, np.bool_)])
 def test_arrays_that_round_are_refused(rows: type, kinds: type) -> None:
     module = in_python("scara")
-    with pytest.raises(ValueError, match="q must hold float64, status uint8"):
+    with pytest.raises(ValueError, match="q must be float64, status uint8"):
         module.ik_into(np.eye(4), np.empty((2, 4), rows), np.empty(2, kinds))
 
 

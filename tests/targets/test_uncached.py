@@ -48,7 +48,7 @@ def test_modules_work_and_name_the_remedy(name: str, call: str, tmp_path: Path) 
     )
     assert done.returncode == 0, done.stderr
     told, result = done.stdout.splitlines()
-    assert "set NUMBA_CACHE_DIR to a folder that can be written to" in told
+    assert "set NUMBA_CACHE_DIR to a writable folder" in told
     assert f"{name}.py" in told
     assert result == ("[0, 0]" if name == "planar_rr" else "[1, 0, 0, 0]")
 
