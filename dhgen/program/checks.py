@@ -143,15 +143,22 @@ def _is_inexact(chain: Chain, program: Program, enough: float) -> bool:
     """Whether rows that pass for solutions miss by more, or poses are left without a row."""
     q = np.concatenate([_everywhere(chain), _beside(chain)])
     rows, misses = _misses(chain, program, q)
+    others, missed = _misses(chain, program, q, np.zeros_like(q))
     lost = ~rows.solved.any(axis=1)
-    return bool(lost.any() or np.any(misses[rows.solved] > enough))
+    inexact = np.any(misses[rows.solved] > enough) or np.any(missed[others.solved] > enough)
+    return bool(lost.any() or inexact)
 
 
-def _misses(chain: Chain, program: Program, q: FloatArray) -> tuple[Rows, FloatArray]:
-    """The rows for the poses of joint vectors, and by how much each misses its pose."""
+def _misses(
+    chain: Chain, program: Program, q: FloatArray, seed: FloatArray | None = None
+) -> tuple[Rows, FloatArray]:
+    """The rows for the poses of joint vectors, and by how much each misses its pose.
+
+    Without a seed the joint vectors are their own.
+    """
     arm = numeric_arm(chain)
     poses = arm.pose(q)
-    rows = interpret(program, poses, q, given_values(arm, q))
+    rows = interpret(program, poses, q if seed is None else seed, given_values(arm, q))
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
     miss = np.abs(reached - poses[:, None])
     miss[..., :3, 3] /= chain.size

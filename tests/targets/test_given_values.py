@@ -26,3 +26,20 @@ def test_both_elbows_are_found(language: str, value: float) -> None:
         assert residual(ARM, rows[held], T) < 1e-11
         if value in {0.0, np.pi}:
             assert np.sort(np.sin(rows[held][:, ELBOW]))[[0, -1]].prod() < 0.0
+
+
+# Beside both: axes 1 and 3 one line, and the arm stretched.
+RIGHT = np.pi / 2 + 1e-10
+IN_LINE = (-np.pi / 2 + 1e-10, 0.5 + 1e-8, -np.pi / 2 + 1e-10, 1e-8, 0.7535013100473, RIGHT, -RIGHT)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("seed", [np.zeros(7), np.full(7, 0.7)])
+def test_rows_are_exact_whatever_the_seed(seed: np.ndarray, language: str) -> None:
+    """A nearly free joint takes the seed's value, and the others what makes up for it."""
+    name, q = "given_shoulder", np.array(IN_LINE)
+    T = poses_of(name, q[None])[0]
+    rows, status = Solver(name, language).all(T, seed, q[[1]])
+    held = np.isin(status, HELD)
+    assert held.any()
+    assert residual(name, rows[held], T) < 1e-11
