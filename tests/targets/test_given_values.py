@@ -28,9 +28,9 @@ def test_both_elbows_are_found(language: str, value: float) -> None:
             assert np.sort(np.sin(rows[held][:, ELBOW]))[[0, -1]].prod() < 0.0
 
 
-# Beside both: axes 1 and 3 one line, and the arm stretched.
-RIGHT = np.pi / 2 + 1e-10
-IN_LINE = (-np.pi / 2 + 1e-10, 0.5 + 1e-8, -np.pi / 2 + 1e-10, 1e-8, 0.7535013100473, RIGHT, -RIGHT)
+# Near both: axes 1 and 3 in one line, and the arm stretched.
+RIGHT, LITTLE = np.pi / 2 + 1e-10, 1e-8
+IN_LINE = (-RIGHT, LITTLE - np.pi / 2, -RIGHT, LITTLE, 0.7535013100473, RIGHT, -RIGHT)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
