@@ -87,14 +87,12 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
         demand_arm_angle(chain)
         numerical = False  # it could hold joints, but not an arm angle
     spare = surplus(chain)
-    problem = build_problem(build_algebra(chain))
-    if spare.count:
-        if numerical:
-            return Derivation(
-                Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True)
-            )
+    if spare.count and not numerical:  # before its products, which of many joints fill the memory
         start = open_from_the_start(chain, spare)
         raise UnsolvedError(redundant(chain, spare, start, good_choices(*start, derive)))
+    problem = build_problem(build_algebra(chain))
+    if spare.count:
+        return Derivation(Pool(problem, (), ()), (), (), numerical_kernel(chain, redundant=True))
     pool = build_pool(problem)
     if chain.arm_angle:
         pool = with_arm_plane(pool)

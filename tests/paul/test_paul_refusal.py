@@ -193,6 +193,14 @@ def test_any_joint_of_a_skew_arm_leaves_a_general_one() -> None:
     assert f"  free: {each} leaves a general 6R with 16 rows" in lines
 
 
+def test_twenty_joints_are_refused_without_their_products(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Multiplied out they fill any memory."""
+    monkeypatch.setattr("dhgen.paul.derivation.build_problem", None)
+    lines = refused(*(SKEW * 5))
+    assert lines[1].startswith("list 14 of them under `free`")
+    assert "  only some of the 38760 sets of 14 joints were tried" in lines
+
+
 def test_of_very_many_sets_of_free_joints_some_are_tried() -> None:
     lines = refused(*["theta: 0, d: q", "theta: pi/2, d: q, alpha: pi/2"] * 3)
     (free,) = (line for line in lines if line.startswith("  free: "))
