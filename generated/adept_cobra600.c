@@ -567,7 +567,7 @@ static double half_way(const double x[4], const double q[4], double half[4])
     for (int i = 0; i < 4; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.0131712259371835));
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.013));
         half[i] = x[i] + 0.5 * off;
     }
     return most;

@@ -3347,7 +3347,7 @@ static double half_way(const double x[6], const double q[6], double half[6])
     for (int i = 0; i < 6; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.5780346820809249));
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.578));
         half[i] = x[i] + 0.5 * off;
     }
     return most;

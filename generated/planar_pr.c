@@ -414,7 +414,7 @@ static double half_way(const double x[2], const double q[2], double half[2])
     for (int i = 0; i < 2; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 3.3333333333333335));
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 3.333));
         half[i] = x[i] + 0.5 * off;
     }
     return most;

@@ -984,7 +984,7 @@ static double half_way(const double x[5], const double q[5], double half[5])
     for (int i = 0; i < 5; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.16666666666666666));
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 0.1667));
         half[i] = x[i] + 0.5 * off;
     }
     return most;

@@ -552,7 +552,7 @@ static double half_way(const double x[4], const double q[4], double half[4])
     for (int i = 0; i < 4; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.8181818181818181));
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 1.818));
         half[i] = x[i] + 0.5 * off;
     }
     return most;

@@ -468,7 +468,7 @@ static double half_way(const double x[3], const double q[3], double half[3])
     for (int i = 0; i < 3; i++) {
         double off = q[i] - x[i];
         off -= revolute[i] ? turn * floor(off / turn + 0.5) : 0.0;
-        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 6.666666666666667));
+        most = fmax(most, fabs(off) * (revolute[i] ? 1.0 : 6.667));
         half[i] = x[i] + 0.5 * off;
     }
     return most;

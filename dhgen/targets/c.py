@@ -87,7 +87,7 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "given_finite": " && ".join(f"isfinite({each})" for each in given),
         "named_places": c_array(f"static const int named[{len(named)}]", named),
         "named_count": len(named),
-        "per_length": repr(1.0 / module.chain.size),
+        "length_weight": repr(1.0 / module.chain.size),
         "jacobian_size": 6 * dof,
         "row_size": module.solver.rows * dof,
         "fills_lanes": module.solver.rows * dof >= MOST_LANES,

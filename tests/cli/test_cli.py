@@ -421,8 +421,8 @@ def test_lengths_out_of_proportion_are_told_where_they_are_why(
     assert done.returncode == 1
     miss, why = done.stderr.split("note: arm.yaml:8:")
     assert "a row misses the pose" in miss
-    assert "'a1' is 7.5e-07 of the longest length, 400000, and rounding may be more than" in why
-    assert why.count("a note above may say why; if not, the fault is dhgen's") == 1
+    assert "'a1' is 7.5e-07 of the longest length, 400000, and rounding may exceed" in why
+    assert why.count("a note above may say why; if not, this is a bug in dhgen") == 1
 
 
 @pytest.mark.parametrize("out", ["file", "file/below", "nowhere", "loop", "loop/below"])
