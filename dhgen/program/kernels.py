@@ -15,6 +15,7 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
+from dhgen.paul.types.angle_pair import stretch
 from dhgen.program.distances import Extremes, extremes_of, reached, squared_distance
 from dhgen.program.ir import Failure
 from dhgen.program.quartic import lower_circle
@@ -240,13 +241,11 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
 
 
 def _sign_of(context: Lowering, determinant: Node, step: Step) -> Node:
-    """+1 or -1 as the determinant, which is known where X2, Y2 is X1, Y1 turned."""
+    """+1 or -1 as the determinant, which is known where X2, Y2 is X1, Y1 turned and stretched."""
     builder = context.builder
-    x1, y1, x2, y2 = (step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2"))
-    if (x2, y2) == (-y1, x1):
-        return builder.integer(1)
-    if (x2, y2) == (y1, -x1):
-        return builder.integer(-1)
+    factor = stretch(*(step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")))
+    if factor is not None and context.are_constant(factor):
+        return builder.integer(1 if constant_value(context.algebra, factor) > 0.0 else -1)
     negative = builder.apply("less", determinant, builder.integer(0))
     return builder.select(negative, builder.integer(-1), builder.integer(1))
 

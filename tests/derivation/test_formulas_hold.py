@@ -134,7 +134,7 @@ def test_matrices_of_the_inverse(name: str) -> None:
             assert holds(relation, letters), box(relation)
 
 
-@pytest.mark.parametrize("name", [*NAMES, OWN])
+@pytest.mark.parametrize("name", [*NAMES, *OWN])
 def test_steps_with_the_branch_signs_of_the_program(name: str) -> None:
     """The program finds a configuration in one row; the steps hold with just that row's signs."""
     of = story(name)

@@ -72,6 +72,15 @@ class AnglePair:
         yield Step(Kind.ANGLE_PAIR, (read.angle,), (first, second), letters, 1, penalty)
 
 
+def stretch(x1: Polynomial, y1: Polynomial, x2: Polynomial, y2: Polynomial) -> Polynomial | None:
+    """The k with (X2, Y2) = k (-Y1, X1), if there is one: the determinant is k (X1^2 + Y1^2)."""
+    mine, theirs = (y2, x1) if x1 else (-x2, y1)
+    if not theirs:
+        return None
+    factor, rest = divmod(mine, theirs)
+    return None if rest or (x2, y2) != (-factor * y1, factor * x1) else factor
+
+
 @dataclass(frozen=True, slots=True)
 class _Factors:
     """What stands before the sine and cosine in the two equations."""
@@ -89,12 +98,10 @@ class _Factors:
     def is_turned(self, view: View) -> bool:
         """Whether (X2, Y2) is (X1, Y1) turned by a right angle, times a constant."""
         across = (1, self.x1, self.x2), (1, self.y1, self.y2)
-        if not (self.x1 or self.y1) or not view.witnesses.sum_vanishes_always(across):
+        if not view.witnesses.sum_vanishes_always(across):
             return False
-        mine, theirs = (self.y2, self.x1) if self.x1 else (-self.x2, self.y1)
-        factor, rest = divmod(mine, theirs)
-        stretched = -factor * self.y1, factor * self.x1
-        return not rest and view.is_constant(factor) and (self.x2, self.y2) == stretched
+        factor = stretch(self.x1, self.y1, self.x2, self.y2)
+        return factor is not None and view.is_constant(factor)
 
 
 def _read(forms: Sequence[Form]) -> _Factors | str:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
 from dhgen.paul.step import Kind
+from dhgen.paul.types.angle_pair import stretch
 from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.formula import (
@@ -27,6 +28,7 @@ from dhgen.targets.derivation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.constants import Polynomial
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import StepContext
 
@@ -66,19 +68,8 @@ def _direct(context: StepContext) -> StepText:
 def _cramer(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     first, second = add(times(X1, s), times(Y1, c)), add(times(X2, s), times(Y2, c))
-    turned = _turned(context)
-    delta = subtract(times(X1, Y2), times(X2, Y1))
-    parts: tuple[Formula, Formula]
-    if turned:
-        delta = equal(delta, times(_one(turned), add(square(X1), square(Y1))))
-        parts = _turned_parts(turned)
-    else:
-        facing = Call("sgn", (DELTA,))
-        delta = equal(DELTA, delta, _determinant(context))
-        parts = (
-            times(facing, subtract(times(Z1, Y2), times(Z2, Y1))),
-            times(facing, subtract(times(X1, Z2), times(X2, Z1))),
-        )
+    turned, stretched = _turned(context), _stretched(context)
+    delta, parts = _solution(context, turned, stretched)
     blocks: list[Block] = [
         paragraph("These are {} and {} with", equal(first, Z1), equal(second, Z2)),
         display(*_definitions(context, turned)),
@@ -89,13 +80,37 @@ def _cramer(context: StepContext) -> StepText:
         ),
         display(equal(theta(context.angle), atan2(*parts))),
     ]
-    if context.is_constant("X1", "Y1", "X2", "Y2") or (turned and _never_vanishes(context)):
+    together = bool(turned) or stretched is not None
+    if context.is_constant("X1", "Y1", "X2", "Y2") or (together and _never_vanishes(context)):
         return StepText(tuple(blocks))
-    free = _free(context, turned)
+    free = _free(context, together=together)
     blocks.append(
-        paragraph("Degenerate when {}: {}. Then {}.", _vanishing(turned), free.meaning, free.effect)
+        paragraph(
+            "Degenerate when {}: {}. Then {}.",
+            _vanishing(together=together),
+            free.meaning,
+            free.effect,
+        )
     )
     return StepText(tuple(blocks), (free,))
+
+
+def _solution(
+    context: StepContext, turned: int, stretched: Polynomial | None
+) -> tuple[Formula, tuple[Formula, Formula]]:
+    """The determinant, and sine and cosine times its size."""
+    delta = subtract(times(X1, Y2), times(X2, Y1))
+    squares = add(square(X1), square(Y1))
+    if turned:
+        return equal(delta, times(_one(turned), squares)), _turned_parts(turned)
+    if stretched is not None:
+        sign = 1 if constant_value(context.story.algebra, stretched) > 0.0 else -1
+        parts = _facing(sign, (Z1, Y2), (Z2, Y1)), _facing(sign, (X1, Z2), (X2, Z1))
+        return equal(delta, times(context.story.write(stretched), squares)), parts
+    facing = Call("sgn", (DELTA,))
+    sine_part, cosine_part = _facing(1, (Z1, Y2), (Z2, Y1)), _facing(1, (X1, Z2), (X2, Z1))
+    parts = times(facing, sine_part), times(facing, cosine_part)
+    return equal(DELTA, delta, _determinant(context)), parts
 
 
 def _never_vanishes(context: StepContext) -> bool:
@@ -103,22 +118,23 @@ def _never_vanishes(context: StepContext) -> bool:
     return any(context.polynomial(name) and context.is_constant(name) for name in ("X1", "Y1"))
 
 
-def _free(context: StepContext, turned: int) -> Singularity:
+def _free(context: StepContext, *, together: bool) -> Singularity:
+    """Where the angle is free: vectors vanish together, or at least the determinant does."""
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
     meaning = say("every {} works", theta(context.angle))
-    if about is not None and turned and all(o.column == 4 for o in context.step.origins):
+    if about is not None and together and all(o.column == 4 for o in context.step.origins):
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
     return Singularity(
         context.number,
-        equal(Z1, Z2, ZERO) if turned else equal(DELTA, ZERO),
+        equal(Z1, Z2, ZERO) if together else equal(DELTA, ZERO),
         None,
         say("{}{}", meaning, _only_if(context)),
         free_effect(context),
     )
 
 
-def _vanishing(turned: int) -> Formula:
-    if not turned:
+def _vanishing(*, together: bool) -> Formula:
+    if not together:
         return equal(DELTA, ZERO)
     return equal(add(square(X1), square(Y1)), add(square(Z1), square(Z2)), ZERO)
 
@@ -141,6 +157,12 @@ def _only_if(context: StepContext) -> Prose:
         ending = "as this arm has" if equal_links else "which this arm does not have"
         return say(f" (possible only with two links of equal length, {ending})")
     return say("")
+
+
+def _facing(sign: int, first: tuple[Formula, Formula], second: tuple[Formula, Formula]) -> Formula:
+    """A determinant, or its opposite."""
+    more, less = (first, second) if sign > 0 else (second, first)
+    return subtract(times(*more), times(*less))
 
 
 def _one(sign: int) -> Formula:
@@ -169,6 +191,12 @@ def _turned(context: StepContext) -> int:
     if (x2, y2) == (-y1, x1):
         return 1
     return -1 if (x2, y2) == (y1, -x1) else 0
+
+
+def _stretched(context: StepContext) -> Polynomial | None:
+    """The constant by which the second row is longer than the first one turned, if it is."""
+    factor = stretch(*(context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2")))
+    return factor if factor is not None and context.story.algebra.is_constant(factor) else None
 
 
 def _determinant(context: StepContext) -> Formula:
