@@ -135,14 +135,15 @@ def _has_strangers(chain: Chain, program: Program) -> bool:
     Equations may leave a part of the task unsaid, be it only at right angles; then every row has to
     be checked.
     """
-    rows, misses = _misses(chain, program, _everywhere(chain))
+    q = _everywhere(chain)
+    rows, misses = _misses(chain, program, q, q)
     return bool(np.any(misses[rows.solved] > TOLERANCES.consistent))
 
 
 def _is_inexact(chain: Chain, program: Program, enough: float) -> bool:
     """Whether rows that pass for solutions miss by more, or poses are left without a row."""
     q = np.concatenate([_everywhere(chain), _beside(chain)])
-    rows, misses = _misses(chain, program, q)
+    rows, misses = _misses(chain, program, q, q)
     others, missed = _misses(chain, program, q, np.zeros_like(q))
     lost = ~rows.solved.any(axis=1)
     inexact = np.any(misses[rows.solved] > enough) or np.any(missed[others.solved] > enough)
@@ -150,15 +151,12 @@ def _is_inexact(chain: Chain, program: Program, enough: float) -> bool:
 
 
 def _misses(
-    chain: Chain, program: Program, q: FloatArray, seed: FloatArray | None = None
+    chain: Chain, program: Program, q: FloatArray, seed: FloatArray
 ) -> tuple[Rows, FloatArray]:
-    """The rows for the poses of joint vectors, and by how much each misses its pose.
-
-    Without a seed the joint vectors are their own.
-    """
+    """The rows for the poses of joint vectors, and by how much each misses its pose."""
     arm = numeric_arm(chain)
     poses = arm.pose(q)
-    rows = interpret(program, poses, q if seed is None else seed, given_values(arm, q))
+    rows = interpret(program, poses, seed, given_values(arm, q))
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
     miss = np.abs(reached - poses[:, None])
     miss[..., :3, 3] /= chain.size

@@ -68,7 +68,8 @@ def _direct(context: StepContext) -> StepText:
 def _cramer(context: StepContext) -> StepText:
     s, c = sine(context.angle), cosine(context.angle)
     first, second = add(times(X1, s), times(Y1, c)), add(times(X2, s), times(Y2, c))
-    turned, stretched = _turned(context), _stretched(context)
+    stretched = _stretched(context)
+    turned, together = _turned(stretched), stretched is not None
     delta, parts = _solution(context, turned, stretched)
     blocks: list[Block] = [
         paragraph("These are {} and {} with", equal(first, Z1), equal(second, Z2)),
@@ -80,7 +81,6 @@ def _cramer(context: StepContext) -> StepText:
         ),
         display(equal(theta(context.angle), atan2(*parts))),
     ]
-    together = bool(turned) or stretched is not None
     if context.is_constant("X1", "Y1", "X2", "Y2") or (together and _never_vanishes(context)):
         return StepText(tuple(blocks))
     free = _free(context, together=together)
@@ -185,12 +185,9 @@ def _definitions(context: StepContext, turned: int) -> list[Formula]:
     return [*lines, context.definition("Z2")]
 
 
-def _turned(context: StepContext) -> int:
+def _turned(stretched: Polynomial | None) -> int:
     """+1 or -1 when the second row is the first one turned by a right angle, else 0."""
-    x1, y1, x2, y2 = (context.polynomial(name) for name in ("X1", "Y1", "X2", "Y2"))
-    if (x2, y2) == (-y1, x1):
-        return 1
-    return -1 if (x2, y2) == (y1, -x1) else 0
+    return next((sign for sign in (1, -1) if stretched == sign), 0)
 
 
 def _stretched(context: StepContext) -> Polynomial | None:
