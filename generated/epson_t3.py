@@ -270,7 +270,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "epson_t3 25abe96a789691e5"
+_KEY = "epson_t3 421a70edc6f19412"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -786,9 +786,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(4), _past_ends(q)
+    off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(4)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

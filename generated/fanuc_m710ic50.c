@@ -1027,9 +1027,10 @@ static int settle(const double T[16], double enough, double most, double q[6])
 static void stand(const double T[16], double q[6])
 {
     double x[6], half[6], off = past_ends(q);
+    if (!(0.0 < off && off < 0.01))
+        return;
     take(q, x);
-    if (!(0.0 < off && off < 0.01)
-        || !settle(T, NAN, fmax(10.0 * off, 0.001), x))
+    if (!settle(T, NAN, fmax(10.0 * off, 0.001), x))
         return;
     off = half_way(q, x, half);
     if (off < 0.001 || settle(T, 1e-12, 0.25 * off, half))

@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda eef7b4715f737d73"
+_KEY = "franka_panda 7427b789a11421f5"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1003,9 +1003,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(7), _beyond_limits(q)
+    off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(7)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

@@ -398,7 +398,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_4r2p 35f85c54ba77cc30"
+_KEY = "general_4r2p 72910b022106a2fc"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2205,9 +2205,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(6), _beyond_limits(q)
+    off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(6)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

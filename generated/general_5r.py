@@ -402,7 +402,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_5r 7e50649287be3c51"
+_KEY = "general_5r e1e4ef31434613c2"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2344,9 +2344,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(5), _past_ends(q)
+    off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(5)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

@@ -380,7 +380,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_rpprrr 3497b986e2a0bd67"
+_KEY = "general_rpprrr 866fcef0998f25c8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2183,9 +2183,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(6), _beyond_limits(q)
+    off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(6)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

@@ -381,7 +381,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_j2s6s300 b68f370dd08ecc36"
+_KEY = "kinova_j2s6s300 d60c18cd465c0015"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -941,9 +941,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(6)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

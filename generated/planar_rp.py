@@ -232,7 +232,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rp faba295d1de72a56"
+_KEY = "planar_rp 70f12969cc425209"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -632,9 +632,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(2), _beyond_limits(q)
+    off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(2)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

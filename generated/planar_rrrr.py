@@ -228,7 +228,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "planar_rrrr 78dee95d9b7be97a"
+_KEY = "planar_rrrr 83a0e3fd93ff569f"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -686,9 +686,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(4), _beyond_limits(q)
+    off = _beyond_limits(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(4)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

@@ -349,7 +349,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "puma560 111508e344a8deab"
+_KEY = "puma560 c9d1cf12f8cc8338"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -897,9 +897,10 @@ def _stand(pose, q):
 
     Half way to the same there is one.
     """
-    x, half, off = q.copy(), np.empty(6), _past_ends(q)
+    off = _past_ends(q)
     if not 0.0 < off < 0.01:
         return
+    x, half = q.copy(), np.empty(6)
     if not _settle(pose, math.nan, max(10.0 * off, 0.001), x):
         return
     off = _half_way(q, x, half)

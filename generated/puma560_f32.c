@@ -753,9 +753,10 @@ static int settle(const float T[16], float enough, float most, float q[6])
 static void stand(const float T[16], float q[6])
 {
     float x[6], half[6], off = past_ends(q);
+    if (!(0.0f < off && off < 0.01f))
+        return;
     take(q, x);
-    if (!(0.0f < off && off < 0.01f)
-        || !settle(T, NAN, fmaxf(10.0f * off, 0.03f), x))
+    if (!settle(T, NAN, fmaxf(10.0f * off, 0.03f), x))
         return;
     off = half_way(q, x, half);
     if (off < 0.03f || settle(T, 5e-05f, 0.25f * off, half))
