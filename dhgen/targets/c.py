@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import c_rows, c_source
-from dhgen.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.program.flatten import flatten
 from dhgen.program.role import LimitEnd, Source
 from dhgen.program.tolerances import SINGLE
@@ -14,6 +12,7 @@ from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
 from dhgen.targets.constants import constant_texts
+from dhgen.targets.general.emit import c_rows, c_source
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
 from dhgen.targets.module import (
     made_text,
@@ -21,6 +20,7 @@ from dhgen.targets.module import (
     named_entries,
     regular_solver,
 )
+from dhgen.targets.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.targets.scalar import arm_angle_values, output_texts, solver_lines, straight_lines
 from dhgen.targets.templates import render
 from dhgen.targets.walk import finds_roots, parted, whole_arm

@@ -6,18 +6,11 @@ import math
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
-from dhgen.general.emit import python_rows, python_source
-from dhgen.numerical.emit import (
-    python_both_sides,
-    python_search,
-    python_seeking,
-    python_tightening,
-    python_tools,
-)
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
 from dhgen.robot.task import TaskKind
 from dhgen.targets.constants import constant_texts
+from dhgen.targets.general.emit import python_rows, python_source
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
     has_to_be_finite,
@@ -26,6 +19,13 @@ from dhgen.targets.module import (
     named_entries,
     regular_solver,
     searches,
+)
+from dhgen.targets.numerical.emit import (
+    python_both_sides,
+    python_search,
+    python_seeking,
+    python_tightening,
+    python_tools,
 )
 from dhgen.targets.python_flat import TILE, regular_values
 from dhgen.targets.python_language import Python

@@ -11,8 +11,8 @@ import math
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import DAMPING, TOGETHER
-from dhgen.numerical.texts import given_places
 from dhgen.robot.robot import JointKind
+from dhgen.targets.numerical.texts import given_places
 from dhgen.targets.walk import whole_arm
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.general.emit import c_source, python_source
 from dhgen.general.links import Link
 from dhgen.general.setup import setup
+from dhgen.targets.general.emit import c_source, python_source
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.general.offset_wrist import BARELY, NEARLY_RIGHT
-from dhgen.general.texts.numbers import row
+from dhgen.targets.general.numbers import row
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel

@@ -6,17 +6,17 @@ from textwrap import indent
 from typing import TYPE_CHECKING
 
 from dhgen.general.loop import LINKS
-from dhgen.general.texts.angles import Angles, Arctangent
-from dhgen.general.texts.arm import arm
-from dhgen.general.texts.equations import equations
-from dhgen.general.texts.links import links
-from dhgen.general.texts.rows import rows
-from dhgen.general.texts.searches import searches
-from dhgen.general.texts.sizes import Sizes
-from dhgen.general.texts.spelling import c_spelling, python_spelling
-from dhgen.general.texts.tables import tables
-from dhgen.general.texts.tolerances import Tolerances
-from dhgen.general.texts.wrist import wrist
+from dhgen.targets.general.angles import Angles, Arctangent
+from dhgen.targets.general.arm import arm
+from dhgen.targets.general.equations import equations
+from dhgen.targets.general.links import links
+from dhgen.targets.general.rows import rows
+from dhgen.targets.general.searches import searches
+from dhgen.targets.general.sizes import Sizes
+from dhgen.targets.general.spelling import c_spelling, python_spelling
+from dhgen.targets.general.tables import tables
+from dhgen.targets.general.tolerances import Tolerances
+from dhgen.targets.general.wrist import wrist
 from dhgen.targets.layout import c_array, python_array
 from dhgen.targets.templates import render
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.general import circle, reference
 from dhgen.general.digits import grid, harmonics
-from dhgen.general.texts.numbers import rigid, row, rows
+from dhgen.targets.general.numbers import rigid, row, rows
 
 if TYPE_CHECKING:
     from dhgen.general.formulation import Formulation

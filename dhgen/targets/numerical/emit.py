@@ -1,4 +1,4 @@
-"""What the templates of the numerical solver are filled in with: finished strings."""
+"""Fills in the templates of the numerical solver: finished strings and numbers."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from dhgen.kinematics.order import TIE
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import ASIDE
 from dhgen.numerical.starts import directions
-from dhgen.numerical.texts import any_turn, given_places, position_rows, turning_places
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.layout import c_array, python_array
+from dhgen.targets.numerical.texts import any_turn, given_places, position_rows, turning_places
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:

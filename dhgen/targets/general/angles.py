@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from dhgen.general.texts.numbers import row
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
+from dhgen.targets.general.numbers import row
 
 
 @dataclass(frozen=True, slots=True)
