@@ -11,18 +11,17 @@ from dhgen.targets.c_irregular import finite_entries, finite_given
 from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import best_lanes, entry_lines, regular_values
 from dhgen.targets.c_single import in_single_precision
+from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.general.emit import c_rows, c_source
 from dhgen.targets.layout import INDENT, WIDTH, c_array, call, fitted, listed, packed, paragraph
-from dhgen.targets.module import (
-    made_text,
-    module_values,
-    named_entries,
-    regular_solver,
-)
+from dhgen.targets.module import made_text, named_entries, regular_solver
 from dhgen.targets.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.targets.scalar import arm_angle_values, output_texts, solver_lines, straight_lines
-from dhgen.targets.templates import render
+from dhgen.targets.solver.common import common_of
+from dhgen.targets.solver.searches import fan_steps
+from dhgen.targets.solver.task import meaning
+from dhgen.targets.templates import named, render
 from dhgen.targets.walk import finds_roots, parted, whole_arm
 
 if TYPE_CHECKING:
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
+    from dhgen.targets.solver.module import Module
 
 MOST_LANES = 8  # of a vector, with AVX-512
 
@@ -39,7 +39,8 @@ def c_files(module: SolverModule) -> dict[str, str]:
     """The header and the source by their names."""
     solver = regular_solver(module)
     flats = () if solver is None else (flatten(solver), best_lanes(solver))
-    values = module_values(module) | _texts(module) | _functions(module) | _bodies(module)
+    common = common_of(module)
+    values = named(common) | _texts(module) | _functions(module) | _bodies(module, common.module)
     values |= _constants(module, *(flat.program for flat in flats))
     values |= {"regular": bool(flats), "lanes": module.precision is not SINGLE}
     if flats:
@@ -66,15 +67,14 @@ def _texts(module: SolverModule) -> dict[str, object]:
     dof = module.chain.dof
     frames = "Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in "
     finite, given = finite_entries(module), finite_given(module)
-    values = module_values(module)
-    named = [str(entry.place) for entry in named_entries(module.chain)]
+    named_places = [str(entry.place) for entry in named_entries(module.chain)]
     single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""
     return {
-        "about": paragraph(f"{module.name}: {values['title']}", " * "),
+        "about": paragraph(f"{module.name}: {plain(module.title)}", " * "),
         "made_h": made_text(module, "c/solver.h.jinja", " * "),
         "made_c": made_text(module, "c/solver.c.jinja", " * "),
         "frames": paragraph(
-            f"{frames}{module.length_unit}, angles in rad{single}. {values['task']}",
+            f"{frames}{module.length_unit}, angles in rad{single}. {meaning(module.chain.task)}",
             " * ",
         ),
         "branch_names": _strings(module.branches),
@@ -82,13 +82,12 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "highest": c_array(f"static const double highest[{dof}]", high),
         "revolute": c_array(f"static const int revolute[{dof}]", flags),
         "weight": c_array(f"static const double weight[{dof}]", map(repr, module.weights)),
-        "fan_step": c_array(f"static const double fan_step[{dof}]", map(repr, module.fan_steps)),
+        "fan_step": c_array(f"static const double fan_step[{dof}]", map(repr, fan_steps(module))),
         "finite": " && ".join(f"isfinite({each})" for each in finite),
         "given_finite": " && ".join(f"isfinite({each})" for each in given),
-        "named_places": c_array(f"static const int named[{len(named)}]", named),
-        "named_count": len(named),
+        "named_places": c_array(f"static const int named[{len(named_places)}]", named_places),
+        "named_count": len(named_places),
         "length_weight": repr(1.0 / module.chain.size),
-        "jacobian_size": 6 * dof,
         "row_size": module.solver.rows * dof,
         "fills_lanes": module.solver.rows * dof >= MOST_LANES,
     }
@@ -179,7 +178,7 @@ def _part(array: str, size: int, place: str) -> str:
     return f"{array} + {place}" if size == 1 else f"{array} + {size} * {place}"
 
 
-def _bodies(module: SolverModule) -> dict[str, object]:
+def _bodies(module: SolverModule, text: Module) -> dict[str, object]:
     """The programs as lines."""
     language = C()
     forward = output_texts(module.forward, language)
@@ -187,8 +186,8 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     return {
         "entries": entry_lines(module.solver),
         "entries_macro": [],
-        "all_joints": _all_joints(module),
-        "tightening": _tightening(module),
+        "all_joints": _all_joints(module, text),
+        "tightening": _tightening(module, text),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),
@@ -198,24 +197,24 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     }
 
 
-def _all_joints(module: SolverModule) -> str:
+def _all_joints(module: SolverModule, text: Module) -> str:
     """The function that solves all joints at once, where there is one."""
     whole = whole_arm(module.solver)
     if whole is None:
         return ""
-    parts = [c_tools(whole.descent, module.name)]
+    parts = [c_tools(whole.descent, text)]
     if whole.general is None:
-        parts.append(c_search(whole.descent))
+        parts.append(c_search(whole.descent, text))
     else:
         parts.append(c_source(whole.general, module.name))
         parts.append(c_rows(whole.general, module.chain, module.name))
     return "\n".join(parts)
 
 
-def _tightening(module: SolverModule) -> str:
+def _tightening(module: SolverModule, text: Module) -> str:
     """The function that tightens rows, where they may need it."""
     kernel = module.solver.tightened
-    return "" if kernel is None else c_tightening(kernel, module.name)
+    return "" if kernel is None else c_tightening(kernel, text)
 
 
 def _constant(constant: ConstantText, end: str) -> list[str]:

@@ -9,16 +9,15 @@ from typing import TYPE_CHECKING
 from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.flatten import flatten
 from dhgen.robot.task import TaskKind
+from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.general.emit import python_rows, python_source
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import (
     has_to_be_finite,
     made_text,
-    module_values,
     named_entries,
     regular_solver,
-    searches,
 )
 from dhgen.targets.numerical.emit import (
     python_both_sides,
@@ -37,8 +36,10 @@ from dhgen.targets.scalar import (
     solver_lines,
     straight_lines,
 )
-from dhgen.targets.standing import settles
-from dhgen.targets.templates import render
+from dhgen.targets.solver.common import common_of
+from dhgen.targets.solver.searches import fan_steps
+from dhgen.targets.solver.task import meaning
+from dhgen.targets.templates import named, render
 from dhgen.targets.walk import parted, uses, whole_arm
 
 if TYPE_CHECKING:
@@ -46,6 +47,8 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
+    from dhgen.targets.solver.common import Common
+    from dhgen.targets.solver.module import Module
 
 SHARE = 2048  # poses that are worth a thread
 
@@ -54,7 +57,8 @@ def python_files(module: SolverModule) -> dict[str, str]:
     """The module by its name."""
     solver = regular_solver(module)
     flat = None if solver is None else flatten(solver)
-    values = module_values(module) | _texts(module) | _bodies(module)
+    common = common_of(module)
+    values = named(common) | _texts(module, common) | _bodies(module, common)
     values |= _flat(module, flat)
     if (kernel := parted(module.solver)) is not None:
         values["both_sides"] = python_both_sides(kernel, module.solver.turning, values)
@@ -65,27 +69,26 @@ def python_files(module: SolverModule) -> dict[str, str]:
     return {f"{module.name}.py": render("python/solver.py.jinja", **values, digest=digest)}
 
 
-def _texts(module: SolverModule) -> dict[str, object]:
+def _texts(module: SolverModule, common: Common) -> dict[str, object]:
     """Comments and constants."""
     none = "(-math.inf, math.inf)"
     limits = [joint.limits for joint in module.chain.joints]
-    values = module_values(module)
     frames = (
         "Poses are 4 x 4 matrices of the tool in the base frame, lengths in "
-        f"{module.length_unit}, angles in rad. {values['task']}"
+        f"{module.length_unit}, angles in rad. {meaning(module.chain.task)}"
     )
     count = module.chain.given
     entries = [f"p{'xyz'[row]}" for row in module.chain.task.position_rows]
     entries += [f"q_free[{place}]" for place in range(count)]
     finite = [f"math.isfinite({each})" for each in has_to_be_finite(module, entries)]
     return {
-        "about": paragraph(f"{module.name}: {str(values['title']).rstrip('.')}.", ""),
+        "about": paragraph(f"{module.name}: {plain(module.title).rstrip('.')}.", ""),
         "made": made_text(module, "python/solver.py.jinja", ""),
         "frames": paragraph(frames, ""),
         "limits": [f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
         "branches": module.branches,
         "weights": python_array("_WEIGHT = np.array", map(repr, module.weights)),
-        "fan_steps": python_array("_FAN_STEP = np.array", map(repr, module.fan_steps)),
+        "fan_steps": python_array("_FAN_STEP = np.array", map(repr, fan_steps(module))),
         "free_tuple": _free_tuple(module),
         "finite": " and ".join(finite) or "True",
         "no_pose": _no_pose(module),
@@ -93,21 +96,22 @@ def _texts(module: SolverModule) -> dict[str, object]:
         "free_batch": ", q_free[k]" if count else "",
         "share": SHARE,
         "missed_entries": _missed_entries(module),
-        "allocates": _allocates(module),
+        "allocates": _allocates(module, common),
+        "compiles_apart": _compiles_apart(common, tightens=module.solver.tightened is not None),
         "uses_arctangent": uses(module.solver, "atan2"),
         "arctangent": _arctangent(),
     }
 
 
-def _bodies(module: SolverModule) -> dict[str, object]:
+def _bodies(module: SolverModule, common: Common) -> dict[str, object]:
     """The programs as lines."""
     language = Python()
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
     return {
         "entries": _entries(module.solver),
-        "all_joints": _all_joints(module),
-        "tightening": _tightening(module),
+        "all_joints": _all_joints(module, common.module),
+        "tightening": _tightening(module, common.module),
         "solver": solver_lines(module.solver, language, INDENT),
         "forward": straight_lines(module.forward, language, INDENT),
         "forward_rows": _assignments("T", forward, 4),
@@ -117,24 +121,24 @@ def _bodies(module: SolverModule) -> dict[str, object]:
     }
 
 
-def _all_joints(module: SolverModule) -> str:
+def _all_joints(module: SolverModule, text: Module) -> str:
     """The function that solves all joints at once, where there is one."""
     whole = whole_arm(module.solver)
     if whole is None:
         return ""
-    parts = [python_tools(whole.descent)]
+    parts = [python_tools(whole.descent, text)]
     if whole.general is None:
-        parts.append(python_search(whole.descent))
+        parts.append(python_search(whole.descent, text))
     else:
         parts.append(python_source(whole.general, module.name))
         parts.append(python_rows(whole.general, module.chain, module.name))
     return "\n\n".join(parts)
 
 
-def _tightening(module: SolverModule) -> str:
+def _tightening(module: SolverModule, text: Module) -> str:
     """The function that tightens rows, where they may need it."""
     kernel = module.solver.tightened
-    return "" if kernel is None else python_tightening(kernel)
+    return "" if kernel is None else python_tightening(kernel, text)
 
 
 def _flat(module: SolverModule, flat: Flat | None) -> dict[str, object]:
@@ -190,15 +194,21 @@ def _missed_entries(module: SolverModule) -> list[dict[str, object]]:
     ]
 
 
-def _allocates(module: SolverModule) -> str:
+def _allocates(module: SolverModule, common: Common) -> str:
     """Where memory is allocated."""
     if regular_solver(module) is None:
         return "at every pose"
-    if module.solver.tightened is not None or settles(module):
+    if module.solver.tightened is not None or common.standing.settles:
         return "only where a pose is singular or rounded"
-    if searches(module):
+    if common.searches.some:
         return "only where a free joint can't keep the seed's value"
     return "nowhere"
+
+
+def _compiles_apart(common: Common, *, tightens: bool) -> bool:
+    """Whether there are functions that few poses need."""
+    rare = common.searches.some or common.standing.settles or tightens
+    return rare or common.programs.solves_whole
 
 
 def _no_pose(module: SolverModule) -> str:

@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+
+def named(values: DataclassInstance) -> dict[str, object]:
+    """The fields of a dataclass as values that a template names."""
+    return {field.name: getattr(values, field.name) for field in fields(values)}
 
 
 def render(template: str, **values: object) -> str:

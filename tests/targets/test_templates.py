@@ -80,7 +80,7 @@ def test_choices_and_loops_are_no_logic(text: str) -> None:
 
 def test_a_missing_value_is_an_error() -> None:
     with pytest.raises(jinja2.UndefinedError):
-        render("c/solver.h.jinja", name="arm")
+        render("c/solver.h.jinja", about="arm")
 
 
 @pytest.mark.parametrize("name", SHORT)

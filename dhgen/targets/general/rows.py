@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.numerical.kernel import FEW_STARTS
 from dhgen.program.tolerances import TOLERANCES
-from dhgen.targets.numerical.texts import given_places
+from dhgen.targets.solver.given import given_places
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
     from dhgen.kinematics.chain import Chain
-    from dhgen.targets.numerical.texts import GivenPlace
+    from dhgen.targets.solver.given import GivenPlace
 
 
 @dataclass(frozen=True, slots=True)

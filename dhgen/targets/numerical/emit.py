@@ -11,7 +11,8 @@ from dhgen.numerical.miss import ASIDE
 from dhgen.numerical.starts import directions
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.layout import c_array, python_array
-from dhgen.targets.numerical.texts import any_turn, given_places, position_rows, turning_places
+from dhgen.targets.numerical.texts import any_turn, position_rows, turning_places
+from dhgen.targets.solver.given import given_places
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
     from dhgen.numerical.both_sides import Turning
     from dhgen.numerical.kernel import NumericalKernel
+    from dhgen.targets.solver.module import Module
 
 
 Numbers = dict[str, tuple[str, ...]]
@@ -29,49 +31,50 @@ APART = "float64(float64[:, ::1], float64[::1], float64[::1], float64[::1], floa
 ONCE, INSIDE = f'@_apart("{APART}")', "@_inner"
 
 
-def c_tools(kernel: NumericalKernel, name: str) -> str:
+def c_tools(kernel: NumericalKernel, module: Module) -> str:
     """The static functions in C99 that descend, follow a continuum, keep and sort solutions."""
     arrays = _c_arrays(kernel)
-    return render("c/numerical.c.jinja", name=name, arrays=arrays, **_texts(kernel))
+    return render("c/numerical.c.jinja", module=module, arrays=arrays, n=_texts(kernel))
 
 
-def python_tools(kernel: NumericalKernel) -> str:
+def python_tools(kernel: NumericalKernel, module: Module) -> str:
     """The same functions in Python."""
     arrays = _python_arrays(kernel)
-    return render("python/numerical.py.jinja", arrays=arrays, looked=ONCE, **_texts(kernel))
+    return render(
+        "python/numerical.py.jinja", module=module, arrays=arrays, looked=ONCE, n=_texts(kernel)
+    )
 
 
-def c_search(kernel: NumericalKernel) -> str:
+def c_search(kernel: NumericalKernel, module: Module) -> str:
     """The static function `all_joints` in C99; it needs the tools."""
-    return render("c/numerical_search.c.jinja", **_texts(kernel))
+    return render("c/numerical_search.c.jinja", module=module, n=_texts(kernel))
 
 
-def python_search(kernel: NumericalKernel) -> str:
+def python_search(kernel: NumericalKernel, module: Module) -> str:
     """The function `_all_joints` in Python; it needs the tools."""
-    return render("python/numerical_search.py.jinja", **_texts(kernel))
+    return render("python/numerical_search.py.jinja", module=module, n=_texts(kernel))
 
 
-def c_tightening(kernel: NumericalKernel, name: str) -> str:
+def c_tightening(kernel: NumericalKernel, module: Module) -> str:
     """The static function `tighten` in C99, with all that it needs."""
-    values = _texts(kernel) | {"name": name, "upper": name.upper()}
-    return render("c/tighten.c.jinja", arrays=_c_arrays(kernel), **values)
+    return render("c/tighten.c.jinja", module=module, arrays=_c_arrays(kernel), n=_texts(kernel))
 
 
 def c_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
     """The static function `both_sides` in C99; it needs `solve` and what tightens."""
-    values = shared | _texts(kernel) | {"turning": turning_places(turning)}
+    values = shared | {"n": _texts(kernel), "turning": turning_places(turning)}
     return render("c/both_sides.c.jinja", **values)
 
 
 def c_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
     """The static function `seek` in C99; it needs what tightens and, with limits, searches."""
-    values = shared | _texts(kernel) | {"enough": _enough(kernel)}
+    values = shared | {"n": _texts(kernel), "enough": _enough(kernel)}
     return render("c/seek.c.jinja", arrays=_c_arrays(kernel), **values)
 
 
 def python_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
     """The function `_seek` in Python; it needs what tightens and, with limits, searches."""
-    values = shared | _texts(kernel) | {"enough": _enough(kernel)}
+    values = shared | {"n": _texts(kernel), "enough": _enough(kernel)}
     return render("python/seek.py.jinja", arrays=_python_arrays(kernel), **values)
 
 
@@ -82,14 +85,16 @@ def _enough(kernel: NumericalKernel) -> str:
 
 def python_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
-    values = shared | _texts(kernel) | {"turning": turning_places(turning)}
+    values = shared | {"n": _texts(kernel), "turning": turning_places(turning)}
     return render("python/both_sides.py.jinja", **values)
 
 
-def python_tightening(kernel: NumericalKernel) -> str:
+def python_tightening(kernel: NumericalKernel, module: Module) -> str:
     """The function `_tighten` in Python, with all that it needs."""
     arrays = _python_arrays(kernel)
-    return render("python/tighten.py.jinja", arrays=arrays, looked=INSIDE, **_texts(kernel))
+    return render(
+        "python/tighten.py.jinja", module=module, arrays=arrays, looked=INSIDE, n=_texts(kernel)
+    )
 
 
 def _c_arrays(kernel: NumericalKernel) -> dict[str, str]:
@@ -140,7 +145,7 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
     """Counts, finished strings and choices."""
     chain = kernel.arm.chain
     dof = chain.dof
-    numbers = {
+    return {
         "solved": len(kernel.solved),
         "equations": kernel.equations,
         "last_equation": kernel.equations - 1,
@@ -164,7 +169,6 @@ def _texts(kernel: NumericalKernel) -> dict[str, object]:
         "enough": "enough" if kernel.checked else repr(kernel.residual),
         **_method(kernel),
     }
-    return {"n": numbers, "dof": dof, "rows": kernel.rows}
 
 
 def _listed(numbers: Sequence[float]) -> dict[str, object]:

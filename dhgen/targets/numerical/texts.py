@@ -11,16 +11,7 @@ from dhgen.numerical.miss import ANY_AXIS
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.kinematics.chain import Chain
     from dhgen.numerical.both_sides import Turning
-
-
-@dataclass(frozen=True, slots=True)
-class GivenPlace:
-    """A joint whose value the caller gives: its place in the arm, and among those, from 0."""
-
-    joint: int
-    place: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,11 +43,6 @@ class TurnComponent:
 
     place: int
     angle: str
-
-
-def given_places(chain: Chain) -> tuple[GivenPlace, ...]:
-    """The joints whose values the caller gives."""
-    return tuple(GivenPlace(number - 1, place) for place, number in enumerate(chain.free))
 
 
 def position_rows(rows: Sequence[int]) -> tuple[PositionRow, ...]:

@@ -1,0 +1,61 @@
+"""What the caller gives besides the pose: values of free joints, or the arm angle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+
+
+@dataclass(frozen=True, slots=True)
+class GivenPlace:
+    """A joint whose value the caller gives: its place in the arm, and among those, from 0."""
+
+    joint: int
+    place: int
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """Values that the caller gives.
+
+    Attributes:
+        count: How many they are.
+        is_one: Whether it is one.
+        places: Of the joints that they belong to.
+        sentence: What they are, as the beginning of a sentence.
+        comment: The same in a comment.
+        fault: What is at fault where one is not finite.
+    """
+
+    count: int
+    is_one: bool
+    places: tuple[GivenPlace, ...]
+    sentence: str
+    comment: str
+    fault: str
+
+
+def given_of(chain: Chain) -> Given:
+    """What the caller of an arm gives."""
+    joints = ", ".join(map(str, chain.free))
+    angle = bool(chain.arm_angle)
+    return Given(
+        count=chain.given,
+        is_one=chain.given == 1,
+        places=given_places(chain),
+        sentence="The arm angle [rad]" if angle else f"Values of the joints {joints}",
+        comment=(
+            "the arm angle, which the caller gives [rad]"
+            if angle
+            else f"free joints, whose values the caller gives: {joints}"
+        ),
+        fault="the arm angle" if angle else "a free joint's value",
+    )
+
+
+def given_places(chain: Chain) -> tuple[GivenPlace, ...]:
+    """The joints whose values the caller gives."""
+    return tuple(GivenPlace(number - 1, place) for place, number in enumerate(chain.free))

@@ -1,0 +1,53 @@
+"""What a solver is called, and what it solves for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from dhgen.method import Method
+    from dhgen.targets.module import SolverModule
+
+
+@dataclass(frozen=True, slots=True)
+class Module:
+    """A solver.
+
+    Attributes:
+        name: What it is called.
+        upper: The same in capitals.
+        dof: Joints of the arm.
+        rows: Of its solutions.
+        jacobian_size: Entries of the Jacobian.
+        joint_types: R or P for every joint.
+        has_slides: Whether one of them slides.
+        has_turns: Whether one of them turns.
+        method: How the arm is solved.
+    """
+
+    name: str
+    upper: str
+    dof: int
+    rows: int
+    jacobian_size: int
+    joint_types: str
+    has_slides: bool
+    has_turns: bool
+    method: Method
+
+
+def module_of(module: SolverModule) -> Module:
+    """A robot's solver."""
+    dof = module.chain.dof
+    return Module(
+        name=module.name,
+        upper=module.name.upper(),
+        dof=dof,
+        rows=module.solver.rows,
+        jacobian_size=6 * dof,
+        joint_types=module.joint_types,
+        has_slides="P" in module.joint_types,
+        has_turns="R" in module.joint_types,
+        method=module.method,
+    )

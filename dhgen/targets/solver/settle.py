@@ -1,0 +1,106 @@
+"""How joint values are taken to a solution next to them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.numerical.kernel import DAMPING, TOGETHER
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain, ChainJoint
+    from dhgen.targets.module import SolverModule
+
+ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
+# A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
+# places where two things are singular some make it worse before it gets better.
+SLOW = 0.7
+IN_VAIN = 4  # such steps lead nowhere
+FAR = 100.0  # times what is enough: nearer rounding decides what a step leaves
+# Joints that move by more lead to another solution: from a seed [rad, arm sizes], where a step may
+# be longer than the whole way; and times what a joint is beyond its limit.
+MOVED = 0.15
+LED = 10.0
+ASIDE = 0.25  # times the whole way: from half way to the same solution steps lead no farther
+NOTHING = 1e-6  # solutions are of one family if half way misses less [rad, arm sizes]
+# Half way to two rows as much is missed if by no more than so many times: then rounding says which
+# is least, and not alike in both languages. The first row is taken.
+ALIKE = 2.0
+BEYOND_TOLD = 10.0  # times what tells two solutions, where rounding is more than that of angles
+
+
+@dataclass(frozen=True, slots=True)
+class Settle:
+    """What the steps to a solution are made of.
+
+    Attributes:
+        width: Columns of a table with the miss and all joints.
+        spin: Where the Jacobian's angular part begins.
+        twice: Entries of two of its rows.
+        per_length: What a length counts of a miss.
+        miss_weights: What the components of a miss count, between commas.
+        paces: What a step of one means for each joint, between commas.
+        together: Joint values that differ by less are one solution [rad, arm sizes].
+        damping: Of the steps.
+        fine: Always added to it.
+        rounds: Of steps.
+        slow: A step that leaves more of the miss is in vain.
+        in_vain: Such steps lead nowhere.
+        far: Times what is enough: nearer rounding decides what a step leaves.
+        most_moved: From a seed [rad, arm sizes].
+        led_by_limit: The same, times what a joint is beyond its limit.
+        aside: Times the whole way: how far steps lead from half way.
+        alike: Two misses within so many times are the same.
+        told_by_nothing: Solutions are of one family if half way misses less [rad, arm sizes].
+    """
+
+    width: int
+    spin: int
+    twice: int
+    per_length: str
+    miss_weights: str
+    paces: str
+    together: str
+    fine: str
+    told_by_nothing: float
+    damping: str = repr(DAMPING)
+    rounds: int = ROUNDS
+    slow: float = SLOW
+    in_vain: int = IN_VAIN
+    far: float = FAR
+    most_moved: float = MOVED
+    led_by_limit: float = LED
+    aside: float = ASIDE
+    alike: float = ALIKE
+
+
+def settle_of(module: SolverModule) -> Settle:
+    """What steps of a robot's joints are made of."""
+    chain, tolerances = module.chain, module.precision.tolerances
+    length = _scale(1.0 / chain.size)
+    turns = "1.0" if chain.task.names_direction else "0.0"
+    rows = chain.task.position_rows
+    return Settle(
+        width=6 + chain.dof,
+        spin=3 * chain.dof,
+        twice=2 * chain.dof,
+        per_length=length,
+        miss_weights=", ".join([length if k in rows else "0.0" for k in range(3)] + [turns] * 3),
+        paces=", ".join(_pace(joint, chain) for joint in chain.joints),
+        together=repr(max(TOGETHER, BEYOND_TOLD * tolerances.told)),
+        fine=repr(tolerances.fine),
+        told_by_nothing=max(NOTHING, BEYOND_TOLD * tolerances.exact),
+    )
+
+
+def _pace(joint: ChainJoint, chain: Chain) -> str:
+    """What a step of one means for a joint: 1 rad, the arm's size, or nothing if it is given."""
+    if joint.number in chain.free:
+        return "0.0"
+    return "1.0" if joint.kind is JointKind.REVOLUTE else _scale(chain.size)
+
+
+def _scale(value: float) -> str:
+    """More digits tell nothing."""
+    return repr(float(f"{value:.4g}"))

@@ -1,0 +1,82 @@
+"""When joint values are taken to limits and to the seed.
+
+Beside a singular pose a joint is known from the pose to rounding over what is left of the least
+singular value. If it is beyond a limit by no more than that, it may as well stand there; and where
+the seed meets the pose with other joint values than the rows, the arm may as well go on with those.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.robot.robot import JointKind
+from dhgen.targets.walk import whole_arm
+
+if TYPE_CHECKING:
+    from dhgen.targets.module import SolverModule
+
+LEAST_WHOLE = 2.0 * math.pi - 1e-6  # limits so far apart leave no gap [rad]
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """Whether joints are put on limits and follow the seed.
+
+    Attributes:
+        on_limits: Whether they are put on limits.
+        stays: Whether they follow the seed.
+        settles: Whether they do either, and are taken to a solution next to them.
+        winds: Whether a joint that is put on a limit could be turned.
+        least_whole: Limits so far apart leave no gap [rad].
+        beyond_an_end: The function that says how far a joint is beyond the end of its range.
+        beyond_ends: The same for a row.
+        doubts_limits: Whether rounding takes joints beyond limits at regular poses, too.
+    """
+
+    on_limits: bool
+    stays: bool
+    settles: bool
+    winds: bool
+    beyond_an_end: str
+    beyond_ends: str
+    doubts_limits: bool
+    least_whole: str = repr(LEAST_WHOLE)
+
+
+def standing_of(module: SolverModule) -> Standing:
+    """What joints of a robot do."""
+    limited, stay, winding = stands_on_limits(module), _stays(module), winds(module)
+    return Standing(
+        on_limits=limited,
+        stays=stay,
+        settles=limited or stay,
+        winds=winding,
+        beyond_an_end="past_an_end" if winding else "overshoot",
+        beyond_ends="past_ends" if winding else "beyond_limits",
+        doubts_limits=limited and module.precision.tolerances.blur_limits,
+    )
+
+
+def stands_on_limits(module: SolverModule) -> bool:
+    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
+
+    An arm angle would be one more thing that has to be met.
+    """
+    chain = module.chain
+    limited = any(joint.limits for joint in chain.joints)
+    return limited and any(chain.turning) and not chain.arm_angle
+
+
+def winds(module: SolverModule) -> bool:
+    """Whether an arm stands on limits that are a whole turn apart: a joint could be turned."""
+    turning = (joint for joint in module.chain.joints if joint.kind is JointKind.REVOLUTE)
+    ranges = [joint.limits[1] - joint.limits[0] for joint in turning if joint.limits]
+    return stands_on_limits(module) and max(ranges, default=0.0) > LEAST_WHOLE
+
+
+def _stays(module: SolverModule) -> bool:
+    """Whether an arm has poses that rounding says little about, and rows for its branches."""
+    chain, turning = module.chain, any(module.chain.turning)
+    return turning and not chain.arm_angle and whole_arm(module.solver) is None
