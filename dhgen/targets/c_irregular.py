@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.task import TaskKind
@@ -9,11 +10,29 @@ from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.module import has_to_be_finite
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.targets.module import SolverModule
 
 
-def irregularities(module: SolverModule, inputs: list[str]) -> dict[str, object]:
-    """The functions: in lanes of poses, and for one pose with its columns in lanes.
+@dataclass(frozen=True, slots=True)
+class Irregularity:
+    """A function that tells it: its head and its statements."""
+
+    head: str
+    lines: Sequence[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Irregularities:
+    """The functions: in lanes of poses, and for one pose with its columns in lanes."""
+
+    wide: Irregularity
+    four: Irregularity
+
+
+def irregularities(module: SolverModule, inputs: list[str]) -> Irregularities:
+    """The functions of a robot.
 
     Args:
         module: The robot.
@@ -21,15 +40,15 @@ def irregularities(module: SolverModule, inputs: list[str]) -> dict[str, object]
     """
     rotation = module.chain.task.names_rotation
     one = _side_by_side(module) if rotation else _plain(module, "double", "all_four({})")
-    return {
-        "wide": _function("wide", "wide", inputs, _plain(module, "wide", "{}")),
-        "four": _function("four", "double", inputs, one),
-    }
+    return Irregularities(
+        wide=_function("wide", "wide", inputs, _plain(module, "wide", "{}")),
+        four=_function("four", "double", inputs, one),
+    )
 
 
-def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> dict[str, object]:
+def _function(result: str, number: str, inputs: list[str], lines: list[str]) -> Irregularity:
     given = ", ".join(inputs).replace("%", number)
-    return {"head": f"HELPER {result} irregularity_{result}({given})", "lines": lines}
+    return Irregularity(f"HELPER {result} irregularity_{result}({given})", lines)
 
 
 def finite_entries(module: SolverModule) -> list[str]:

@@ -2,40 +2,85 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
+from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from dhgen.program.arctangent import STEEP, arctangent_coefficients
 from dhgen.program.arrival import arrivals
 from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let, Variable
+from dhgen.program.tolerances import SINGLE
 from dhgen.program.walk import names_in
 from dhgen.targets.c_declared import dense
+from dhgen.targets.c_entries import entry_lines, read_alike
 from dhgen.targets.c_irregular import irregularities
 from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
 from dhgen.targets.c_packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c_rows import status_lines, store_places, stores, words
-from dhgen.targets.layout import call, listed, packed, wrapped
-from dhgen.targets.scalar import pose_entries
+from dhgen.targets.layout import call, packed, wrapped
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.program.flatten import Choice, Flat
-    from dhgen.program.ir import Expression, Program, Statement
+    from dhgen.program.ir import Expression, Statement
     from dhgen.program.unguarded import Regular
     from dhgen.targets.c_declared import Declaration
+    from dhgen.targets.c_irregular import Irregularities
+    from dhgen.targets.c_rows import Word
     from dhgen.targets.module import SolverModule
 
 INDENT = "    "
+MOST_LANES = 8  # of a vector, with AVX-512
 COSTS = {"atan2": 30, "div": 4, "sqrt": 6}  # of an operator in lanes; of any other 1
 
 
-def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, object]:
-    """What the templates name.
+@dataclass(frozen=True, slots=True)
+class LaneFunction:
+    """A function that solves regular poses, with its body; `about` says what is in lanes."""
+
+    prototype: str
+    lines: Sequence[str]
+    about: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class CRegular:
+    """What serves regular poses.
+
+    Attributes:
+        functions: Of <math.h> that they need.
+        stores_one: Whether joint values are written one by one.
+        stores_two: Whether they are in pairs.
+        irregularity: How far a pose is from one in full precision.
+        wide: One lane a pose.
+        spreads_truths: Whether it takes truth values to lanes.
+        one: Branches in lanes.
+        tile: The prototype of what solves many poses.
+        words: Statuses that are put together.
+        row_size: Joint values of all rows.
+        fills_lanes: Whether they are as many as a vector's.
+        in_lanes: Whether anything but `wide` is used.
+    """
+
+    functions: Sequence[str]
+    stores_one: bool
+    stores_two: bool
+    irregularity: Irregularities
+    wide: LaneFunction
+    spreads_truths: bool
+    one: LaneFunction
+    tile: str
+    words: Sequence[Word]
+    row_size: int
+    fills_lanes: bool
+    in_lanes: bool
+
+
+def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> CRegular:
+    """What serves a robot's regular poses.
 
     Args:
         module: The robot.
@@ -44,22 +89,23 @@ def regular_values(module: SolverModule, flat: Flat, lanes: Flat) -> dict[str, o
     """
     used = set(operators(flat.program))
     sizes = {size for _, size in store_places(module.chain.dof)}
-    programs = module.solver, flat.program, lanes.program
-    alike = len({tuple(pose_entries(program)) for program in programs}) == 1
+    alike = read_alike(module, (flat, lanes))
     wide = _wide(module, flat, entry_lines(flat.program, "wide", alike=alike))
-    return {
-        "functions": sorted(used & {"sin", "cos", "wrap"}),
-        "stores": {name: size in sizes for name, size in (("one", 1), ("two", 2))},
-        "arctangent": _arctangent(),
-        "irregularity": irregularities(module, _inputs(module, "%")),
-        "wide": wide,
-        "spreads_truths": "where_wide(" in str(wide["lines"]),
-        "one": _one(module, lanes, entry_lines(lanes.program, alike=alike)),
-        "entries": entry_lines(module.solver, alike=alike),
-        "entries_macro": _entries_macro(flat.program) if alike else [],
-        "words": words(module.solver.rows),
-        "tile": {"prototype": _prototype(module, "HELPER unsigned solve_tile", "tile")},
-    }
+    row_size = module.solver.rows * module.chain.dof
+    return CRegular(
+        functions=sorted(used & {"sin", "cos", "wrap"}),
+        stores_one=1 in sizes,
+        stores_two=2 in sizes,
+        irregularity=irregularities(module, _inputs(module, "%")),
+        wide=wide,
+        spreads_truths=any("where_wide(" in line for line in wide.lines),
+        one=_one(module, lanes, entry_lines(lanes.program, alike=alike)),
+        tile=_prototype(module, "HELPER unsigned solve_tile", "tile"),
+        words=words(module.solver.rows),
+        row_size=row_size,
+        fills_lanes=row_size >= MOST_LANES,
+        in_lanes=module.precision is not SINGLE,
+    )
 
 
 def _inputs(module: SolverModule, number: str) -> list[str]:
@@ -78,26 +124,6 @@ def best_lanes(solver: Regular) -> Flat:
 
 def _cost(flat: Flat) -> int:
     return sum(COSTS.get(operator, 1) for operator in operators(flat.program))
-
-
-def _arctangent() -> dict[str, object]:
-    """Estrin's scheme for the polynomial, and multiples of pi / 4."""
-    names = [f"odd[{place}]" for place in range(len(arctangent_coefficients()))]
-    numbers = listed([repr(coefficient) for coefficient in arctangent_coefficients()], INDENT)
-    pairs = [f"({a} + {b} * u)" for a, b in zip(names[::2], names[1::2], strict=False)]
-    fours = [f"{a} + {b} * u2" for a, b in zip(pairs[::2], pairs[1::2], strict=False)]
-    return {
-        "odd": "\n".join([f"static const double odd[{len(names)}] = {{", *numbers, "};"]),
-        "lines": [
-            f"p0 = {fours[0]}",
-            f"p4 = {fours[1]}",
-            f"p8 = {pairs[4]} + {names[10]} * u2",
-            "p = p0 + (p4 + p8 * u4) * u4",
-        ],
-        "tangent": repr(STEEP),
-        "quarter": repr(math.pi / 4),
-        "half": repr(math.pi / 2),
-    }
 
 
 def _prototype(module: SolverModule, head: str, form: str) -> str:
@@ -165,7 +191,7 @@ def _with_angles(flat: Flat, text: LaneText) -> list[str]:
     return [*lines, *_lets(last, text)]
 
 
-def _wide(module: SolverModule, flat: Flat, entries: list[str]) -> dict[str, object]:
+def _wide(module: SolverModule, flat: Flat, entries: list[str]) -> LaneFunction:
     """One lane a pose."""
     text = LaneText("wide", flat.program, wide=True)
     at_once = _needed_once(flat)
@@ -187,7 +213,7 @@ def _wide(module: SolverModule, flat: Flat, entries: list[str]) -> dict[str, obj
     doubt = "" if flat.doubt is None else f" | ({text.text(flat.doubt).text})"
     lines.append(f"{INDENT}return (exact == 0){doubt};")
     head = "HELPER wide_mask solve_wide"
-    return {"prototype": _prototype(module, head, "wide"), "lines": lines}
+    return LaneFunction(_prototype(module, head, "wide"), lines)
 
 
 def _needed_once(flat: Flat) -> dict[Expression, Let]:
@@ -206,34 +232,7 @@ def _needed_once(flat: Flat) -> dict[Expression, Let]:
     }
 
 
-def entry_lines(program: Program, number: str = "double", *, alike: bool = False) -> list[str]:
-    """The entries of the pose get their names, row by row.
-
-    Args:
-        program: Which reads them.
-        number: Their type.
-        alike: Whether all programs read the same, and a macro holds the names.
-    """
-    if alike:
-        return [f"{INDENT}ENTRIES({number});"]
-    lines = []
-    for row in (1, 2, 3):
-        named = [
-            f"T{entry.row}{entry.column} = T[{4 * (row - 1) + entry.column - 1}]"
-            for entry in pose_entries(program)
-            if entry.row == row
-        ]
-        lines += [f"{INDENT}const {number} {', '.join(named)};"] if named else []
-    return lines
-
-
-def _entries_macro(program: Program) -> list[str]:
-    *lines, last = entry_lines(program, "number")
-    ending = [f"{line} \\" for line in ["#define ENTRIES(number)", *lines]]
-    return [*ending, last.removesuffix(";")]
-
-
-def _one(module: SolverModule, flat: Flat, entries: list[str]) -> dict[str, object]:
+def _one(module: SolverModule, flat: Flat, entries: list[str]) -> LaneFunction:
     """Branches in lanes."""
     text = LaneText("four", flat.program, wide=False)
     values = {1: ["1.0, -1.0, 1.0, -1.0"], 2: ["1.0, 1.0, -1.0, -1.0", "1.0, -1.0, 1.0, -1.0"]}
@@ -257,8 +256,7 @@ def _one(module: SolverModule, flat: Flat, entries: list[str]) -> dict[str, obje
     outsides = [text.mask(outside) for outside in flat.outside]
     lines += status_lines(module.name.upper(), module.solver.rows, rows, nones, outsides)
     head = "HELPER int solve_regular"
-    about = f"{len(flat.lanes)} signs"
-    return {"prototype": _prototype(module, head, "one"), "lines": lines, "about": about}
+    return LaneFunction(_prototype(module, head, "one"), lines, f"{len(flat.lanes)} signs")
 
 
 def _is_nan(text: LaneText, expression: Expression) -> str:

@@ -21,28 +21,27 @@ from dhgen.targets.python_single import assigned, single, status_text
 from dhgen.targets.stages import staged
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.program.flatten import Flat
     from dhgen.program.ir import Expression
     from dhgen.targets.module import SolverModule
+    from dhgen.targets.python_single import Single
     from dhgen.targets.stages import Call, Stage
 
 LOOP = INDENT * 3  # inside a loop over the poses of a tile
 TILE = 16  # poses: two of the widest vectors; what a tile needs stays in the first cache
 
 
-def regular_values(module: SolverModule, flat: Flat) -> dict[str, object]:
-    """What the templates name."""
+def regular_values(module: SolverModule, flat: Flat) -> PythonRegular:
+    """What serves a robot's regular poses."""
     tiled = tile(flat, module.chain.given)
-    one = single(flat)
-    return {
-        "lines": one.lines,
-        "room": one.room,
-        "tile": tiled,
-        "exact": [line.removeprefix(LOOP) for line in _exact(module)],
-        "places": _rows(tiled.places),
-    }
+    return PythonRegular(
+        one=single(flat),
+        tile=tiled,
+        exact=[line.removeprefix(LOOP) for line in _exact(module)],
+        places=_rows(tiled.places),
+    )
 
 
 class _Lanes(Python):
@@ -67,6 +66,23 @@ class Loop:
     first: int
     last: int
     lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PythonRegular:
+    """What serves regular poses.
+
+    Attributes:
+        one: What solves one of them.
+        tile: What solves many.
+        exact: Statements that say of pose k of a tile whether it needs no straightening.
+        places: Where the joints' values of each row begin, as lines of a table.
+    """
+
+    one: Single
+    tile: Tile
+    exact: Sequence[str]
+    places: Sequence[str]
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from dhgen.program.ir import (
 )
 from dhgen.program.walk import expressions
 from dhgen.targets.dialect import Dialect, NamedText, expression_text
-from dhgen.targets.layout import INDENT, WIDTH, wrapped
+from dhgen.targets.layout import WIDTH, wrapped
 from dhgen.targets.nest import Loop, nest
 
 if TYPE_CHECKING:
@@ -82,14 +82,6 @@ def straight_lines(program: Program, language: ScalarLanguage, indent: str) -> l
 def output_texts(program: Program, language: ScalarLanguage) -> list[str]:
     """The results of a program as expressions."""
     return [expression_text(output, language) for output in program.outputs]
-
-
-def arm_angle_values(program: Program | None, language: ScalarLanguage) -> dict[str, object] | None:
-    """The body of the function that gives the arm angle, where there is one."""
-    if program is None:
-        return None
-    (result,) = output_texts(program, language)
-    return {"lines": straight_lines(program, language, INDENT), "result": result}
 
 
 def pose_entries(program: Program) -> list[Pose]:

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
     from dhgen.numerical.both_sides import Turning
     from dhgen.numerical.kernel import NumericalKernel
+    from dhgen.targets.c_calls import CCalls
+    from dhgen.targets.python_calls import PythonCalls
+    from dhgen.targets.solver.common import Common
     from dhgen.targets.solver.module import Module
 
 
@@ -60,22 +63,41 @@ def c_tightening(kernel: NumericalKernel, module: Module) -> str:
     return render("c/tighten.c.jinja", module=module, arrays=_c_arrays(kernel), n=_texts(kernel))
 
 
-def c_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
+def c_both_sides(kernel: NumericalKernel, turning: Turning, module: Module, calls: CCalls) -> str:
     """The static function `both_sides` in C99; it needs `solve` and what tightens."""
-    values = shared | {"n": _texts(kernel), "turning": turning_places(turning)}
-    return render("c/both_sides.c.jinja", **values)
+    return render(
+        "c/both_sides.c.jinja",
+        module=module,
+        calls=calls,
+        n=_texts(kernel),
+        turning=turning_places(turning),
+    )
 
 
-def c_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+def c_seeking(kernel: NumericalKernel, common: Common, calls: CCalls) -> str:
     """The static function `seek` in C99; it needs what tightens and, with limits, searches."""
-    values = shared | {"n": _texts(kernel), "enough": _enough(kernel)}
-    return render("c/seek.c.jinja", arrays=_c_arrays(kernel), **values)
+    return render(
+        "c/seek.c.jinja",
+        module=common.module,
+        searches=common.searches,
+        calls=calls,
+        arrays=_c_arrays(kernel),
+        n=_texts(kernel),
+        enough=_enough(kernel),
+    )
 
 
-def python_seeking(kernel: NumericalKernel, shared: dict[str, object]) -> str:
+def python_seeking(kernel: NumericalKernel, common: Common, calls: PythonCalls) -> str:
     """The function `_seek` in Python; it needs what tightens and, with limits, searches."""
-    values = shared | {"n": _texts(kernel), "enough": _enough(kernel)}
-    return render("python/seek.py.jinja", arrays=_python_arrays(kernel), **values)
+    return render(
+        "python/seek.py.jinja",
+        module=common.module,
+        searches=common.searches,
+        calls=calls,
+        arrays=_python_arrays(kernel),
+        n=_texts(kernel),
+        enough=_enough(kernel),
+    )
 
 
 def _enough(kernel: NumericalKernel) -> str:
@@ -83,10 +105,17 @@ def _enough(kernel: NumericalKernel) -> str:
     return repr(kernel.residual) if kernel.checked else f"{constants.LOOSE!r} * exact"
 
 
-def python_both_sides(kernel: NumericalKernel, turning: Turning, shared: dict[str, object]) -> str:
+def python_both_sides(
+    kernel: NumericalKernel, turning: Turning, module: Module, calls: PythonCalls
+) -> str:
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
-    values = shared | {"n": _texts(kernel), "turning": turning_places(turning)}
-    return render("python/both_sides.py.jinja", **values)
+    return render(
+        "python/both_sides.py.jinja",
+        module=module,
+        calls=calls,
+        n=_texts(kernel),
+        turning=turning_places(turning),
+    )
 
 
 def python_tightening(kernel: NumericalKernel, module: Module) -> str:

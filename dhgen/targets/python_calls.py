@@ -1,0 +1,44 @@
+"""How functions of a Python module are called and compiled."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.targets.python_flat import TILE
+
+if TYPE_CHECKING:
+    from dhgen.targets.module import SolverModule
+    from dhgen.targets.solver.common import Common
+
+SHARE = 2048  # poses that are worth a thread
+
+
+@dataclass(frozen=True, slots=True)
+class PythonCalls:
+    """How functions are called and compiled.
+
+    Attributes:
+        free_parameter: The values that the caller gives, among parameters and arguments.
+        free_batch: The same of pose k.
+        compiles_apart: Whether there are functions that few poses need.
+        share: Poses that are worth a thread.
+        tile: Poses that are solved side by side.
+    """
+
+    free_parameter: str
+    free_batch: str
+    compiles_apart: bool
+    share: int = SHARE
+    tile: int = TILE
+
+
+def python_calls(module: SolverModule, common: Common) -> PythonCalls:
+    """How functions of a robot's module are called."""
+    given = bool(common.given.count)
+    rare = common.searches.some or common.standing.settles or module.solver.tightened is not None
+    return PythonCalls(
+        free_parameter=", q_free" if given else "",
+        free_batch=", q_free[k]" if given else "",
+        compiles_apart=rare or common.programs.solves_whole,
+    )

@@ -1,0 +1,206 @@
+"""Comments, tables and checks of a Python module as its templates name them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.program.arctangent import STEEP, arctangent_coefficients
+from dhgen.robot.task import TaskKind
+from dhgen.targets.comments import plain
+from dhgen.targets.constants import constant_texts
+from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
+from dhgen.targets.module import has_to_be_finite, made_text, named_entries
+from dhgen.targets.python_language import Python
+from dhgen.targets.python_single import assigned
+from dhgen.targets.scalar import output_texts, pose_entries
+from dhgen.targets.solver.searches import fan_steps
+from dhgen.targets.solver.task import meaning
+from dhgen.targets.walk import uses
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dhgen.program.flatten import Flat
+    from dhgen.program.ir import Program
+    from dhgen.targets.constants import ConstantText
+    from dhgen.targets.module import SolverModule
+    from dhgen.targets.solver.common import Common
+
+
+@dataclass(frozen=True, slots=True)
+class PythonComments:
+    """What a module says of itself.
+
+    Attributes:
+        about: What it is.
+        made: Where it comes from.
+        frames: What poses are.
+        no_pose: What is wrong with a pose that is none.
+        allocates: Where memory is allocated.
+    """
+
+    about: str
+    made: str
+    frames: str
+    no_pose: str
+    allocates: str
+
+
+@dataclass(frozen=True, slots=True)
+class PythonTables:
+    """Constants of a module.
+
+    Attributes:
+        limits: Of each joint.
+        branches: The name of every row.
+        free_joints: Whose values the caller gives; empty without any.
+        weights: Of squared differences of joint values.
+        fan_steps: From one value of a free joint that is tried to the next.
+        constants: Of the programs, as lines.
+    """
+
+    limits: Sequence[str]
+    branches: Sequence[str]
+    free_joints: str
+    weights: str
+    fan_steps: str
+    constants: Sequence[str]
+
+
+@dataclass(frozen=True, slots=True)
+class MissedEntry:
+    """Lines that set `off` to what joint values miss an entry by, and the weight of that."""
+
+    lines: Sequence[str]
+    weight: str
+
+
+@dataclass(frozen=True, slots=True)
+class PythonPose:
+    """How a pose is read.
+
+    Attributes:
+        entries: The names of its entries, _ for those that the solver does not read.
+        finite: Whether all that has to be finite is.
+        missed: The entries that the task names.
+    """
+
+    entries: str
+    finite: str
+    missed: Sequence[MissedEntry]
+
+
+@dataclass(frozen=True, slots=True)
+class PythonArctangent:
+    """What the arctangent is made of.
+
+    Attributes:
+        steep: Up to which ratio the polynomial serves as it is.
+        polynomial: Its value, as lines.
+        eighth: Of a turn [rad].
+        quarter: Of it.
+        half: Of it.
+    """
+
+    steep: str
+    polynomial: Sequence[str]
+    eighth: str = repr(math.pi / 4)
+    quarter: str = repr(math.pi / 2)
+    half: str = repr(math.pi)
+
+
+def python_comments(module: SolverModule, common: Common, flat: Flat | None) -> PythonComments:
+    """What the module of a robot says of itself."""
+    frames = (
+        "Poses are 4 x 4 matrices of the tool in the base frame, lengths in "
+        f"{module.length_unit}, angles in rad. {meaning(module.chain.task)}"
+    )
+    return PythonComments(
+        about=paragraph(f"{module.name}: {plain(module.title).rstrip('.')}.", ""),
+        made=made_text(module, "python/solver.py.jinja", ""),
+        frames=paragraph(frames, ""),
+        no_pose=_no_pose(module),
+        allocates=_allocates(module, common, flat),
+    )
+
+
+def _allocates(module: SolverModule, common: Common, flat: Flat | None) -> str:
+    """Where memory is allocated."""
+    if flat is None:
+        return "at every pose"
+    if module.solver.tightened is not None or common.standing.settles:
+        return "only where a pose is singular or rounded"
+    if common.searches.some:
+        return "only where a free joint can't keep the seed's value"
+    return "nowhere"
+
+
+def _no_pose(module: SolverModule) -> str:
+    """What is wrong with a pose that is none."""
+    task = module.chain.task
+    what = "the arm angle" if module.chain.arm_angle else "the value of a free joint"
+    free = f", or {what} not finite" if module.chain.given else ""
+    if task.names_rotation:
+        last = ", or its last row not 0, 0, 0, 1 (is it transposed?)"
+        return f"not finite, or not a right-handed rotation to six digits{last}{free}"
+    if task.kind is TaskKind.POINTING:
+        return f"not finite, or its z axis not of length one to six digits{free}"
+    return f"not finite{free}"
+
+
+def python_tables(module: SolverModule, flat: Flat | None) -> PythonTables:
+    """Constants of a robot, and of its program for regular poses, where there is one."""
+    free, none = module.chain.free, "(-math.inf, math.inf)"
+    limits = [joint.limits for joint in module.chain.joints]
+    constants = constant_texts(module, () if flat is None else (flat.program,))
+    return PythonTables(
+        limits=[f"({pair[0]!r}, {pair[1]!r})" if pair else none for pair in limits],
+        branches=module.branches,
+        free_joints=f"({', '.join(map(str, free))},)" if free else "",
+        weights=python_array("_WEIGHT = np.array", map(repr, module.weights)),
+        fan_steps=python_array("_FAN_STEP = np.array", map(repr, fan_steps(module))),
+        constants=[line for each in constants for line in _constant(each)],
+    )
+
+
+def _constant(constant: ConstantText) -> list[str]:
+    bare, comment = f"{constant.name} = {constant.value}", constant.comment
+    line = f"{bare}  # {comment}" if comment else bare
+    return [line] if len(line) <= WIDTH else [f"# {paragraph(comment, '# ')}", bare]
+
+
+def python_pose(module: SolverModule) -> PythonPose:
+    """How a robot's pose is read."""
+    entries = [f"p{'xyz'[row]}" for row in module.chain.task.position_rows]
+    entries += [f"q_free[{place}]" for place in range(module.chain.given)]
+    finite = [f"math.isfinite({each})" for each in has_to_be_finite(module, entries)]
+    return PythonPose(_entries(module.solver), " and ".join(finite) or "True", _missed(module))
+
+
+def _entries(program: Program) -> str:
+    """The names of the pose's entries, _ for those that are not read."""
+    read = {(entry.row, entry.column) for entry in pose_entries(program)}
+    places = [(row, column) for row in (1, 2, 3) for column in (1, 2, 3, 4)]
+    return ", ".join(f"T{place[0]}{place[1]}" if place in read else "_" for place in places)
+
+
+def _missed(module: SolverModule) -> list[MissedEntry]:
+    """What joint values miss each entry by that the task names."""
+    reached = output_texts(module.forward, Python())
+    return [
+        MissedEntry(
+            assigned("off", f"{reached[each.place]} - pose[{each.place}]", INDENT), each.weight
+        )
+        for each in named_entries(module.chain)
+    ]
+
+
+def python_arctangent(program: Program) -> PythonArctangent | None:
+    """The constants of atan2, where the solver takes arctangents."""
+    if not uses(program, "atan2"):
+        return None
+    highest, *others = reversed(arctangent_coefficients())
+    steps = (f"p = p * u {'-' if c < 0 else '+'} {abs(c)!r}" for c in others)
+    return PythonArctangent(repr(STEEP), [f"p = {highest!r}", *steps])

@@ -1,0 +1,76 @@
+"""A robot's programs as lines of a language."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.targets.layout import INDENT
+from dhgen.targets.scalar import output_texts, solver_lines, straight_lines
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from dhgen.program.ir import Program
+    from dhgen.targets.module import SolverModule
+    from dhgen.targets.scalar import ScalarLanguage
+
+
+@dataclass(frozen=True, slots=True)
+class ArmAngle:
+    """The body of the function that gives the arm angle: what comes first, and the result."""
+
+    lines: Sequence[str]
+    result: str
+
+
+@dataclass(frozen=True, slots=True)
+class Bodies:
+    """The bodies of functions.
+
+    Attributes:
+        solver: From pose to rows.
+        forward: From joint values to what the pose is made of.
+        forward_rows: The pose.
+        jacobian: From joint values to what the Jacobian is made of.
+        jacobian_rows: The Jacobian.
+        arm_angle: From joint values to the arm angle, where the caller gives that.
+    """
+
+    solver: Sequence[str]
+    forward: Sequence[str]
+    forward_rows: Sequence[str]
+    jacobian: Sequence[str]
+    jacobian_rows: Sequence[str]
+    arm_angle: ArmAngle | None
+
+
+def bodies_of(
+    module: SolverModule,
+    language: ScalarLanguage,
+    assignments: Callable[[str, list[str], int], list[str]],
+) -> Bodies:
+    """The programs of a robot.
+
+    Args:
+        module: The robot.
+        language: That they are written in.
+        assignments: Fill an array of this name with entries, in rows of so many.
+    """
+    forward = output_texts(module.forward, language)
+    jacobian = output_texts(module.jacobian, language)
+    return Bodies(
+        solver=solver_lines(module.solver, language, INDENT),
+        forward=straight_lines(module.forward, language, INDENT),
+        forward_rows=assignments("T", forward, 4),
+        jacobian=straight_lines(module.jacobian, language, INDENT),
+        jacobian_rows=assignments("J", jacobian, module.chain.dof),
+        arm_angle=_arm_angle(module.arm_angle, language),
+    )
+
+
+def _arm_angle(program: Program | None, language: ScalarLanguage) -> ArmAngle | None:
+    if program is None:
+        return None
+    (result,) = output_texts(program, language)
+    return ArmAngle(straight_lines(program, language, INDENT), result)
