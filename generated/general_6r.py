@@ -446,7 +446,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_6r 065ad53c0896154d"
+_KEY = "general_6r 37724d38e4e6f132"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -961,14 +961,13 @@ _GENERAL_6R_START = np.array([
 
 
 @_inner
-def _general_6r_compose(A, B):
-    """A B for rigid transforms, twelve numbers each."""
-    C = np.empty(12)
-    for i in range(3):
-        for j in range(4):
-            total = A[4 * i] * B[j] + A[4 * i + 1] * B[4 + j] + A[4 * i + 2] * B[8 + j]
-            C[4 * i + j] = total + A[4 * i + 3] if j == 3 else total
-    return C
+def _general_6r_follow(T, K):
+    """T K for rigid transforms, twelve numbers each, in place."""
+    for i in range(0, 12, 4):
+        a, b, c = T[i], T[i + 1], T[i + 2]
+        for j in range(3):
+            T[i + j] = a * K[j] + b * K[4 + j] + c * K[8 + j]
+        T[i + 3] += a * K[3] + b * K[7] + c * K[11]
 
 
 @_inner
@@ -1003,7 +1002,8 @@ def _general_6r_close(T):
     links, first = np.empty((7, 12)), (0, 1, 2, 3, 4, 5, 6)
     for i in range(7):
         _take(links[i], _GENERAL_6R_CONSTANTS[first[i]])
-    _take(links[5], _general_6r_compose(_general_6r_compose(links[5], T), links[6]))
+    _general_6r_follow(links[5], T)
+    _general_6r_follow(links[5], links[6])
     for i in range(3):
         links[5, 4 * i + 3] *= 1.5043214224895793
     return links
@@ -1136,34 +1136,74 @@ def _general_6r_equations(joints, links):
     return E
 
 
-@_apart("float64(float64[:, ::1], float64, float64, float64[:, ::1])")
-def _general_6r_fold(E, c, s, factor):
-    """The determinant at a hidden angle, and into `factor` the upper triangular one whose null vectors are
+@_merged
+def _general_6r_reflect_all(M, columns, first, rest, column, determinant):
+    """Reflect, at all angles at once, the first row and the rows from `rest` on so that `column` stays
+    in the first only; what it holds elsewhere means nothing afterwards."""
+    head, factor = np.empty(24), np.empty(24)
+    for k in range(24):
+        square = M[first, column, k] * M[first, column, k]
+        for i in range(rest, 6):
+            square += M[i, column, k] * M[i, column, k]
+        length = math.copysign(math.sqrt(square), M[first, column, k])
+        head[k] = M[first, column, k] + length
+        factor[k] = 1.0 / (length * head[k] + 1e-300)
+        determinant[k] *= -length
+        M[first, column, k] = -length
+    for j in range(column + 1, columns):
+        for k in range(24):
+            total = head[k] * M[first, j, k]
+            for i in range(rest, 6):
+                total += M[i, column, k] * M[i, j, k]
+            total *= factor[k]
+            M[first, j, k] -= head[k] * total
+            for i in range(rest, 6):
+                M[i, j, k] -= M[i, column, k] * total
+
+
+@_apart("float64[:, :, ::1](float64[:, ::1], float64[::1], float64[::1], float64[::1])")
+def _general_6r_fold(E, c, s, determinant):
+    """The determinant at 24 hidden angles; returns the upper triangular matrices whose null vectors are
     (x3, 1) x (x2^2, x2, 1). With A2, A1, A0 the blocks of x3^2, x3, 1 the matrix is
-    [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6."""
-    M = np.empty((6, 9))
+    [A2 A1 A0 0; 0 A2 A1 A0]; reflections fold it to 9x9 and to 6x6.
+
+    Each reflection stands by itself: where its rows are known the loops over angles become vectors.
+    """
+    M, W, factor = np.empty((6, 9, 24)), np.zeros((6, 9, 24)), np.empty((6, 6, 24))
     for r in range(6):
-        for k in range(9):
-            at = 3 * (k % 3) + k // 3
-            M[r, k] = E[r, at] + E[r, 9 + at] * c + E[r, 18 + at] * s
-    determinant = 1.0
-    for column in range(3):
-        determinant *= _general_6r_reflect(M, column, column + 1, column)
+        for j in range(9):
+            at = 3 * (j % 3) + j // 3
+            one, cosine, sine = E[r, at], E[r, 9 + at], E[r, 18 + at]
+            for k in range(24):
+                M[r, j, k] = one + cosine * c[k] + sine * s[k]
+    for k in range(24):
+        determinant[k] = 1.0
+    _general_6r_reflect_all(M, 9, 0, 1, 0, determinant)
+    _general_6r_reflect_all(M, 9, 1, 2, 1, determinant)
+    _general_6r_reflect_all(M, 9, 2, 3, 2, determinant)
     # now M is [R B1 B0; 0 D1 D0]; the other shift has R B1 B0 under D1 D0 0
-    W = np.zeros((6, 9))
     for r in range(3):
-        for k in range(9):
-            W[r, k] = M[r, k]
-        for k in range(6):
-            W[3 + r, k] = factor[3 + r, k] = M[3 + r, 3 + k]
-    for column in range(3):
-        determinant *= _general_6r_reflect(W, column, 3, column)
+        for j in range(9):
+            for k in range(24):
+                W[r, j, k] = M[r, j, k]
+        for j in range(6):
+            for k in range(24):
+                W[3 + r, j, k] = factor[3 + r, j, k] = M[3 + r, 3 + j, k]
+    _general_6r_reflect_all(W, 9, 0, 3, 0, determinant)
+    _general_6r_reflect_all(W, 9, 1, 3, 1, determinant)
+    _general_6r_reflect_all(W, 9, 2, 3, 2, determinant)
     for r in range(3):
-        for k in range(6):
-            factor[r, k] = W[3 + r, 3 + k]
-    for column in range(5):
-        determinant *= _general_6r_reflect(factor, column, column + 1, column)
-    return determinant * factor[5, 5]
+        for j in range(6):
+            for k in range(24):
+                factor[r, j, k] = W[3 + r, 3 + j, k]
+    _general_6r_reflect_all(factor, 6, 0, 1, 0, determinant)
+    _general_6r_reflect_all(factor, 6, 1, 2, 1, determinant)
+    _general_6r_reflect_all(factor, 6, 2, 3, 2, determinant)
+    _general_6r_reflect_all(factor, 6, 3, 4, 3, determinant)
+    _general_6r_reflect_all(factor, 6, 4, 5, 4, determinant)
+    for k in range(24):
+        determinant[k] *= factor[5, 5, k]
+    return factor
 
 
 @_inner
@@ -1198,24 +1238,45 @@ def _general_6r_fit(samples):
 
 @_inner
 def _general_6r_grid(f):
-    """f, f', f'' at the edges of the cells; the first edge stands at the end again."""
-    grid = np.zeros((257, 3))
+    """f, f', f'', a row each, at the edges of the cells; the first edge stands at the end again."""
+    grid = np.empty((3, 257))
+    value, slope, bend = grid
     for i in range(128):
-        # even multiples are the same half a turn on, odd ones the opposite
-        grid[i, 0] = grid[i + 128, 0] = f[0]
+        even = uneven = even_slope = uneven_slope = even_bend = uneven_bend = 0.0
         for m in range(1, 9):
             c, s = _GENERAL_6R_GRID_C[m - 1, i], _GENERAL_6R_GRID_S[m - 1, i]
-            even, odd = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
-            sign = -1.0 if m % 2 else 1.0
-            grid[i, 0] += even
-            grid[i, 1] += m * odd
-            grid[i, 2] -= m * m * even
-            grid[i + 128, 0] += sign * even
-            grid[i + 128, 1] += sign * m * odd
-            grid[i + 128, 2] -= sign * m * m * even
+            along, across = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
+            if m % 2 == 0:
+                even, even_slope = even + along, even_slope + m * across
+                even_bend -= m * m * along
+            else:
+                uneven, uneven_slope = uneven + along, uneven_slope + m * across
+                uneven_bend -= m * m * along
+        # even multiples are the same half a turn on, odd ones the opposite
+        opposite = i + 128
+        value[i], value[opposite] = f[0] + even + uneven, f[0] + even - uneven
+        slope[i], slope[opposite] = even_slope + uneven_slope, even_slope - uneven_slope
+        bend[i], bend[opposite] = even_bend + uneven_bend, even_bend - uneven_bend
     for k in range(3):
-        grid[256, k] = grid[0, k]
+        grid[k, 256] = grid[k, 0]
     return grid
+
+
+@_inner
+def _general_6r_rootless(grid, zero):
+    """In which cells f has no root, as `_general_6r_kind` tells it one by one: most of them."""
+    value, slope, bend = grid
+    h, square = 0.02454369260617026 / 5.0, 0.02454369260617026 * 0.02454369260617026 / 20.0
+    rootless = np.empty(256, np.bool_)
+    for i in range(256):
+        b0, b5 = value[i], value[i + 1]
+        b1, b4 = b0 + h * slope[i], b5 - h * slope[i + 1]
+        b2 = b0 + 2.0 * h * slope[i] + square * bend[i]
+        b3 = b5 - 2.0 * h * slope[i + 1] + square * bend[i + 1]
+        above = (b0 > zero) & (b1 > zero) & (b2 > zero) & (b3 > zero) & (b4 > zero) & (b5 > zero)
+        below = (b0 < -zero) & (b1 < -zero) & (b2 < -zero) & (b3 < -zero) & (b4 < -zero) & (b5 < -zero)
+        rootless[i] = above | below
+    return rootless
 
 
 @_inner
@@ -1257,9 +1318,11 @@ def _general_6r_between(f, order, low, high, rising):
         else:
             high = x
         step = -value / slope if slope != 0.0 else high - low
-        if abs(step) < 1e-15:
-            break
-        x = x + step if low < x + step < high else 0.5 * (low + high)
+        if not low < x + step < high:
+            step = 0.5 * (low + high) - x
+        x += step
+        if abs(step) < 1e-09:
+            break  # what follows is rounding
     return x
 
 
@@ -1306,19 +1369,18 @@ def _general_6r_find_roots(f, scale, rounding, middle, reach, near):
     counts = np.array([0, 0, 1, 0])
     grid = _general_6r_grid(f)
     touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
+    rootless = _general_6r_rootless(grid, max(rounding + scale * 2e-09, touching))
     budget = 100  # against an f that is next to nothing for long stretches
     edge = np.empty(16)  # the upper edges still to come
     at, at_low = np.empty((16, 3)), np.empty(3)
     depth = np.zeros(16, dtype=np.int64)
     for i in range(256):
-        if min(abs(i - middle), 256 - abs(i - middle)) > reach:
-            continue
-        if _general_6r_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding, touching) == 0:
+        if rootless[i] or min(abs(i - middle), 256 - abs(i - middle)) > reach:
             continue
         low = i * 0.02454369260617026
         edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
         for k in range(3):
-            at_low[k], at[0, k] = grid[i, k], grid[i + 1, k]
+            at_low[k], at[0, k] = grid[k, i], grid[k, i + 1]
         waiting = 1
         while waiting > 0:
             top = waiting - 1
@@ -1443,26 +1505,22 @@ def _general_6r_next_double(roots, counts, seen, looks):
 
 
 @_inner
-def _general_6r_inverse_iteration(U, x):
-    """x = U^-1 U^-T x, to length one; a diagonal next to nothing is kept finite. Returns what was its
-    length: the reciprocal of the square of the smallest singular value, in the end."""
-    most = 0.0
-    for i in range(6):
-        most = max(most, abs(U[i, i]))
-    least = most * 1e-15 + 1e-300
+def _general_6r_inverse_iteration(U, inverse, x):
+    """x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
+    its length: the reciprocal of the square of the smallest singular value, in the end."""
     for i in range(6):
         for j in range(i):
             x[i] -= U[j, i] * x[j]
-        x[i] /= U[i, i] if abs(U[i, i]) > least else math.copysign(least, U[i, i])
+        x[i] *= inverse[i]
     square = 0.0
     for i in range(5, -1, -1):
         for j in range(i + 1, 6):
             x[i] -= U[i, j] * x[j]
-        x[i] /= U[i, i] if abs(U[i, i]) > least else math.copysign(least, U[i, i])
+        x[i] *= inverse[i]
         square += x[i] * x[i]
     length = math.sqrt(square) + 1e-300
     for i in range(6):
-        x[i] /= length
+        x[i] *= 1.0 / length
     return length
 
 
@@ -1501,22 +1559,29 @@ def _general_6r_split(n, shift, out, count):
     return count
 
 
-@_apart("Tuple((int64, boolean))(float64[:, ::1], float64, float64, boolean, float64[:, ::1])")
-def _general_6r_null_vectors(E, c, s, double, out):
+@_apart("Tuple((int64, boolean))(float64[:, :, ::1], int64, boolean, float64[:, ::1])")
+def _general_6r_null_vectors(factors, at, double, out):
     """Vectors near (x3, 1) x (x2^2, x2, 1): one of a simple root, and of a double one also those at
     which one of the two shifts, x3 or x2, has an eigenvalue. Into out; returns how many, and whether
-    the matrix is regular: then there is no root."""
-    factor = np.empty((6, 6))
-    _general_6r_fold(E, c, s, factor)
+    the matrix is regular: then there is no root. The matrix is one of those of `_general_6r_fold`."""
+    factor, inverse = np.empty((6, 6)), np.empty(6)
     n = _GENERAL_6R_START.copy()
     length = squares = 0.0
     for i in range(6):
         for j in range(i, 6):
+            factor[i, j] = factors[i, j, at]
             squares += factor[i, j] * factor[i, j]
+    most = 0.0
+    for i in range(6):
+        most = max(most, abs(factor[i, i]))
+    least = most * 1e-15 + 1e-300
+    for i in range(6):  # kept finite where the diagonal is next to nothing
+        d = factor[i, i]
+        inverse[i] = 1.0 / (d if abs(d) > least else math.copysign(least, d))
     for _ in range(4 if double else 2):
-        length = _general_6r_inverse_iteration(factor, n[0])
+        length = _general_6r_inverse_iteration(factor, inverse, n[0])
         if double:
-            _general_6r_inverse_iteration(factor, n[1])
+            _general_6r_inverse_iteration(factor, inverse, n[1])
             along = 0.0
             for i in range(6):
                 along += n[0, i] * n[1, i]
@@ -1590,11 +1655,10 @@ def _general_6r_angles(joints, links, n, c, s):
     top = n[0] * row[0] + n[1] * row[1] + n[2] * row[2]
     bottom = n[3] * row[0] + n[4] * row[1] + n[5] * row[2]
     c[2], s[2] = _general_6r_unit(bottom * bottom - top * top, 2.0 * top * bottom)
-    G = links[5]
+    G = links[5].copy()
     for i in range(3):
-        G = G.copy()
         _general_6r_move(G, joints[i], c[i], s[i])
-        G = _general_6r_compose(G, links[i])
+        _general_6r_follow(G, links[i])
     B = _general_6r_invert(G)
     l0, l1, q0, q1 = B[2], B[6], B[3], B[7]
     square = G[3] * G[3] + G[7] * G[7] + G[11] * G[11]
@@ -1602,7 +1666,7 @@ def _general_6r_angles(joints, links, n, c, s):
     c[4], s[4] = _general_6r_middle(links[3], links[4], value)
     C = links[3].copy()
     _general_6r_turn(C, c[4], s[4])
-    C = _general_6r_compose(C, links[4])
+    _general_6r_follow(C, links[4])
     c[3], s[3] = _general_6r_unit(
         C[2] * l0 + C[6] * l1 + C[3] * q0 + C[7] * q1, C[2] * l1 - C[6] * l0 + C[3] * q1 - C[7] * q0
     )
@@ -1637,7 +1701,7 @@ def _general_6r_error(links, c, s, J):
     T[0] = T[5] = T[10] = 1.0
     for k in range(6):
         if k:
-            T = _general_6r_compose(T, links[k - 1])
+            _general_6r_follow(T, links[k - 1])
         for i in range(3):
             J[3 + i, k] = T[4 * i + 2]
             J[i, k] = T[4 * i + 3]
@@ -1804,12 +1868,14 @@ def _general_6r_offer(links, c, s, afar, doubtful, q, residual, singular, count)
 
 
 @_inner
-def _general_6r_sample(of, x, y, samples):
+def _general_6r_sample(E, x, y, samples):
     """The determinant at the sample angles, through a lens."""
-    factor = np.empty((6, 6))
+    c, s, weight = np.empty(24), np.empty(24), np.empty(24)
     for k in range(24):
-        c, s, weight = _general_6r_through(x, y, _GENERAL_6R_SAMPLE_C[k], _GENERAL_6R_SAMPLE_S[k])
-        samples[k] = weight * _general_6r_fold(of, c, s, factor)
+        c[k], s[k], weight[k] = _general_6r_through(x, y, _GENERAL_6R_SAMPLE_C[k], _GENERAL_6R_SAMPLE_S[k])
+    _general_6r_fold(E, c, s, samples)
+    for k in range(24):
+        samples[k] *= weight[k]
 
 
 @_inner
@@ -1893,12 +1959,19 @@ def _general_6r_attempt(form, loop, q, residual, singular, doubles_met, count):
         angles[total] = roots[1, i]
         total += 1
     met = np.zeros(16, dtype=np.int64)
+    cosines, sines, determinant = np.empty(24), np.empty(24), np.empty(24)
     c, s, tc, ts = np.empty(6), np.empty(6), np.empty(6), np.empty(6)
     vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
     for i in range(total):
-        cosine, sine = math.cos(angles[i]), math.sin(angles[i])
+        at = i % 24
+        if at == 0:
+            for k in range(24):
+                angle = angles[min(i + k, total - 1)]
+                cosines[k], sines[k] = math.cos(angle), math.sin(angle)
+            factors = _general_6r_fold(E, cosines, sines, determinant)
+        cosine, sine = cosines[at], sines[at]
         met_here = singular_here = False
-        ways, regular = _general_6r_null_vectors(E, cosine, sine, i >= simple, vectors)
+        ways, regular = _general_6r_null_vectors(factors, at, i >= simple, vectors)
         for n in range(ways):
             c[0], s[0] = cosine, sine
             _general_6r_angles(joints, links, vectors[n], c, s)
@@ -1947,7 +2020,7 @@ def _general_6r_from_nearby(loop, q, residual, singular, count):
     other, ignored, marks = np.empty((16, 6)), np.empty(16), np.zeros(16, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
-        _take(nearby[5], _general_6r_compose(loop[5], _GENERAL_6R_NUDGES[n]))
+        _general_6r_follow(nearby[5], _GENERAL_6R_NUDGES[n])
         complete, found = _general_6r_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
         met = np.zeros(16, dtype=np.int64)
         singular_here = False

@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr fac4288fd007f318"
+_KEY = "general_prrprr ecf472ce96015263"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -970,14 +970,13 @@ _GENERAL_PRRPRR_START = np.array([
 
 
 @_inner
-def _general_prrprr_compose(A, B):
-    """A B for rigid transforms, twelve numbers each."""
-    C = np.empty(12)
-    for i in range(3):
-        for j in range(4):
-            total = A[4 * i] * B[j] + A[4 * i + 1] * B[4 + j] + A[4 * i + 2] * B[8 + j]
-            C[4 * i + j] = total + A[4 * i + 3] if j == 3 else total
-    return C
+def _general_prrprr_follow(T, K):
+    """T K for rigid transforms, twelve numbers each, in place."""
+    for i in range(0, 12, 4):
+        a, b, c = T[i], T[i + 1], T[i + 2]
+        for j in range(3):
+            T[i + j] = a * K[j] + b * K[4 + j] + c * K[8 + j]
+        T[i + 3] += a * K[3] + b * K[7] + c * K[11]
 
 
 @_inner
@@ -1022,7 +1021,8 @@ def _general_prrprr_close(T):
     links, first = np.empty((7, 12)), (0, 1, 2, 3, 4, 5, 6)
     for i in range(7):
         _take(links[i], _GENERAL_PRRPRR_CONSTANTS[first[i]])
-    _take(links[5], _general_prrprr_compose(_general_prrprr_compose(links[5], T), links[6]))
+    _general_prrprr_follow(links[5], T)
+    _general_prrprr_follow(links[5], links[6])
     for i in range(3):
         links[5, 4 * i + 3] *= 1.9272036946544462
     return links
@@ -1107,24 +1107,45 @@ def _general_prrprr_fit(samples):
 
 @_inner
 def _general_prrprr_grid(f):
-    """f, f', f'' at the edges of the cells; the first edge stands at the end again."""
-    grid = np.zeros((257, 3))
+    """f, f', f'', a row each, at the edges of the cells; the first edge stands at the end again."""
+    grid = np.empty((3, 257))
+    value, slope, bend = grid
     for i in range(128):
-        # even multiples are the same half a turn on, odd ones the opposite
-        grid[i, 0] = grid[i + 128, 0] = f[0]
+        even = uneven = even_slope = uneven_slope = even_bend = uneven_bend = 0.0
         for m in range(1, 9):
             c, s = _GENERAL_PRRPRR_GRID_C[m - 1, i], _GENERAL_PRRPRR_GRID_S[m - 1, i]
-            even, odd = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
-            sign = -1.0 if m % 2 else 1.0
-            grid[i, 0] += even
-            grid[i, 1] += m * odd
-            grid[i, 2] -= m * m * even
-            grid[i + 128, 0] += sign * even
-            grid[i + 128, 1] += sign * m * odd
-            grid[i + 128, 2] -= sign * m * m * even
+            along, across = f[m] * c + f[8 + m] * s, f[8 + m] * c - f[m] * s
+            if m % 2 == 0:
+                even, even_slope = even + along, even_slope + m * across
+                even_bend -= m * m * along
+            else:
+                uneven, uneven_slope = uneven + along, uneven_slope + m * across
+                uneven_bend -= m * m * along
+        # even multiples are the same half a turn on, odd ones the opposite
+        opposite = i + 128
+        value[i], value[opposite] = f[0] + even + uneven, f[0] + even - uneven
+        slope[i], slope[opposite] = even_slope + uneven_slope, even_slope - uneven_slope
+        bend[i], bend[opposite] = even_bend + uneven_bend, even_bend - uneven_bend
     for k in range(3):
-        grid[256, k] = grid[0, k]
+        grid[k, 256] = grid[k, 0]
     return grid
+
+
+@_inner
+def _general_prrprr_rootless(grid, zero):
+    """In which cells f has no root, as `_general_prrprr_kind` tells it one by one: most of them."""
+    value, slope, bend = grid
+    h, square = 0.02454369260617026 / 5.0, 0.02454369260617026 * 0.02454369260617026 / 20.0
+    rootless = np.empty(256, np.bool_)
+    for i in range(256):
+        b0, b5 = value[i], value[i + 1]
+        b1, b4 = b0 + h * slope[i], b5 - h * slope[i + 1]
+        b2 = b0 + 2.0 * h * slope[i] + square * bend[i]
+        b3 = b5 - 2.0 * h * slope[i + 1] + square * bend[i + 1]
+        above = (b0 > zero) & (b1 > zero) & (b2 > zero) & (b3 > zero) & (b4 > zero) & (b5 > zero)
+        below = (b0 < -zero) & (b1 < -zero) & (b2 < -zero) & (b3 < -zero) & (b4 < -zero) & (b5 < -zero)
+        rootless[i] = above | below
+    return rootless
 
 
 @_inner
@@ -1166,9 +1187,11 @@ def _general_prrprr_between(f, order, low, high, rising):
         else:
             high = x
         step = -value / slope if slope != 0.0 else high - low
-        if abs(step) < 1e-15:
-            break
-        x = x + step if low < x + step < high else 0.5 * (low + high)
+        if not low < x + step < high:
+            step = 0.5 * (low + high) - x
+        x += step
+        if abs(step) < 1e-09:
+            break  # what follows is rounding
     return x
 
 
@@ -1215,19 +1238,18 @@ def _general_prrprr_find_roots(f, scale, rounding, middle, reach, near):
     counts = np.array([0, 0, 1, 0])
     grid = _general_prrprr_grid(f)
     touching = rounding + scale * 2e-09  # by this rounding may lift four roots that meet
+    rootless = _general_prrprr_rootless(grid, max(rounding + scale * 2e-09, touching))
     budget = 100  # against an f that is next to nothing for long stretches
     edge = np.empty(16)  # the upper edges still to come
     at, at_low = np.empty((16, 3)), np.empty(3)
     depth = np.zeros(16, dtype=np.int64)
     for i in range(256):
-        if min(abs(i - middle), 256 - abs(i - middle)) > reach:
-            continue
-        if _general_prrprr_kind(grid[i], grid[i + 1], 0.02454369260617026, scale, rounding, touching) == 0:
+        if rootless[i] or min(abs(i - middle), 256 - abs(i - middle)) > reach:
             continue
         low = i * 0.02454369260617026
         edge[0], depth[0] = (i + 1) * 0.02454369260617026, 0
         for k in range(3):
-            at_low[k], at[0, k] = grid[i, k], grid[i + 1, k]
+            at_low[k], at[0, k] = grid[k, i], grid[k, i + 1]
         waiting = 1
         while waiting > 0:
             top = waiting - 1
@@ -1369,7 +1391,7 @@ def _general_prrprr_error(links, c, s, J):
     T[0] = T[5] = T[10] = 1.0
     for k in range(6):
         if k:
-            T = _general_prrprr_compose(T, links[k - 1])
+            _general_prrprr_follow(T, links[k - 1])
         for i in range(3):
             J[3 + i, k] = T[4 * i + 2]
             J[i, k] = T[4 * i + 3]
@@ -1561,7 +1583,7 @@ def _general_prrprr_setting(which, loop):
     turn = -1
     for i in range(6):
         if joints[i] in (0, 3):
-            _take(between[turn], _general_prrprr_compose(between[turn], links[i]))
+            _general_prrprr_follow(between[turn], links[i])
         else:
             turn += 1
             _take(between[turn], links[i])
@@ -1724,11 +1746,11 @@ def _general_prrprr_way_joints(setting, way, c1, s1, c, s):
 
 
 @_inner
-def _general_prrprr_sample_closed(of, x, y, samples):
+def _general_prrprr_sample_closed(setting, x, y, samples):
     """The polynomial at the sample angles, through a lens."""
     for k in range(24):
         c, s, weight = _general_prrprr_through(x, y, _GENERAL_PRRPRR_SAMPLE_C[k], _GENERAL_PRRPRR_SAMPLE_S[k])
-        samples[k] = weight * _general_prrprr_closed_polynomial(of, c, s)
+        samples[k] = weight * _general_prrprr_closed_polynomial(setting, c, s)
 
 
 @_inner
@@ -1848,7 +1870,7 @@ def _general_prrprr_from_nearby(loop, q, residual, singular, count):
     other, ignored, marks = np.empty((8, 6)), np.empty(8), np.zeros(8, dtype=np.int64)
     for n in range(10):
         nearby = loop.copy()
-        _take(nearby[5], _general_prrprr_compose(loop[5], _GENERAL_PRRPRR_NUDGES[n]))
+        _general_prrprr_follow(nearby[5], _GENERAL_PRRPRR_NUDGES[n])
         complete, found = _general_prrprr_try(nearby, other, ignored, marks, np.zeros(1, dtype=np.int64))
         met = np.zeros(8, dtype=np.int64)
         singular_here = False

@@ -150,6 +150,7 @@ def in_python(known: GeneralKernel, name: str) -> Callable[[np.ndarray], Answer]
         "math": math,
         "np": np,
         "_inner": lambda function: function,
+        "_merged": lambda function: function,
         "_apart": lambda _: lambda function: function,
         "_take": np.copyto,
     }

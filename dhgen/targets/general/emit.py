@@ -11,7 +11,6 @@ from dhgen.targets.general.arm import arm
 from dhgen.targets.general.equations import equations
 from dhgen.targets.general.links import links
 from dhgen.targets.general.rows import rows
-from dhgen.targets.general.searches import searches
 from dhgen.targets.general.sizes import Sizes
 from dhgen.targets.general.spelling import c_spelling, python_spelling
 from dhgen.targets.general.tables import tables
@@ -44,7 +43,6 @@ def python_source(kernel: GeneralKernel, name: str) -> str:
         **_texts(kernel, name),
         links=links(kernel, [f"links[{i}]" for i in range(LINKS + 2)], "q_free"),
         spelling=python_spelling(kernel),
-        searches=searches(kernel, name),
     )
 
 
