@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
 from dataclasses import fields, is_dataclass
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,21 +14,28 @@ import jinja2.meta
 import pytest
 from jinja2 import nodes
 
-from dhgen.targets.c import c_solver
-from dhgen.targets.python import python_solver
-from dhgen.targets.solver.common import common_of
-from dhgen.targets.templates import named, render
+from dhgen.program.tolerances import Tolerances
+from dhgen.targets import c, python
+from dhgen.targets.general import emit as general
+from dhgen.targets.numerical import emit as numerical
+from dhgen.targets.templates import render
 from tests.targets.made import made
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from dhgen.targets.module import SolverModule
-
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 ALL = sorted(str(path.relative_to(TEMPLATES)) for path in TEMPLATES.rglob("*.jinja"))
 SHORT = tuple(name for name in ALL if "solver" in name)
-ARMS = ("scara", "kuka_iiwa14_arm_angle")
+# between them all that templates choose from: regular poses, the arm angle, roots that nearly meet,
+# the general algorithm with a determinant and in closed form, families of solutions
+ARMS = (
+    "scara",
+    "kuka_iiwa14_arm_angle",
+    "spherical_wrist_general_arm",
+    "general_6r",
+    "planar_rrrr",
+)
 WRITTEN = (nodes.Template, nodes.Output, nodes.TemplateData, nodes.Include)
 CHOSEN = (nodes.For, nodes.If, nodes.Not, nodes.With)
 NAMED = (nodes.Name, nodes.Getattr)
@@ -95,11 +102,16 @@ def test_a_missing_value_is_an_error() -> None:
 
 
 @cache
+def parsed(name: str) -> nodes.Template:
+    """A template's parts."""
+    text = (TEMPLATES / name).read_text(encoding="utf-8")
+    return jinja2.Environment(autoescape=True).parse(text)
+
+
+@cache
 def included(name: str) -> set[str]:
     """A template and all that it includes."""
-    text = (TEMPLATES / name).read_text(encoding="utf-8")
-    parsed = jinja2.Environment(autoescape=True).parse(text)
-    found = {str(each) for each in jinja2.meta.find_referenced_templates(parsed)}
+    found = {str(each) for each in jinja2.meta.find_referenced_templates(parsed(name))}
     return {name}.union(*map(included, found))
 
 
@@ -108,10 +120,8 @@ def paths(name: str) -> set[tuple[str, ...]]:
     """What a template and all that it includes name, whichever branches a robot takes."""
     found: set[tuple[str, ...]] = set()
     for each in included(name):
-        text = (TEMPLATES / each).read_text(encoding="utf-8")
-        parsed = jinja2.Environment(autoescape=True).parse(text)
-        free = jinja2.meta.find_undeclared_variables(parsed)
-        found |= {path for path in map(path_of, _below(parsed)) if path and path[0] in free}
+        free = jinja2.meta.find_undeclared_variables(parsed(each))
+        found |= {path for path in map(path_of, _below(parsed(each))) if path and path[0] in free}
     return found
 
 
@@ -134,44 +144,57 @@ def has(values: object, path: tuple[str, ...]) -> bool:
     return hasattr(values, path[0]) and has(getattr(values, path[0]), path[1:])
 
 
-def solvers_of(module: SolverModule) -> list[tuple[str, dict[str, object]]]:
-    """Templates of a robot's solver, with what they may name."""
-    common = common_of(module)
-    shared = named(common)
-    of_c, of_python = c_solver(module, common), python_solver(module, common)
-    assert of_c.regular is not None
-    in_c = named(of_c) | {"test": of_c.regular.irregularity.wide}  # another name in templates
-    in_python = named(of_python)
-    return [
-        ("c/solver.h.jinja", shared | in_c),
-        ("c/solver.c.jinja", shared | in_c),
-        ("python/solver.py.jinja", shared | in_python),
-    ]
+def bound(name: str) -> set[str]:
+    """What a template and all that it includes give other names to."""
+    found = (each for part in included(name) for each in parsed(part).find_all(nodes.With))
+    return {
+        target.name for each in found for target in each.targets if isinstance(target, nodes.Name)
+    }
+
+
+@cache
+def filled(robot: str) -> tuple[tuple[str, dict[str, object]], ...]:
+    """The templates of a robot's solvers, each with what it may name."""
+    found: list[tuple[str, dict[str, object]]] = []
+
+    def filled_in(template: str, **values: object) -> str:
+        found.append((template, values))
+        return render(template, **values)
+
+    module = made(robot).module
+    with pytest.MonkeyPatch.context() as patch:
+        for place in (c, python, general, numerical):
+            patch.setattr(place, "render", filled_in)
+        c.c_files(module)
+        python.python_files(module)
+    return tuple(found)
 
 
 @pytest.mark.parametrize("robot", ARMS)
 def test_templates_name_what_there_is(robot: str) -> None:
-    for template, values in solvers_of(made(robot).module):
+    for template, values in filled(robot):
         wrong = {
             ".".join(path)
             for path in paths(template)
-            if path[0] not in values or not has(values[path[0]], path[1:])
+            if path[0] not in bound(template)
+            and not (path[0] in values and has(values[path[0]], path[1:]))
         }
         assert not wrong, template
 
 
 def test_what_there_is_is_named() -> None:
-    """By a template of one of the languages, or by what is included as text."""
-    asked = set().union(*(paths(template) for template in ALL))
-    known: dict[str, set[str]] = defaultdict(set)
-    for _, values in solvers_of(made(ARMS[0]).module):
+    """In one of the languages; the table of tolerances is for other things, too."""
+    asked, known = set(), set()
+    for template, values in chain.from_iterable(map(filled, ARMS)):
         for name, group in values.items():
-            if is_dataclass(group) and name != "tolerances":
-                known[name] |= {field.name for field in fields(group)}
-    unused = {
-        f"{name}.{each}" for name in known for each in known[name] if (name, each) not in asked
-    }
-    assert not unused
+            if not is_dataclass(group) or isinstance(group, Tolerances):
+                continue
+            kind = f"{type(group).__module__}.{type(group).__name__}"
+            known |= {f"{kind}.{field.name}" for field in fields(group)}
+            asked |= {
+                f"{kind}.{path[1]}" for path in paths(template) if path[0] == name and path[1:]
+            }
+    assert sorted(known - asked) == []
 
 
 @pytest.mark.parametrize("name", SHORT)

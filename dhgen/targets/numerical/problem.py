@@ -1,0 +1,102 @@
+"""What an arm's equations are when joint values are found by descents."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from dhgen.numerical.kernel import LOOSE, REDUNDANT_STARTS, STARTS
+from dhgen.targets.numerical.texts import position_rows
+from dhgen.targets.solver.given import given_places
+
+if TYPE_CHECKING:
+    from dhgen.numerical.kernel import NumericalKernel
+    from dhgen.targets.numerical.texts import PositionRow
+    from dhgen.targets.solver.given import GivenPlace
+
+
+@dataclass(frozen=True, slots=True)
+class NumericalProblem:
+    """Equations, and how solutions of them are looked for.
+
+    Attributes:
+        solved: Joints that are solved for.
+        equations: How many there are.
+        last_equation: Place of the last.
+        width: Equations and joints.
+        spin: Where its angular part begins.
+        twice: Entries of two of its rows.
+        given: The joints whose values the caller gives.
+        given_count: How many they are.
+        position: The coordinates that the task names.
+        first_turn: Place of the first equation of directions.
+        turns: Whether directions count.
+        turning: Whether all of the rotation does.
+        pointing: Whether the tool's z axis alone does.
+        redundant: Whether solutions are families.
+        limited: Whether joints have limits.
+        bounded: Whether descents stay inside them.
+        checked: Whether the arm can't take every pose next to one that it can.
+        size: The arm's.
+        residual: What counts as a solution of a descent [arm sizes, rad].
+        enough: What counts as one of a family.
+        enough_sought: What counts as one that is sought where equations ended every branch.
+        kept: Solutions that are kept while rows are told apart.
+        starts: Of descents.
+    """
+
+    solved: int
+    equations: int
+    last_equation: int
+    width: int
+    spin: int
+    twice: int
+    given: tuple[GivenPlace, ...]
+    given_count: int
+    position: tuple[PositionRow, ...]
+    first_turn: int
+    turns: bool
+    turning: bool
+    pointing: bool
+    redundant: bool
+    limited: bool
+    bounded: bool
+    checked: bool
+    size: str
+    residual: str
+    enough: str
+    enough_sought: str
+    kept: int
+    starts: int
+
+
+def problem_of(kernel: NumericalKernel) -> NumericalProblem:
+    """The equations of an arm."""
+    chain, residual = kernel.arm.chain, repr(kernel.residual)
+    dof, solved = chain.dof, len(kernel.solved)
+    return NumericalProblem(
+        solved=solved,
+        equations=kernel.equations,
+        last_equation=kernel.equations - 1,
+        width=kernel.equations + solved,
+        spin=3 * dof,
+        twice=2 * dof,
+        given=given_places(chain),
+        given_count=len(chain.free),
+        position=position_rows(kernel.position),
+        first_turn=len(kernel.position),
+        turns=kernel.turning or kernel.pointing,
+        turning=kernel.turning,
+        pointing=kernel.pointing,
+        redundant=kernel.redundant,
+        limited=kernel.limited,
+        bounded=kernel.bounded,
+        checked=kernel.checked,
+        size=repr(chain.size),
+        residual=residual,
+        enough="enough" if kernel.checked else residual,
+        # a pose that is checked may have been rounded
+        enough_sought=residual if kernel.checked else f"{LOOSE!r} * exact",
+        kept=2 * kernel.rows,
+        starts=REDUNDANT_STARTS if kernel.redundant else STARTS,
+    )
