@@ -21,7 +21,7 @@ from benchmarks.report import table
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 
 if TYPE_CHECKING:

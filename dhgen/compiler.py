@@ -24,9 +24,9 @@ from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derivation import derive
-from dhgen.program.arm_plane import arm_angle_program
-from dhgen.program.forward import forward_program, jacobian_program
-from dhgen.program.lower import lower
+from dhgen.program.lowering.arm_plane import arm_angle_program
+from dhgen.program.lowering.forward import forward_program, jacobian_program
+from dhgen.program.lowering.lower import lower
 from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.program.flatten import flatten
+from dhgen.program.regular.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_arctangent import CArctangent
 from dhgen.targets.c_calls import CCalls, Prototypes, c_calls, c_prototypes

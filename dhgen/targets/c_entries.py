@@ -11,8 +11,8 @@ from dhgen.targets.scalar import pose_entries
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.program.flatten import Flat
     from dhgen.program.ir import Program
+    from dhgen.program.regular.flatten import Flat
     from dhgen.targets.module import SolverModule
 
 

@@ -8,8 +8,8 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from dhgen.program.arrival import arrivals
-from dhgen.program.flatten import MINUS, flatten
 from dhgen.program.ir import Apply, Heading, Let, Variable
+from dhgen.program.regular.flatten import MINUS, flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.program.walk import names_in
 from dhgen.targets.c_declared import dense
@@ -24,9 +24,9 @@ from dhgen.targets.layout import call, packed, wrapped
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from dhgen.program.flatten import Choice, Flat
     from dhgen.program.ir import Expression, Statement
-    from dhgen.program.unguarded import Regular
+    from dhgen.program.regular.flatten import Choice, Flat
+    from dhgen.program.regular.unguarded import Regular
     from dhgen.targets.c_declared import Declaration
     from dhgen.targets.c_irregular import Irregularities
     from dhgen.targets.c_rows import Word

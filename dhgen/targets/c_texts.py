@@ -18,7 +18,7 @@ from dhgen.targets.solver.task import meaning
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.program.flatten import Flat
+    from dhgen.program.regular.flatten import Flat
     from dhgen.targets.c_entries import Entries
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule

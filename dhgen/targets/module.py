@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.problem import telling_entries
-from dhgen.program.limits import Limits
-from dhgen.program.regular import regular
+from dhgen.program.regular.limits import Limits
+from dhgen.program.regular.regular import regular
 from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind
 from dhgen.targets.comments import plain_path
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.method import Method
     from dhgen.program.ir import Program
-    from dhgen.program.unguarded import Regular
+    from dhgen.program.regular.unguarded import Regular
 
 
 LAST = 3  # column of a pose: its translation

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
-from dhgen.program.flatten import flatten
+from dhgen.program.regular.flatten import flatten
 from dhgen.targets.general.emit import python_rows, python_source
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import regular_solver

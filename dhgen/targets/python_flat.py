@@ -23,8 +23,8 @@ from dhgen.targets.stages import staged
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from dhgen.program.flatten import Flat
     from dhgen.program.ir import Expression
+    from dhgen.program.regular.flatten import Flat
     from dhgen.targets.module import SolverModule
     from dhgen.targets.python_single import Single
     from dhgen.targets.stages import Call, Stage

@@ -17,8 +17,8 @@ from dhgen.targets.stages import staged
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.program.flatten import Flat
     from dhgen.program.ir import Expression, Program
+    from dhgen.program.regular.flatten import Flat
     from dhgen.targets.stages import Call, Stage
 
 LANES = 8  # of the widest vectors: what is left over after whole ones is taken one by one

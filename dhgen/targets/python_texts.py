@@ -22,8 +22,8 @@ from dhgen.targets.walk import uses
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.program.flatten import Flat
     from dhgen.program.ir import Program
+    from dhgen.program.regular.flatten import Flat
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common

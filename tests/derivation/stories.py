@@ -7,7 +7,7 @@ from pathlib import Path
 
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from dhgen.targets.derivation.story import Story
 from tests.structures import STRUCTURES

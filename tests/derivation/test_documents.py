@@ -11,7 +11,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import derive
 from dhgen.paul.step import Kind
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.targets.derivation import (
     alternatives_text,
     derivation_document,

@@ -11,9 +11,9 @@ from dhgen.general.arm import general_kernel, joint_values
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.forward import forward_program, jacobian_program
+from dhgen.program.lowering.forward import forward_program, jacobian_program
+from dhgen.program.lowering.whole import whole_program
 from dhgen.program.tolerances import DOUBLE
-from dhgen.program.whole import whole_program
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.targets.c import c_files

@@ -13,7 +13,7 @@ from dhgen.numerical.kernel import NumericalKernel, numerical_kernel
 from dhgen.numerical.tighten import tighten
 from dhgen.paul.derivation import derive
 from dhgen.program.interpret import interpret
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
 from tests.kinematics.values import table

@@ -15,7 +15,7 @@ from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.redundant import redundant
 from dhgen.paul.step import Kind
 from dhgen.program.interpret import interpret
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.survey.oracle.arm_angle import arm_angle
 from dhgen.survey.oracle.forward import forward
 from tests.kinematics.values import table

@@ -11,7 +11,7 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
 from dhgen.program.interpret import interpret
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from dhgen.verify.measures import Measures
 

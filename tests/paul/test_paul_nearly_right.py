@@ -12,7 +12,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.derivation import derive
 from dhgen.paul.step import Kind
 from dhgen.program.interpret import interpret
-from dhgen.program.lower import lower
+from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from tests.robots.cases import ROBOTS
 

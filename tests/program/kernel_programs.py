@@ -16,10 +16,10 @@ from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation, derive
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind, Step
-from dhgen.program.checks import Checks
 from dhgen.program.interpret import Rows, interpret
-from dhgen.program.kernels import KERNELS
-from dhgen.program.lower import Lowering
+from dhgen.program.lowering.checks import Checks
+from dhgen.program.lowering.kernels import KERNELS
+from dhgen.program.lowering.lower import Lowering
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
 from tests.derivation.stories import ROBOTS

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dhgen.program.arrival import arrivals
-from dhgen.program.builder import Builder
+from dhgen.program.building.builder import Builder
 
 
 def test_a_value_waits_for_the_slowest_of_its_operands() -> None:

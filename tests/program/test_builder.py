@@ -9,17 +9,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from dhgen.program.builder import Builder
+from dhgen.program.building.builder import Builder
+from dhgen.program.building.schedule import Option
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Apply, Choice, Failure, Integer, Let, Pose, Program, Variable
-from dhgen.program.schedule import Option
 from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
 
 POSE = np.array(
     [[0.5, -1.5, 3.0, 0.0], [2.0, 0.25, -7.0, 1.0], [1.0, 1.0, 0.5, -0.5], [0, 0, 0, 1]]

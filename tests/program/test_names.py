@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.program.builder import Builder
+from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Let
 from dhgen.program.reserved import RESERVED
 from dhgen.program.role import Source

@@ -12,12 +12,12 @@ import pytest
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.problem import task_entries
 from dhgen.program.count import count_operations
-from dhgen.program.flatten import flatten
 from dhgen.program.given import given_values
 from dhgen.program.interpret import Rows, interpret, outputs
 from dhgen.program.ir import Let
-from dhgen.program.limits import Limits
-from dhgen.program.regular import inverses_kept, regular
+from dhgen.program.regular.flatten import flatten
+from dhgen.program.regular.limits import Limits
+from dhgen.program.regular.regular import inverses_kept, regular
 from dhgen.program.tolerances import SINGLE, TOLERANCES
 from tests.derivation.stories import story
 

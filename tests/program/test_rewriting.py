@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.program.builder import Builder
-from dhgen.program.expansion import Expansion
+from dhgen.program.building.builder import Builder
 from dhgen.program.interpret import outputs
-from dhgen.program.rewriting import Rewriting
+from dhgen.program.regular.expansion import Expansion
+from dhgen.program.regular.rewriting import Rewriting
 
 if TYPE_CHECKING:
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
 
 RNG = np.random.default_rng(3)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from dhgen.compiler import compile_robot, verified
-from dhgen.program.flatten import flatten
+from dhgen.program.regular.flatten import flatten
 from dhgen.targets.c_regular import best_lanes
 from dhgen.targets.module import regular_solver
 from dhgen.verify.native import C_FLAGS, c_compiler

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.program.count import count_operations
-from dhgen.program.regular import regular
+from dhgen.program.regular.regular import regular
 from dhgen.targets.derivation.blocks import Drawing, Heading, Table, paragraph, say
 from dhgen.targets.derivation.tree import tree_text
 from dhgen.targets.walk import finds_roots

@@ -13,18 +13,18 @@ from dhgen.paul.branches import branch_words
 from dhgen.paul.forms import unknown_name
 from dhgen.paul.problem import telling_entries
 from dhgen.paul.step import Kind
-from dhgen.program.angles import Angles
-from dhgen.program.arm_plane import lower_shoulder
-from dhgen.program.builder import Builder
-from dhgen.program.checks import Checks, checks_needed
+from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Failure
-from dhgen.program.kernels import KERNELS
-from dhgen.program.polynomials import PolynomialLowering
+from dhgen.program.lowering.angles import Angles
+from dhgen.program.lowering.arm_plane import lower_shoulder
+from dhgen.program.lowering.checks import Checks, checks_needed
+from dhgen.program.lowering.kernels import KERNELS
+from dhgen.program.lowering.polynomials import PolynomialLowering
+from dhgen.program.lowering.scales import Scales
+from dhgen.program.lowering.target import Target
+from dhgen.program.lowering.whole import whole_program
 from dhgen.program.role import Source
-from dhgen.program.scales import Scales
-from dhgen.program.target import Target
 from dhgen.program.tolerances import TOLERANCES
-from dhgen.program.whole import whole_program
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -32,9 +32,9 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
+    from dhgen.program.building.schedule import Option
     from dhgen.program.ir import Program
-    from dhgen.program.schedule import Option
     from dhgen.program.tolerances import Tolerances
 
 

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Literal
 from mpmath import mp, mpf
 
 from dhgen.kinematics.ring import divided, split, used_places
-from dhgen.program.roots import Reach
+from dhgen.program.lowering.roots import Reach
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.program.graph import Node
-    from dhgen.program.lower import Lowering
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.lower import Lowering
 
 DIGITS = 40  # before numbers are rounded: the same on every machine
 

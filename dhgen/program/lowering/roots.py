@@ -11,8 +11,8 @@ from dhgen.program.ir import Failure
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
-    from dhgen.program.graph import Node
-    from dhgen.program.lower import Lowering
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.lower import Lowering
 
 
 def letters(context: Lowering, step: Step, names: str) -> tuple[Node, ...]:

@@ -16,10 +16,10 @@ from dhgen.kinematics.ring import constant_value
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
-from dhgen.program.distances import Extremes, extremes_of, reached, squared_distance
 from dhgen.program.ir import Failure
-from dhgen.program.quartic import lower_circle
-from dhgen.program.roots import (
+from dhgen.program.lowering.distances import Extremes, extremes_of, reached, squared_distance
+from dhgen.program.lowering.quartic import lower_circle
+from dhgen.program.lowering.roots import (
     NearlyFree,
     Reach,
     finish,
@@ -42,9 +42,9 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
     from dhgen.paul.step import Step
-    from dhgen.program.distances import Distance
-    from dhgen.program.graph import Node
-    from dhgen.program.lower import Lowering
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.distances import Distance
+    from dhgen.program.lowering.lower import Lowering
 
 
 def lower_length(context: Lowering, step: Step) -> None:

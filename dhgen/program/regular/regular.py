@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.count import count_operations
 from dhgen.program.ir import AllJoints, Apply, Integer, Let, Roots, Variable
+from dhgen.program.regular.unguarded import Unguarded
 from dhgen.program.tolerances import TOLERANCES
-from dhgen.program.unguarded import Unguarded
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program
-    from dhgen.program.limits import Limits
+    from dhgen.program.regular.limits import Limits
+    from dhgen.program.regular.unguarded import Regular
     from dhgen.program.tolerances import Tolerances
-    from dhgen.program.unguarded import Regular
 
 
 def regular(

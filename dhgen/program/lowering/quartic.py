@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
-from dhgen.program.roots import is_short, letters
+from dhgen.program.lowering.roots import is_short, letters
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
-    from dhgen.program.lower import Lowering
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.lower import Lowering
 
 Linear = tuple["Node", "Node", "Node"]  # l0 + l1 cos x + l2 sin x
 Circle = tuple["Node", ...]  # a0, a1, b1, a2, b2

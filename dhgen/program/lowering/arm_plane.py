@@ -13,22 +13,22 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
 from dhgen.paul.arm_plane import SHOULDER
-from dhgen.program.forward import Walk
+from dhgen.program.building.tolerance_constants import tolerance_constant
+from dhgen.program.lowering.forward import Walk
+from dhgen.program.lowering.roots import is_short
+from dhgen.program.lowering.vectors import chosen, cross, inner, length, minus, plus, scaled
 from dhgen.program.role import Tolerance
-from dhgen.program.roots import is_short
-from dhgen.program.scales import tolerance_constant
 from dhgen.program.tolerances import TOLERANCES
-from dhgen.program.vectors import chosen, cross, inner, length, minus, plus, scaled
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.arm_plane import ArmPlane
     from dhgen.paul.derivation import Derivation
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
     from dhgen.program.ir import Program
-    from dhgen.program.lower import Lowering
+    from dhgen.program.lowering.lower import Lowering
     from dhgen.program.tolerances import Tolerances
 
     Vector = list[Node]

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
 
 
 class Endings:

@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING
 
-from dhgen.program.builder import Builder
+from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Apply, Heading, Integer, Joint, Let, Pose, Variable
 
 if TYPE_CHECKING:
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
     from dhgen.program.ir import Expression, Program
-    from dhgen.program.unguarded import Regular
+    from dhgen.program.regular.unguarded import Regular
 
 FOLDED = "h"  # what the names of constants made here begin with
 PLUS, MINUS = 1, -1

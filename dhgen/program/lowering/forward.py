@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Fixed, Slide, Turn
-from dhgen.program.builder import Builder
-from dhgen.program.joints import offset_constant
+from dhgen.program.building.builder import Builder
+from dhgen.program.lowering.joints import offset_constant
+from dhgen.program.lowering.vectors import cross
 from dhgen.program.role import Source
-from dhgen.program.vectors import cross
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
     from dhgen.program.ir import Program
 
 Vector = list["Node"]

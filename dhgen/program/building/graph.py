@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from dhgen.program.formulas import Formula, combined
+from dhgen.program.building.formulas import Formula, combined
 from dhgen.program.ir import Axis, Expression, Integer, Joint, NamedConstant, Pose, Variable
 from dhgen.program.reserved import RESERVED, is_kept_from_constants
 from dhgen.program.role import Source

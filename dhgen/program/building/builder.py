@@ -5,17 +5,17 @@ from __future__ import annotations
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from dhgen.program.graph import Graph
+from dhgen.program.building.graph import Graph
+from dhgen.program.building.schedule import Mark, Names, scheduled
 from dhgen.program.ir import Integer, Joint, Variable
-from dhgen.program.schedule import Mark, Names, scheduled
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from collections.abc import Set as AbstractSet
 
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
+    from dhgen.program.building.schedule import Option
     from dhgen.program.ir import Failure, Operator, Program
-    from dhgen.program.schedule import Option
 
 
 class Builder(Graph):

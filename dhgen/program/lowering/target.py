@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
     from dhgen.paul.problem import Problem
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
 
 Rows = list[list["Node"]]
 

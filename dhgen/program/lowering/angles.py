@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.knowledge import build_runs
-from dhgen.program.joints import JointVariables
-from dhgen.program.schedule import Option
+from dhgen.program.building.schedule import Option
+from dhgen.program.lowering.joints import JointVariables
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.paul.knowledge import Cut
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
-    from dhgen.program.polynomials import PolynomialLowering
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.polynomials import PolynomialLowering
 
 Path = list[tuple[AngleSum, int]]  # solved sums, with their signs along the run
 

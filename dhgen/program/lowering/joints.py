@@ -8,8 +8,8 @@ from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, ChainJoint
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
 
 
 class JointVariables:

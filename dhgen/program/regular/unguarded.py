@@ -6,9 +6,8 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from typing import TYPE_CHECKING
 
-from dhgen.program.assumptions import Assumptions, joined, meeting
-from dhgen.program.builder import Builder
-from dhgen.program.endings import Endings
+from dhgen.program.building.builder import Builder
+from dhgen.program.building.tolerance_constants import tolerance_constant
 from dhgen.program.ir import (
     Apply,
     Failure,
@@ -20,15 +19,16 @@ from dhgen.program.ir import (
     Pose,
     Variable,
 )
-from dhgen.program.limits import Limiting
+from dhgen.program.regular.assumptions import Assumptions, joined, meeting
+from dhgen.program.regular.endings import Endings
+from dhgen.program.regular.limits import Limiting
+from dhgen.program.regular.signed import Signed, SignedArithmetic
 from dhgen.program.role import Tolerance
-from dhgen.program.scales import tolerance_constant
-from dhgen.program.signed import Signed, SignedArithmetic
 
 if TYPE_CHECKING:
-    from dhgen.program.graph import Node
+    from dhgen.program.building.graph import Node
     from dhgen.program.ir import Expression, Program
-    from dhgen.program.limits import Limits
+    from dhgen.program.regular.limits import Limits
     from dhgen.program.tolerances import Tolerances
 
 FOLDED = "m"  # what the names of constants made here begin with

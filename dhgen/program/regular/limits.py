@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from dhgen.program.role import LimitEnd, Source
 
 if TYPE_CHECKING:
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
 
 
 @dataclass(frozen=True, slots=True)

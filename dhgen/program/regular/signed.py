@@ -12,14 +12,14 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhgen.program.limits import whole_turn
-from dhgen.program.rewriting import Rewriting
+from dhgen.program.regular.limits import whole_turn
+from dhgen.program.regular.rewriting import Rewriting
+from dhgen.program.regular.turned import turned_pair
 from dhgen.program.role import Source
-from dhgen.program.turned import turned_pair
 
 if TYPE_CHECKING:
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
     from dhgen.program.ir import Operator
 
 NO_SIGNS: frozenset[Node] = frozenset()

@@ -12,12 +12,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from dhgen.program.arrival import LATENCY
-from dhgen.program.expansion import ALIKE, Expansion, common_factors, without
+from dhgen.program.regular.expansion import ALIKE, Expansion, common_factors, without
 
 if TYPE_CHECKING:
-    from dhgen.program.builder import Builder
-    from dhgen.program.expansion import Terms
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
+    from dhgen.program.regular.expansion import Terms
 
 MOST_TERMS = 10  # of a value that is written anew
 GAIN = 8  # cycles by which it has to be known earlier

@@ -24,7 +24,7 @@ from dhgen.program.ir import (
 from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
-    from dhgen.program.graph import Entry, Graph, Node
+    from dhgen.program.building.graph import Entry, Graph, Node
     from dhgen.program.ir import Expression, Statement
 
 TRUTHS = frozenset({"less", "at_most", "and", "or", "not"})

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from mpmath import mp, mpf
 
 if TYPE_CHECKING:
-    from dhgen.program.builder import Builder
-    from dhgen.program.graph import Node
+    from dhgen.program.building.builder import Builder
+    from dhgen.program.building.graph import Node
 
 DIGITS = 40  # of the constant angle before it is rounded: the same on every machine
 Product = tuple["Node", ...]

@@ -1,0 +1,1 @@
+"""How programs are built: nodes, every expression once, and the statements that they become."""
