@@ -121,8 +121,11 @@ typedef int wide_mask;
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
 #endif
-#ifdef ARM_3R_LIBM
-#define atan2_wide atan2
+#ifdef ARM_3R_LIBM /* half the time of atan2 */
+HELPER double atan2_wide(double y, double x)
+{
+    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
+}
 #else
 ARCTANGENT(wide)
 #endif
@@ -138,10 +141,8 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
-    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
-    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
     *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
     *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);

@@ -138,8 +138,11 @@ typedef int wide_mask;
 #define maximum_wide maximum_double
 #define minimum_wide minimum_double
 #endif
-#ifdef WRIST_OBLIQUE_LIBM
-#define atan2_wide atan2
+#ifdef WRIST_OBLIQUE_LIBM /* half the time of atan2 */
+HELPER double atan2_wide(double y, double x)
+{
+    return atan(y / x) + copysign(1.5707963267948966 - copysign(1.5707963267948966, x), y);
+}
 #else
 ARCTANGENT(wide)
 #endif
@@ -158,10 +161,8 @@ HELPER wide irregularity_wide(const wide T[16])
 HELPER void store_4(
     double *r0, double *r1, double *r2, double *r3, four a, four b, four c, four d)
 {
-    const four ab0 = shuffle(a, b, 0, 4, 2, 6);
-    const four ab1 = shuffle(a, b, 1, 5, 3, 7);
-    const four cd0 = shuffle(c, d, 0, 4, 2, 6);
-    const four cd1 = shuffle(c, d, 1, 5, 3, 7);
+    const four ab0 = shuffle(a, b, 0, 4, 2, 6), ab1 = shuffle(a, b, 1, 5, 3, 7);
+    const four cd0 = shuffle(c, d, 0, 4, 2, 6), cd1 = shuffle(c, d, 1, 5, 3, 7);
     *(four_at *)r0 = shuffle(ab0, cd0, 0, 1, 4, 5);
     *(four_at *)r1 = shuffle(ab1, cd1, 0, 1, 4, 5);
     *(four_at *)r2 = shuffle(ab0, cd0, 2, 3, 6, 7);
@@ -190,18 +191,13 @@ HELPER void store_1(double *r0, double *r1, double *r2, double *r3, four a)
 
 HELPER four irregularity_four(const double T[16])
 {
-    const four x = *(const four_at *)T;
-    const four y = *(const four_at *)(T + 4);
-    const four z = *(const four_at *)(T + 8);
-    const four x1 = shuffle(x, x, 1, 2, 0, 3);
-    const four y1 = shuffle(y, y, 1, 2, 0, 3);
-    const four z1 = shuffle(z, z, 1, 2, 0, 3);
-    const four x2 = shuffle(x, x, 2, 0, 1, 3);
-    const four y2 = shuffle(y, y, 2, 0, 1, 3);
-    const four lengths = x * x + y * y + z * z - 1.0;
-    const four angles = x * x1 + y * y1 + z * z1;
-    const four mirror = x1 * y2 - x2 * y1 - z;
-    const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
+    const four x = *(const four_at *)T, y = *(const four_at *)(T + 4),
+        z = *(const four_at *)(T + 8), x1 = shuffle(x, x, 1, 2, 0, 3),
+        y1 = shuffle(y, y, 1, 2, 0, 3), z1 = shuffle(z, z, 1, 2, 0, 3),
+        x2 = shuffle(x, x, 2, 0, 1, 3), y2 = shuffle(y, y, 2, 0, 1, 3),
+        lengths = x * x + y * y + z * z - 1.0, angles = x * x1 + y * y1 + z * z1,
+        mirror = x1 * y2 - x2 * y1 - z,
+        last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };
     return (lengths * lengths + 2.0 * angles * angles + mirror * mirror) * (four){ 1.0, 1.0, 1.0,
         0.0 } + last * last;
 }

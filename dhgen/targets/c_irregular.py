@@ -6,13 +6,17 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.task import TaskKind
-from dhgen.targets.layout import WIDTH, wrapped
+from dhgen.targets.c_declared import Declaration, dense
+from dhgen.targets.layout import INDENT, wrapped
 from dhgen.targets.module import has_to_be_finite
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.targets.module import SolverModule
+
+
+ROWS = ("T", "(T + 4)", "(T + 8)")  # of a pose
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,38 +75,41 @@ def _plain(module: SolverModule, number: str, result: str) -> list[str]:
     if task.names_rotation:
         terms.append(f"misfit_{number}(T)")
     elif task.kind is TaskKind.POINTING:
-        lines.append(f"const {number} zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;")
+        lines.append(
+            f"{INDENT}const {number} zz = T[2] * T[2] + T[6] * T[6] + T[10] * T[10] - 1.0;"
+        )
         terms.append("zz * zz")
     if task.kind is TaskKind.POSE:
-        lines.append(f"const {number} w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;")
+        lines.append(
+            f"{INDENT}const {number} w0 = T[12], w1 = T[13], w2 = T[14], w3 = T[15] - 1.0;"
+        )
         terms.append("w0 * w0 + w1 * w1 + w2 * w2 + w3 * w3")
     if finite:
         terms.append(f"0.0 * ({' + '.join(finite)})")
     total = result.format(" + ".join(terms))
-    return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]
+    return [*lines, *wrapped(f"{INDENT}return {total};", INDENT)]
 
 
 def _side_by_side(module: SolverModule) -> list[str]:
     """The columns in lanes: their lengths and angles, and whether the rows are right-handed."""
     pose = module.chain.task.kind is TaskKind.POSE
-    rotated = "const four {0}{1} = shuffle({0}, {0}, {2}, 3);".format
-    rows = {"x": "T", "y": "(T + 4)", "z": "(T + 8)"}
-    lines = [f"const four {name} = *(const four_at *){row};" for name, row in rows.items()]
-    lines += [rotated(name, 1, "1, 2, 0") for name in "xyz"]
-    lines += [rotated(name, 2, "2, 0, 1") for name in "xy"]
-    lines += [
-        "const four lengths = x * x + y * y + z * z - 1.0;",
-        "const four angles = x * x1 + y * y1 + z * z1;",
-        "const four mirror = x1 * y2 - x2 * y1 - z;",
+    known = [(name, f"*(const four_at *){row}") for name, row in zip("xyz", ROWS, strict=True)]
+    known += [(f"{row}1", f"shuffle({row}, {row}, 1, 2, 0, 3)") for row in "xyz"]
+    known += [(f"{row}2", f"shuffle({row}, {row}, 2, 0, 1, 3)") for row in "xy"]
+    known += [
+        ("lengths", "x * x + y * y + z * z - 1.0"),
+        ("angles", "x * x1 + y * y1 + z * z1"),
+        ("mirror", "x1 * y2 - x2 * y1 - z"),
     ]
     total = "lengths * lengths + 2.0 * angles * angles + mirror * mirror"
     if pose:
-        lines.append("const four last = *(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 };")
+        known.append(("last", "*(const four_at *)(T + 12) - (four){ 0.0, 0.0, 0.0, 1.0 }"))
         # of the fourth column only this is left: that it is finite
         total = f"({total}) * (four){{ 1.0, 1.0, 1.0, 0.0 }} + last * last"
     else:
-        lines += wrapped(f"const four sum = {total};", "", width=WIDTH - 4)
+        known.append(("sum", total))
         total = "shuffle(sum, all_four(0.0), 0, 1, 2, 7)"
     if given := finite_given(module):
         total += f" + 0.0 * ({' + '.join(given)})"
-    return [*lines, *wrapped(f"return {total};", "", width=WIDTH - 4)]
+    lines = dense((Declaration("four", *each) for each in known), INDENT)
+    return [*lines, *wrapped(f"{INDENT}return {total};", INDENT)]

@@ -19,7 +19,7 @@ from dhgen.targets.c_lanes import LaneText, operators
 from dhgen.targets.c_language import C
 from dhgen.targets.c_packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c_rows import status_lines, store_places, stores, words
-from dhgen.targets.layout import call, packed, wrapped
+from dhgen.targets.layout import INDENT, call, packed, wrapped
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from dhgen.targets.c_rows import Word
     from dhgen.targets.module import SolverModule
 
-INDENT = "    "
 MOST_LANES = 8  # of a vector, with AVX-512
 COSTS = {"atan2": 30, "div": 4, "sqrt": 6}  # of an operator in lanes; of any other 1
 

@@ -53,7 +53,9 @@ int main(void)
 """
 
 
-@pytest.mark.parametrize("flags", ["-O1", "-O3 -mavx2 -mfma", "-O3 -march=native"])
+@pytest.mark.parametrize(
+    "flags", ["-O1", "-O3 -mavx2 -mfma", "-O3 -march=native", "-O2 -DSCARA_LIBM"]
+)
 def test_arctangent(flags: str) -> None:
     made("scara")
     (folder() / "arctangent.c").write_text(DRIVER)
