@@ -1,4 +1,4 @@
-"""How the inverse begins: U_0, named points, and the elements of the U matrices that are used."""
+"""How the inverse begins: the pose that is given, and U_0."""
 
 from __future__ import annotations
 
@@ -6,11 +6,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
-from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.problem import task_entries
 from dhgen.robot.task import TaskKind
 from dhgen.targets.derivation.blocks import (
-    Given,
     Heading,
     Paragraph,
     display,
@@ -19,29 +17,19 @@ from dhgen.targets.derivation.blocks import (
     say,
     sentences,
 )
-from dhgen.targets.derivation.formula import Element, Listing, Product, Symbol, equal, times
+from dhgen.targets.derivation.elements_section import element_blocks
+from dhgen.targets.derivation.formula import Listing, Symbol, equal, times
 from dhgen.targets.derivation.given_pose import BASE, POSE, TOOL, given_pose, moved_left
-from dhgen.targets.derivation.matrices import (
-    known_matrix,
-    left_name,
-    middle_name,
-    sides,
-)
 from dhgen.targets.derivation.names import inverse as inverse_name
 from dhgen.targets.derivation.names import letter, link, target
+from dhgen.targets.derivation.points_section import point_blocks
 from dhgen.targets.derivation.polynomial import Writer, alphabet
 from dhgen.targets.derivation.shoulder_section import shoulder_blocks
-from dhgen.targets.derivation.style import LATEX, PLAIN, show
 from dhgen.targets.derivation.types_table import types_table
-from dhgen.targets.derivation.words import many
 from dhgen.targets.walk import reads
 
 if TYPE_CHECKING:
-    from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import BasePoint, Origin, Point
     from dhgen.targets.derivation.blocks import Block, Prose
-    from dhgen.targets.derivation.formula import Formula
-    from dhgen.targets.derivation.matrices import Form
     from dhgen.targets.derivation.story import Story
 
 
@@ -57,13 +45,7 @@ def inverse_beginning(story: Story) -> list[Block]:
     blocks += _given(story)
     blocks += types_table(story)
     blocks += _stay(story)
-    for point in story.derivation.pool.points:
-        if _is_used(story, point):
-            blocks += _point(story, point)
-    for base_point in story.derivation.pool.base_points:
-        if _is_used(story, base_point):
-            blocks += _base_point(story, base_point)
-    return blocks + shoulder_blocks(story) + _matrices(story)
+    return [*blocks, *point_blocks(story), *shoulder_blocks(story), *element_blocks(story)]
 
 
 def _given(story: Story) -> list[Block]:
@@ -161,126 +143,3 @@ def _stay(story: Story) -> list[Block]:
         "mix that part with the rest, so it stays where it is: in this section {}."
     )
     return [paragraph(text, joined(stays))]
-
-
-def _is_used(story: Story, point: Point | BasePoint) -> bool:
-    places = [story.algebra.index[name] for name in point.names]
-    return any(
-        monomial[place]
-        for quotes in story.quotes
-        for quote in quotes
-        for side in (quote.left, quote.right)
-        for monomial in side
-        for place in places
-    )
-
-
-def _point(story: Story, point: Point) -> list[Block]:
-    problem = story.derivation.problem
-    k = story.frame_of(point)
-    coordinates = []
-    for row, name in enumerate(point.names):
-        total = problem.target.entry(row, 3)
-        for column, length in enumerate(point.in_tool):
-            total += problem.target.entry(row, column) * length
-        coordinates.append(equal(story.letters[name], story.write(total)))
-    joints = many("joint", [str(j) for j in range(k + 1, story.dof + 1)])
-    turn = "does" if k + 1 == story.dof else "do"
-    assert story.wrist is not None or not story.is_wrist_frame(k)
-    if story.wrist is not None and story.is_wrist_frame(k):
-        first = "The wrist centre {} is the origin of frame {}, where the axes {}, {} and {} meet"
-        three = [Given(str(joint)) for joint in story.wrist]
-        head = say(first, Symbol("w", "w"), Given(str(k)), *three)
-    else:
-        text = "The pose gives a second point {}, the origin of frame {}"
-        head = say(text, Symbol("w", "w"), Given(str(k)))
-    text = (
-        f"{{}}: {joints} {turn} not move it. In the last frame it is {{}}, so its position "
-        "follows from the pose alone:"
-    )
-    entries = [story.write(entry) for entry in point.in_tool]
-    shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
-    return [paragraph(text, head, shown), display(*coordinates)]
-
-
-def _base_point(story: Story, point: BasePoint) -> list[Block]:
-    """A point of the base as the tool sees it: R' (b - t)."""
-    target = story.derivation.problem.target
-    name = letter("w", "w", point.names[0][1:-1])
-    coordinates = []
-    for column, own in enumerate(point.names):
-        total = story.algebra.ring.zero
-        for row, length in enumerate(point.in_base):
-            total += target.entry(row, column) * (length - target.entry(row, 3))
-        coordinates.append(equal(story.letters[own], story.write(total)))
-    entries = [story.write(entry) for entry in point.in_base]
-    shown = Symbol(*(f"({', '.join(show(e, style) for e in entries)})" for style in (LATEX, PLAIN)))
-    text = "The point {} is fixed in the base. Seen from the last frame it is at {}:"
-    return [paragraph(text, shown, name), display(*coordinates)]
-
-
-def _matrices(story: Story) -> list[Block]:
-    """Both sides of every element in the columns that the steps use, each once."""
-    used: dict[tuple[bool, bool, int, int], list[Origin]] = {}
-    for step in story.steps:
-        for origin in step.origins:
-            key = (origin.shoulder, origin.inverse, origin.m, -origin.k)
-            used.setdefault(key, []).append(origin)
-    blocks: list[Block] = []
-    for _, origins in sorted(used.items()):
-        form = story.form(origins[0].matrix)
-        equations = [
-            _element_equation(story, form, *place) for place in _wanted(story, form, origins)
-        ]
-        if equations:
-            blocks.append(display(*equations))
-            blocks.insert(len(blocks) - 1, paragraph("{}", _form_sentence(story, form)))
-    if not blocks:
-        return []
-    text = "The elements that are used below, and their neighbours in column 4:"
-    return [paragraph(text), *blocks]
-
-
-def _form_sentence(story: Story, form: Form) -> Prose:
-    """U_m = A_m^-1 U_{m-1} = A_{m+1} ... A_k."""
-    m, k, inverted, shoulder = form.place
-    name, middle = left_name(form.place, story.dof), middle_name(form.place)
-    last = SHOULDER if shoulder else story.dof
-    if inverted:
-        seen = [Given(str(number)) for number in (m, k)]
-        return say("{} (frame {} seen from frame {}):", equal(name, middle), *seen)
-    if k == last:
-        before: tuple[Formula, ...] = ()
-        if m:
-            earlier = left_name((m - 1, k, inverted, shoulder), story.dof)
-            before = (Product((inverse_name(link(m)), earlier)),)
-        return say("{}:", equal(name, *before, middle))
-    moved = many("joint", [str(j) for j in range(k + 1, last + 1)])
-    text = f"{{}} ({moved} moved to the side of {{}}):"
-    return say(text, equal(name, middle), known_matrix(form.place))
-
-
-def _wanted(story: Story, form: Form, origins: list[Origin]) -> list[tuple[int, int]]:
-    """The elements to show: used ones, and the whole of column 4 where the task gives it."""
-    withheld = {story.algebra.index[f"t{i}{j}"] for i in (1, 2, 3) for j in (1, 2, 3, 4)} - {
-        story.algebra.index[name] for name in story.derivation.problem.known
-    }
-
-    def is_given(polynomial: Polynomial) -> bool:
-        return not any(monomial[place] for monomial in polynomial for place in withheld)
-
-    wanted = {(origin.row, origin.column) for origin in origins if origin.row}
-    if any(origin.column == 4 for origin in origins):
-        wanted |= {(row, 4) for row in (1, 2, 3) if is_given(form.left.entry(row - 1, 3))}
-    kept = []
-    for row, column in sorted(wanted, key=lambda place: (place[1], place[0])):
-        left, right = sides(form, row, column)
-        if left != right:
-            kept.append((row, column))
-    return kept
-
-
-def _element_equation(story: Story, form: Form, row: int, column: int) -> Formula:
-    left, right = sides(form, row, column)
-    name = Element(left_name(form.place, story.dof), row, column)
-    return equal(name, story.write(left), story.write_forward(right))
