@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
     from dhgen.program.ir import Program
-    from dhgen.program.lowering.lower import Lowering
+    from dhgen.program.lowering.context import Lowering
     from dhgen.program.tolerances import Tolerances
 
     Vector = list[Node]

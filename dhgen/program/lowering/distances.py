@@ -19,7 +19,7 @@ from dhgen.program.lowering.roots import Reach
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.program.building.graph import Node
-    from dhgen.program.lowering.lower import Lowering
+    from dhgen.program.lowering.context import Lowering
 
 DIGITS = 40  # before numbers are rounded: the same on every machine
 

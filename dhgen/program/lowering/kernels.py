@@ -43,8 +43,8 @@ if TYPE_CHECKING:
 
     from dhgen.paul.step import Step
     from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.context import Lowering
     from dhgen.program.lowering.distances import Distance
-    from dhgen.program.lowering.lower import Lowering
 
 
 def lower_length(context: Lowering, step: Step) -> None:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
-    from dhgen.program.lowering.lower import Lowering
+    from dhgen.program.lowering.context import Lowering
 
 Linear = tuple["Node", "Node", "Node"]  # l0 + l1 cos x + l2 sin x
 Circle = tuple["Node", ...]  # a0, a1, b1, a2, b2

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
     from dhgen.program.building.graph import Node
-    from dhgen.program.lowering.lower import Lowering
+    from dhgen.program.lowering.context import Lowering
 
 
 def letters(context: Lowering, step: Step, names: str) -> tuple[Node, ...]:

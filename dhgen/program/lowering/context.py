@@ -1,0 +1,198 @@
+"""What kernels work with: values by the names of the algebra, the joints that are known, scales."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
+from dhgen.method import Method
+from dhgen.paul.branches import branch_words
+from dhgen.paul.step import Kind
+from dhgen.program.building.builder import Builder
+from dhgen.program.lowering.angles import Angles
+from dhgen.program.lowering.checks import Checks
+from dhgen.program.lowering.polynomials import PolynomialLowering
+from dhgen.program.lowering.scales import Scales
+from dhgen.program.lowering.target import Target
+from dhgen.program.role import Source
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.derivation import Derivation
+    from dhgen.paul.problem import Problem
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.checks import Checks
+    from dhgen.program.tolerances import Tolerances
+
+
+class Lowering:
+    """What kernels work with.
+
+    Attributes:
+        checks: What is done about rows that do not reproduce their pose.
+        builder: Where values go.
+        polynomials: Polynomials to values.
+        angles: The joints that are known.
+        scales: Tolerances and reaches.
+        step_number: Of the step at hand, from 1.
+        meeting: Whether roots of a polynomial nearly meet; only where rows are doubted.
+        short: Whether an angle comes from so short a vector that few of its digits are right.
+
+    Args:
+        derivation: What to compute, and why.
+        tolerances: Of the arithmetic that the program is for.
+        checks: What is done about rows that do not reproduce their pose.
+    """
+
+    def __init__(self, derivation: Derivation, tolerances: Tolerances, checks: Checks) -> None:
+        self.checks = checks
+        self._derivation = derivation
+        self._problem = derivation.problem
+        self._algebra = derivation.problem.algebra
+        self._constants = {c.name: c for c in self._algebra.chain.constants}
+        self._values: dict[str, Node] = {}
+        self._words = branch_words(derivation.steps)
+        self.builder = Builder(reserved={*self._constants, "T", "q", "status"})
+        self.polynomials = PolynomialLowering(self._algebra, self.builder, self.value)
+        self.angles = Angles(self._algebra, self.builder, self.polynomials, self._values)
+        if checks.tightened:
+            tolerances = replace(tolerances, reach=tolerances.led)
+        self.scales = Scales(derivation.pool, self.builder, tolerances)
+        self._target = Target(self._problem, self.builder, self.lower)
+        self.step_number = 0
+        self.meeting: list[Node] = []
+        self.short: list[Node] = []
+
+    def new_sign(self) -> Node:
+        """The sign of the step at hand."""
+        words = self._words[len(self.builder.axes)]
+        return self.builder.sign(words, self.step_number)
+
+    def new_root(self, angle: AngleSum, coefficients: tuple[Node, ...]) -> Node:
+        """A root of the polynomial of the step at hand, which is an angle."""
+        words = self._words[len(self.builder.axes)]
+        joints = self._algebra.chain.joints
+        turning = tuple((joint, sign * joints[joint - 1].sign) for joint, sign in angle.terms)
+        name = f"x{angle.suffix}"
+        return self.builder.circle_root(name, coefficients, turning, words, self.step_number)
+
+    def value(self, name: str) -> Node:
+        """The value of one of the ring's generators."""
+        if name not in self._values:
+            self._values[name] = self._make(name)
+        return self._values[name]
+
+    def learn(self, values: dict[str, Node]) -> None:
+        """Values of generators that no step solves for."""
+        self._values |= values
+        self.polynomials.solved(*values)
+
+    def lower(self, polynomial: Polynomial) -> Node:
+        """The value of a polynomial."""
+        return self.polynomials.lower(polynomial)
+
+    def at_seed(self, polynomial: Polynomial) -> Node:
+        """The value of a polynomial where the joints have the seed's values."""
+        return PolynomialLowering(self._algebra, self.builder, self._seed_value).lower(polynomial)
+
+    @property
+    def mends_roots(self) -> bool:
+        """Whether rows that come from roots of a polynomial are tightened."""
+        return self._derivation.method is Method.QUARTIC and self.checks.tightened
+
+    @property
+    def doubts_rows(self) -> bool:
+        """Whether rows that miss the pose by far have none, though steps might lead them there."""
+        return self.checks.rows and self.checks.tightened
+
+    @property
+    def may_be_lost(self) -> bool:
+        """Whether a later step may find a branch out of reach."""
+        return any(
+            step.roots > 1 and not (step.kind is Kind.ANGLE and not step.coefficient("Z"))
+            for step in self._derivation.steps[self.step_number :]
+        )
+
+    @property
+    def redundant(self) -> bool:
+        """Whether poses may be given that the arm can't take."""
+        return self._problem.redundant
+
+    @property
+    def problem(self) -> Problem:
+        """The equations."""
+        return self._problem
+
+    @property
+    def algebra(self) -> Algebra:
+        """The arm and its ring."""
+        return self._algebra
+
+    @property
+    def chain(self) -> Chain:
+        """The arm."""
+        return self._algebra.chain
+
+    def normal(self, polynomial: Polynomial) -> Polynomial:
+        """The normal form of a polynomial."""
+        return self._algebra.normal(polynomial)
+
+    def are_constant(self, *polynomials: Polynomial) -> bool:
+        """Whether all of these are made of the arm's lengths and twists alone."""
+        return all(self._algebra.is_constant(polynomial) for polynomial in polynomials)
+
+    def generators(self, angle: AngleSum) -> tuple[Polynomial, Polynomial]:
+        """Sine and cosine of an angle sum as ring elements."""
+        return self._algebra.generator(angle.sine), self._algebra.generator(angle.cosine)
+
+    def _seed_value(self, name: str) -> Node:
+        for angle in self._algebra.angles:
+            if name == angle.cosine:
+                return self.builder.apply("cos", self.angles.seed(angle))
+            if name == angle.sine:
+                return self.builder.apply("sin", self.angles.seed(angle))
+        return self.value(name)
+
+    def _make(self, name: str) -> Node:
+        if name in self._constants:
+            known = self._constants[name]
+            power = int(known.is_length)
+            return self.builder.constant(name, known.value, known.meaning, power, Source.ARM)
+        if name in POSE_PLACES:
+            entry = self._target.entry(*POSE_PLACES[name])
+            return self.builder.name(entry, name)
+        for point in self._derivation.pool.points:
+            if name in point.names:
+                row = point.names.index(name)
+                return self.builder.name(self.point(row, point.in_tool), name)
+        for base_point in self._derivation.pool.base_points:
+            if name in base_point.names:
+                column = base_point.names.index(name)
+                return self.builder.name(self._seen(column, base_point.in_base), name)
+        for angle in self._algebra.angles:
+            if name in (angle.cosine, angle.sine):
+                self.angles.compose(angle)
+        return self._values[name]
+
+    def point(self, row: int, in_tool: tuple[Polynomial, ...]) -> Node:
+        """A coordinate of a point that is fixed to the tool."""
+        builder = self.builder
+        total = self.value(f"t{row + 1}4")
+        for column, length in enumerate(in_tool):
+            if length:
+                part = builder.mul(self.value(f"t{row + 1}{column + 1}"), self.lower(length))
+                total = builder.add(total, part)
+        return total
+
+    def _seen(self, column: int, in_base: tuple[Polynomial, ...]) -> Node:
+        """A coordinate of a point that is fixed to the base, as the tool sees it."""
+        builder = self.builder
+        total = builder.integer(0)
+        for row, length in enumerate(in_base):
+            offset = builder.sub(self.lower(length), self.value(f"t{row + 1}4"))
+            part = builder.mul(self.value(f"t{row + 1}{column + 1}"), offset)
+            total = builder.add(total, part)
+        return total
