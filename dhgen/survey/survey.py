@@ -22,8 +22,8 @@ from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.sources import robot_files
 from dhgen.survey.structure import arm_class, joint_letters
 from dhgen.survey.trial import Trial
+from dhgen.verify.demands import GENERAL_RESIDUAL, RESIDUAL
 from dhgen.verify.native import compile_solver
-from dhgen.verify.verify import GENERAL_RESIDUAL, RESIDUAL
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

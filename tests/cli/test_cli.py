@@ -364,7 +364,7 @@ def test_what_fails_verification_is_not_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("dhgen.verify.verify.RESIDUAL", 1e-30)
+    monkeypatch.setattr("dhgen.verify.demands.RESIDUAL", 1e-30)
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     assert main([str(PLANAR)]) == 1
     told = capsys.readouterr().err
@@ -393,7 +393,7 @@ def test_a_note_may_be_why_verification_fails(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("dhgen.verify.verify.RESIDUAL", 1e-30)
+    monkeypatch.setattr("dhgen.verify.demands.RESIDUAL", 1e-30)
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     Path("noted.yaml").write_text(
         PLANAR.read_text().replace("parameters: {", "parameters: {x: 1, ")

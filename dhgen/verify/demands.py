@@ -1,0 +1,110 @@
+"""What joint values have to be, by the independent forward model."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.errors import VerificationError
+from dhgen.program.given import given_values
+from dhgen.program.tolerances import TOLERANCES
+from dhgen.targets.walk import whole_arm
+from dhgen.verify.measures import Measures
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from dhgen.targets.module import SolverModule
+
+    Array = NDArray[np.float64]
+
+RESIDUAL = TOLERANCES.promised  # of the arm's size: what a row may miss its pose by
+GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are polished
+AGREEMENT = 1e-12  # between targets, where the branch is well conditioned
+FOUND = 1e-6  # [rad or arm sizes] the generating joint values on random poses
+FOUND_SINGULAR = 1e-3  # the same where a pose hardly fixes them
+FIXED = 1e-12  # least singular value: with a smaller one rounding moves joint values that far
+JACOBIAN = 1e-6  # against central differences
+
+
+class Demands:
+    """Demands on the rows of an arm; what is not met is a VerificationError.
+
+    Attributes:
+        measures: Of the arm.
+        has_branches: Whether rows are branches: with a general algorithm they are not.
+        residual: The largest miss of a row so far, in arm sizes.
+    """
+
+    def __init__(self, module: SolverModule) -> None:
+        self.measures = Measures(module.chain)
+        self.has_branches = whole_arm(module.solver) is None
+        self.residual = 0.0
+        self._chain = module.chain
+
+    def forward(self, solver: Any, q: Array, T: Array, J: Array, where: str) -> None:  # noqa: ANN401
+        """A language's pose and Jacobian are right."""
+        miss = self.measures.pose_miss(solver.fk(q), T)
+        self.at_most(miss, AGREEMENT, f"{where} fk is off")
+        miss = self.measures.jacobian_miss(solver.jacobian(q), J)
+        self.at_most(miss, JACOBIAN, f"{where} Jacobian is off")
+
+    def agree(self, rows: Array, others: Array, T: Array, what: str, where: str) -> None:
+        """Joint values agree up to rounding, as far as the pose fixes what meets it so well."""
+        if not len(rows):
+            return
+        miss, enough = float(self.measures.joint_miss(rows, others).max()), AGREEMENT
+        if not miss <= enough:
+            enough = max(enough, *(self.measures.residual(each, T) for each in (rows, others)))
+            enough /= min(max(self.measures.fixed(rows), 1e-9), 1.0)
+        self.at_most(miss, enough, f"{where}: Python and {what} differ")
+
+    def reproduce(self, rows: Array, T: Array, where: str) -> None:
+        """Every row reproduces its pose."""
+        if len(rows):
+            miss = self.measures.residual(rows, T)
+            self.residual = max(self.residual, miss)
+            enough = RESIDUAL if self.has_branches else GENERAL_RESIDUAL
+            self.at_most(miss, enough, f"{where}: a row misses the pose, in arm sizes")
+
+    def recover(self, rows: Array, q: Array, enough: float, where: str) -> None:
+        """The generating joint values are among the rows: free joints took them from the seed."""
+        miss = float(self.measures.joint_miss(rows, q).max(axis=1).min())
+        self.at_most(miss, enough, f"{where}: q is not among the solutions, the nearest is off")
+
+    def is_as_good(self, rows: Array, q: Array, T: Array) -> bool:
+        """Whether the pose hardly tells joint values from those of a row with no free joint.
+
+        Of an arm that is singular there rounding moves them: where two solutions meet beside a
+        place where a joint is free, as far as all joint values in between reach the pose. Where
+        the arm is at the edge of its reach, too, those are not on the straight way.
+        """
+        if self.measures.fixed(q) > FIXED:
+            return False
+        held = rows[np.isfinite(rows).all(axis=1)]
+        ways = (way for row in held for way in self.measures.ways(row, q))
+        return any(self.measures.residual(way, T) <= GENERAL_RESIDUAL for way in ways)
+
+    def nearest(self, found: Array, q: Array, where: str) -> None:
+        """The generating joint values are the nearest to themselves."""
+        miss = float(np.abs(found - q).max()) / max(1.0, self._chain.size)
+        self.at_most(miss, FOUND, f"{where} is off")
+
+    def arm_angle(self, angles: Array, asked: Array, where: str) -> None:
+        """Arm angles are the one that was asked for."""
+        miss = float(np.abs(np.remainder(angles - asked + np.pi, 2.0 * np.pi) - np.pi).max())
+        self.at_most(miss, FOUND, f"{where}: an arm angle is off")
+
+    def values(self, q: Array) -> Array:
+        """The values of free joints, or the arm angle, (..., k)."""
+        return given_values(self.measures.arm, q)
+
+    def given(self, q: Array) -> list[Array]:
+        """The argument for them, where there are any."""
+        return [self.values(q)] if self._chain.given else []
+
+    def at_most(self, miss: float, enough: float, what: str) -> None:
+        """A miss is small enough."""
+        if not miss <= enough:
+            raise VerificationError(f"{what} by {miss:.1e}")

@@ -1,0 +1,133 @@
+"""What a robot's written files give, language against language."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dhgen.errors import VerificationError
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from numpy.typing import NDArray
+
+    from dhgen.targets.module import SolverModule
+    from dhgen.verify.demands import Demands
+    from dhgen.verify.native import CompiledSolver
+    from dhgen.verify.samples import Sample
+
+    Array = NDArray[np.float64]
+
+
+class Languages:
+    """The Python module and the C of some builds.
+
+    Attributes:
+        python: The module.
+
+    Args:
+        module: The robot.
+        python: The module.
+        builds: What was compiled.
+        demands: On the rows.
+    """
+
+    def __init__(
+        self,
+        module: SolverModule,
+        python: ModuleType,
+        builds: tuple[CompiledSolver, ...],
+        demands: Demands,
+    ) -> None:
+        self.python: Any = python
+        self._module = module
+        self._builds = builds
+        self._chain = module.chain
+        self._demands = demands
+
+    def forward(self, q: Array, T: Array, J: Array, where: str) -> None:
+        """The pose and the Jacobian of joint values are right."""
+        compiled = [("C", build) for build in self._builds]
+        for language, solver in [("Python", self.python), *compiled]:
+            self._demands.forward(solver, q, T, J, f"{where}: {language}'s")
+
+    def call(
+        self, T: Array, seed: Array, where: str, *, compared: bool = True, singular: bool = False
+    ) -> tuple[Array, NDArray[np.uint8]]:
+        """Python's rows; C's are the same, or at least solutions where roots have no branches."""
+        given = self._demands.given(seed)
+        rows, status = self.python.ik_all(T, *given, seed)
+        for place, build in enumerate(self._builds):
+            other, other_status = build.ik(T, seed, *given)
+            # where an arm is singular, an instruction that rounds once moves double roots
+            if not compared or (singular and place > 0):
+                self._demands.reproduce(other[np.isfinite(other).all(axis=1)], T, where)
+                continue
+            if not np.array_equal(status, other_status):
+                raise VerificationError(f"{where}: Python gives {status}, C gives {other_status}")
+            held = np.isfinite(rows).all(axis=1)
+            self._demands.agree(rows[held], other[held], T, "C", where)
+        return rows, status
+
+    def unseeded(self, T: Array, q: Array, where: str) -> None:
+        """The arm takes the pose without a seed, too."""
+        given, zeros = self._demands.given(q), np.zeros(self._chain.dof)
+        found = [("Python", *self.python.ik_all(T, *given))]
+        found += [("C", *build.ik(T, zeros, *given)) for build in self._builds]
+        for language, rows, _ in found:
+            held = np.isfinite(rows).all(axis=1)
+            self._demands.reproduce(rows[held], T, f"{where}, without a seed")
+            if not held.any():
+                raise VerificationError(f"{where}: without a seed {language} finds no solution")
+
+    def batch(self, sample: Sample, poses: Array) -> None:
+        """Batches hold the rows of single poses."""
+        given = self._demands.given(sample.q)
+        zeros = np.zeros(self._chain.dof)
+        languages = [("Python", self.python.ik_batch, self.python.ik_all)]
+        languages += [
+            ("C", build.batch, lambda T, *free, build=build: build.ik(T, zeros, *free))
+            for build in self._builds
+        ]
+        for language, batch, alone in languages:
+            many, statuses = batch(poses, *given)
+            for number, (T, rows, status) in enumerate(zip(poses, many, statuses, strict=True)):
+                where = f"{self._module.name}, {sample.name}, pose {number} of a batch"
+                one, one_status = alone(T, *(g[number] for g in given))
+                self._demands.reproduce(rows[np.isfinite(rows).all(axis=1)], T, where)
+                if sample.name == "random" and self._demands.has_branches:
+                    if not np.array_equal(status, one_status):
+                        told = f"{language} gives {status}, for the pose alone {one_status}"
+                        raise VerificationError(f"{where}: {told}")
+                    held = np.isfinite(one).all(axis=1)
+                    self._demands.agree(rows[held], one[held], T, language, where)
+
+    def whole(self, T: Array, q: Array, rows: Array, status: NDArray[np.uint8], where: str) -> None:
+        """What serves singular poses in Python gives the same at ordinary ones."""
+        given = self._demands.given(q)
+        _, pose = self.python._read(T, *given)  # noqa: SLF001
+        others, kinds = np.empty_like(rows), np.empty_like(status)
+        self.python._whole(pose, *given, q, others, kinds)  # noqa: SLF001
+        if not np.array_equal(status, kinds):
+            raise VerificationError(f"{where}: Python gives {status}, its careful solver {kinds}")
+        held = np.isfinite(rows).all(axis=1)
+        self._demands.agree(rows[held], others[held], T, "its careful solver", where)
+
+    def nearest(self, q: Array, T: Array, where: str) -> None:
+        """The generating joint values are the nearest to themselves."""
+        given = self._demands.given(q)
+        nearest = [("Python's ik", self.python.ik(T, *given, q))]
+        nearest += [("C's ik_nearest", build.nearest(T, q, *given)) for build in self._builds]
+        for what, found in nearest:
+            self._demands.nearest(found, q, f"{where}: {what}")
+
+    def arm_angles(self, rows: Array, q: Array, where: str) -> None:
+        """Every row has the arm angle of the generating joint values, and the files say so."""
+        if not self._chain.arm_angle:
+            return
+        asked = self._demands.values(q)
+        told = [self.python.arm_angle(q), *(build.arm_angle(q) for build in self._builds)]
+        for angles in (self._demands.values(rows), np.array(told)[:, None]):
+            self._demands.arm_angle(angles, asked, where)
