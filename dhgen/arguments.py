@@ -1,0 +1,112 @@
+"""The words of the command line: options, files and what help says."""
+
+from __future__ import annotations
+
+import argparse
+from importlib import metadata
+from pathlib import Path
+
+OUT = Path("generated")
+
+EPILOG = """\
+verbs:
+  dhgen FILE ...           derive, show a summary, verify, and write generated/ (or --out DIR)
+  dhgen --check FILE ...   compare generated/ with what the compiler makes; exit 1 when it is stale
+  dhgen --numerical FILE   fall back to the numerical solver where nothing else works
+  dhgen explain FILE       print the whole derivation (--alternatives: other valid steps)
+  dhgen survey PATH ...    test many arms: are all solutions found? (--poses N)
+  dhgen --version          print the version
+
+exit codes: 0 done, 1 stale or not solved, 2 a mistake in a file or on the command line
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    """Of the command without a verb."""
+    made = argparse.ArgumentParser(
+        prog="dhgen",
+        description="Exact inverse kinematics from Denavit-Hartenberg tables, as Python and C.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    made.add_argument("files", nargs="+", type=_path, metavar="FILE", help="robot files (YAML)")
+    made.add_argument("--check", action="store_true", help="only compare, write nothing")
+    made.add_argument(
+        "--out",
+        type=_path,
+        default=OUT,
+        metavar="DIR",
+        help="where to write, or with --check what to compare (default: generated)",
+    )
+    _add_numerical(made)
+    made.add_argument(
+        "--version", action="version", version=f"dhgen {_version()}", help="print the version"
+    )
+    return made
+
+
+def _version() -> str:
+    try:
+        return metadata.version("dhgen")
+    except metadata.PackageNotFoundError:  # a checkout
+        return "(not installed)"
+
+
+def _add_numerical(made: argparse.ArgumentParser) -> None:
+    made.add_argument(
+        "--numerical",
+        action="store_true",
+        help="fall back to the numerical solver where nothing else works, like `numerical: true` "
+        "in a robot file",
+    )
+
+
+def explain_parser() -> argparse.ArgumentParser:
+    """Of `dhgen explain`."""
+    made = argparse.ArgumentParser(
+        prog="dhgen explain", description="Prints the derivation of a robot in the terminal."
+    )
+    made.add_argument("file", type=_path, metavar="FILE", help="a robot file (YAML)")
+    made.add_argument(
+        "--alternatives", action="store_true", help="print the other valid equations of each step"
+    )
+    made.add_argument("--program", action="store_true", help="print the emitted program")
+    _add_numerical(made)
+    return made
+
+
+def survey_parser() -> argparse.ArgumentParser:
+    """Of `dhgen survey`."""
+    made = argparse.ArgumentParser(
+        prog="dhgen survey",
+        description="Tests the solvers of many arms: on random poses against an independent "
+        "search for all solutions, and for an answer on every singular pose. "
+        "Exit code 1 when an arm falls short or is not solved, 2 when a file has mistakes.",
+    )
+    made.add_argument(
+        "paths",
+        nargs="+",
+        type=_path,
+        metavar="PATH",
+        help="robot files, folders of them, or JSON lists of tables",
+    )
+    made.add_argument(
+        "--poses",
+        type=_positive,
+        default=200,
+        metavar="N",
+        help="random poses per arm, and a quarter as many of each singular kind (default: 200)",
+    )
+    return made
+
+
+def _path(word: str) -> Path:
+    if not word:  # of which Path makes the folder one is in
+        raise argparse.ArgumentTypeError("a path can't be empty")
+    return Path(word)
+
+
+def _positive(word: str) -> int:
+    if not word.isdecimal() or int(word) < 1:
+        raise argparse.ArgumentTypeError(f"must be a whole number above zero, not '{word}'")
+    return int(word)

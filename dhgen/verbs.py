@@ -1,0 +1,196 @@
+"""What the command does: write, check, explain, survey.
+
+What needs sympy is imported late: errors and --help do without.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dhgen.arguments import OUT
+from dhgen.errors import CommandError, DhgenError, VerificationError, about
+from dhgen.method import Method
+
+if TYPE_CHECKING:
+    import argparse
+    from collections.abc import Iterable, Sequence
+
+    from dhgen.compiler import Compilation
+    from dhgen.errors import Diagnostic
+    from dhgen.robot_files import RobotFile, RobotFiles
+    from dhgen.targets.module import SolverModule
+
+FAULT = """\
+{whose}; nothing was written
+please report it, with the robot file"""
+WHOSE = "this is a bug in dhgen, not a mistake in the file"
+WHOSE_NOTED = "a note above may say why; if not, this is a bug in dhgen"
+
+
+def _tell(text: str) -> None:
+    """Progress, for those who wait at a terminal."""
+    if sys.stderr.isatty():
+        print(f"  {text} ...", file=sys.stderr, flush=True)
+
+
+def _compile(file: RobotFile, *, out: Path | None = None) -> Compilation:
+    from dhgen.compiler import compile_loaded  # noqa: PLC0415
+
+    _tell_notes(file.robot.notices)
+    with about(file.path):
+        return compile_loaded(file, _tell, out=out)
+
+
+def _tell_notes(notices: Iterable[Diagnostic]) -> None:
+    for notice in notices:
+        print(f"note: {notice}", file=sys.stderr)
+
+
+def _read(options: argparse.Namespace) -> tuple[RobotFiles, int]:
+    """The files, those that are refused told, and the exit code for these."""
+    from dhgen.robot_files import load_all  # noqa: PLC0415
+
+    files = load_all(options.files)
+    for refusal in files.refusals:
+        print(refusal, file=sys.stderr)
+    if options.numerical:
+        files = replace(files, loaded=tuple(file.with_numerical() for file in files.loaded))
+    return files, max((refusal.exit_code for refusal in files.refusals), default=0)
+
+
+def write(options: argparse.Namespace) -> int:
+    """Derives, verifies and writes; the exit code."""
+    files, worst = _read(options)
+    left = [path for path in files.paths if path not in {file.path for file in files.loaded}]
+    for file in files.loaded:
+        try:
+            _write_one(file, options)
+        except DhgenError as error:
+            print(error, file=sys.stderr)
+            if isinstance(error, VerificationError):
+                _tell_notes(file.robot.doubts)
+                whose = WHOSE_NOTED if file.robot.notices + file.robot.doubts else WHOSE
+                print(FAULT.format(whose=whose), file=sys.stderr)
+            worst = max(worst, error.exit_code)
+            left.append(file.path)
+    if left and len(files.paths) > 1:  # the reasons may stand far above
+        sys.stdout.flush()
+        told = ", ".join(map(str, left))
+        print(f"dhgen: nothing was written for {told}: see above", file=sys.stderr)
+    return worst
+
+
+def _write_one(file: RobotFile, options: argparse.Namespace) -> None:
+    from dhgen.compiler import verified  # noqa: PLC0415
+    from dhgen.targets.derivation import derivation_summary  # noqa: PLC0415
+
+    compilation = _compile(file, out=options.out)
+    module = compilation.module
+    if options.numerical and module.method is not Method.NUMERICAL:
+        print("note: --numerical was not needed", file=sys.stderr)
+    print(f"{compilation.robot.name}: {compilation.robot.title}")
+    print(derivation_summary(compilation.robot, compilation.derivation, module.solver))
+    _refuse_occupied([options.out / name for name in compilation.files])
+    report = verified(compilation, _tell)
+    options.out.mkdir(parents=True, exist_ok=True)
+    for name, text in compilation.files.items():
+        (options.out / name).write_text(text, encoding="utf-8", newline="\n")
+    compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
+    print(
+        f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
+        f"{report.residual:.1e} arm sizes; {compiled}"
+    )
+    if report.single is not None:
+        print(f"in single precision: largest residual {report.single:.1e} arm sizes")
+    print(f"wrote {', '.join(str(options.out / name) for name in _own(compilation))}\n")
+
+
+def _compared(module: SolverModule) -> str:
+    if module.method is Method.NUMERICAL:
+        return (
+            "Python and C checked separately: which solution a start leads to depends on rounding"
+        )
+    return "Python and C agree"
+
+
+def _own(compilation: Compilation) -> list[str]:
+    stems = [compilation.robot.name, *([compilation.single.name] if compilation.single else [])]
+    return [name for name in compilation.files if Path(name).stem in stems]
+
+
+def check(options: argparse.Namespace) -> int:
+    """Compares what is written with what the compiler makes; the exit code."""
+    from dhgen.check import compare  # noqa: PLC0415
+
+    files, refused = _read(options)
+    for file in files.loaded:
+        _tell_notes(file.robot.notices)
+    found = compare(files, options.out, _repeated(options))
+    for told in (*found.refusals, *found.problems):
+        print(told, file=sys.stderr)
+    worst = max(refused, found.exit_code)
+    if not worst:
+        count = len(files.loaded)
+        print(f"{options.out}: up to date with {count} robot file{'s' if count > 1 else ''}")
+    return worst
+
+
+def _repeated(options: argparse.Namespace) -> list[str]:
+    """What of a command another one has to say, too, to make the same files in the same place."""
+    place = [] if options.out == OUT else ["--out", str(options.out)]
+    return place + ["--numerical"] * options.numerical
+
+
+def explain(options: argparse.Namespace) -> int:
+    """Prints a derivation; the exit code."""
+    from dhgen.program.text import program_text  # noqa: PLC0415
+    from dhgen.robot_files import RobotFile  # noqa: PLC0415
+    from dhgen.targets.derivation import alternatives_text, derivation_terminal  # noqa: PLC0415
+
+    file = RobotFile.read(options.file)
+    _refuse_mute()
+    compilation = _compile(file.with_numerical() if options.numerical else file)
+    derivation, program = compilation.derivation, compilation.module.solver
+    if options.alternatives:
+        print(alternatives_text(derivation))
+    elif options.program:
+        print(program_text(program), end="")
+    else:
+        print(derivation_terminal(compilation.robot, derivation, program))
+    return 0
+
+
+def survey(options: argparse.Namespace) -> int:
+    """Tests many arms; the exit code."""
+    _refuse_mute()
+    # matrices are small and every core has its own arm: threads inside would be in the way
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from dhgen.survey.survey import survey as lines_of  # noqa: PLC0415
+    from dhgen.survey.table import survey_text  # noqa: PLC0415
+
+    lines = lines_of(options.paths, options.poses, _tell)
+    for remark in (remark for line in lines for remark in line.remarks):
+        print(remark, file=sys.stderr)
+    print(survey_text(lines), end="")
+    if any(line.mistaken for line in lines):
+        return 2
+    return 0 if all(line.complete for line in lines) else 1
+
+
+def _refuse_mute() -> None:
+    """Stops where standard output was closed, for commands that do nothing but print."""
+    if sys.__stdout__ is None:
+        raise CommandError("dhgen: standard output is closed: there is nothing to print to")
+
+
+def _refuse_occupied(paths: Sequence[Path]) -> None:
+    """Stops before anything is written, where something that is there can't be written over."""
+    for path in paths:
+        if path.is_dir():
+            raise CommandError(f"dhgen: can't write {path}: it is a folder")
+        if path.exists() and not os.access(path, os.W_OK):
+            raise CommandError(f"dhgen: can't write {path}: the file is read-only")
