@@ -62,11 +62,6 @@ class Compilation:
     files: Mapping[str, str]
 
 
-def compile_robot(path: Path) -> Compilation:
-    """What `compile_loaded` makes of a file that is yet to be read, or RobotFileError."""
-    return compile_loaded(RobotFile.read(path))
-
-
 def compile_loaded(
     file: RobotFile,
     tell: Callable[[str], None] = lambda _: None,

@@ -11,11 +11,11 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from dhgen.compiler import Compilation, compile_robot
+from dhgen.compiler import Compilation, compile_loaded
 from dhgen.errors import DhgenError, RobotFileError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
-from dhgen.robot.load import load
+from dhgen.robot_files import RobotFile
 from dhgen.survey.ask import ask_random, ask_singular
 from dhgen.survey.line import Answers, Line
 from dhgen.survey.oracle.arm import arm, arm_size
@@ -63,13 +63,14 @@ def survey_arm(source: Source, poses: int) -> Line:
     name, joints, structure = source.name, "", ""
     remarks: tuple[str, ...] = ()
     try:
-        robot = load(source.path)
+        file = RobotFile.read(source.path)
+        robot = file.robot
         name = robot.name
         remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
         chain = build_chain(robot)
         joints, structure = joint_letters(chain), arm_class(chain)
         start = time.process_time()
-        compilation = compile_robot(source.path)
+        compilation = compile_loaded(file)
         answers = _answers(compilation, poses, time.process_time() - start)
     except RobotFileError as error:
         notes = (f"note: {source.tell(note)}" for note in error.notes)

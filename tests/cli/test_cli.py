@@ -238,9 +238,9 @@ def test_another_working_directory_makes_the_same_bytes(
 BYTES = """
 import sys
 from pathlib import Path
-from dhgen.compiler import compile_robot
+from tests.compiling import compile_file
 for name in ("scara", "puma560", "ur5"):
-    files = compile_robot(Path("robots") / f"{name}.yaml").files
+    files = compile_file(Path("robots") / f"{name}.yaml").files
     other = [each for each in files if (Path("generated") / each).read_text() != files[each]]
     assert not other, other
 """

@@ -18,7 +18,7 @@ from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.targets.c import c_files
 from dhgen.targets.module import SolverModule
-from dhgen.verify.native import compile_solver
+from tests.compiling import library
 from tests.oracle.sets import all_solutions
 
 if TYPE_CHECKING:
@@ -83,10 +83,7 @@ def compiled(module: SolverModule, folder: Path) -> CompiledSolver:
     """Its C, written there and compiled."""
     for name, text in c_files(module).items():
         (folder / name).write_text(text, encoding="utf-8")
-    shape = module.chain.dof, module.solver.rows, module.chain.given
-    solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)
-    assert solver is not None
-    return solver
+    return library(module, folder)
 
 
 def poses(chain: Chain, count: int, seed: int) -> list[np.ndarray]:

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
 from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import FEW_STARTS, numerical_kernel
 from dhgen.numerical.reference import Arm
@@ -18,6 +17,7 @@ from dhgen.robot.load import load
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import in_a_family, singular_sets
 from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.compiling import library, written
 from tests.general.files import compiled, without_derivation
 from tests.robots.cases import ROBOTS, robot
 
@@ -44,13 +44,9 @@ joints:
 def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Compilation, CompiledSolver]:
     folder: Path = tmp_path_factory.mktemp("singular")
     (folder / "arm.yaml").write_text(XARM6, encoding="utf-8")
-    compilation = compile_robot(folder / "arm.yaml")
+    compilation = written(folder / "arm.yaml", folder)
     assert compilation.module.method == "general 6R"
-    for name, text in compilation.files.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    solver = compile_solver(folder / "arm.c", folder, "arm", 6, 16, 0)
-    assert solver is not None
-    return compilation, solver
+    return compilation, library(compilation.module, folder)
 
 
 def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.compiler import compile_robot
+from tests.compiling import compile_file
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -61,7 +61,7 @@ def write(folder: Path, length: float) -> None:
     """The arm's module, and a function that calls it."""
     path = folder / "chain.yaml"
     path.write_text(ARM.format(length=length), encoding="utf-8")
-    made = compile_robot(path).files["chain.py"]
+    made = compile_file(path).files["chain.py"]
     (folder / "chain.py").write_text(made, encoding="utf-8")
 
 

@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.compiler import Compilation, compile_robot, verified
-from dhgen.verify.native import CompiledSolver, compile_solver
+from dhgen.compiler import Compilation, verified
+from tests.compiling import library, written
 from tests.targets.made import without_numba
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from dhgen.verify.native import CompiledSolver
 
 HEAD = "name: {name}\nconvention: standard\nnumerical: true\n"
 SKEW = (
@@ -55,20 +57,12 @@ def made(name: str, folder: Path) -> Compilation:
     path = folder / f"{name}.yaml"
     joints = "\n".join(f"  - {row}" for row in rows)
     path.write_text(f"{HEAD.format(name=name)}joints:\n{joints}\n{rest}\n", encoding="utf-8")
-    compilation = compile_robot(path)
-    for file, text in compilation.files.items():
-        (folder / file).write_text(text, encoding="utf-8")
-    return compilation
+    return written(path, folder)
 
 
 @cache
 def in_c(name: str, folder: Path) -> CompiledSolver:
-    module = made(name, folder).module
-    source, free = folder / f"{name}.c", len(module.chain.free)
-    args = (name, module.chain.dof, module.solver.rows, free)
-    solver = compile_solver(source, folder, *args)
-    assert solver is not None
-    return solver
+    return library(made(name, folder).module, folder)
 
 
 def in_python(name: str, folder: Path) -> Any:

@@ -11,19 +11,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.compiler import Compilation, compile_robot
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.survey.oracle.arm import arm_size
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.oracle.problem import task_entries
-from dhgen.verify.native import PORTABLE, Build, CompiledSolver, compile_solver
+from dhgen.verify.native import PORTABLE, Build, CompiledSolver
+from tests.compiling import library, written
 from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from dhgen.compiler import Compilation
     from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import FloatArray
 
@@ -60,27 +61,13 @@ def robot(name: str) -> Robot:
 @cache
 def made(name: str) -> Compilation:
     """A robot's files, written to the folder."""
-    compilation = compile_robot(robot_path(name))
-    for file, text in compilation.files.items():
-        (folder() / file).write_text(text, encoding="utf-8")
-    return compilation
+    return written(robot_path(name), folder())
 
 
 @cache
 def in_c(name: str, build: Build = PORTABLE) -> CompiledSolver:
     """Its C, compiled."""
-    module = made(name).module
-    solver = compile_solver(
-        folder() / f"{name}.c",
-        folder(),
-        name,
-        module.chain.dof,
-        module.solver.rows,
-        module.chain.given,
-        build,
-    )
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(made(name).module, folder(), build)
 
 
 @cache
@@ -88,10 +75,7 @@ def single_in_c(name: str) -> CompiledSolver:
     """Its C in single precision, compiled."""
     module = made(name).single
     assert module is not None
-    source, rows = folder() / f"{module.name}.c", module.solver.rows
-    solver = compile_solver(source, folder(), module.name, module.chain.dof, rows, 0)
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(module, folder())
 
 
 @cache

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
 from dhgen.robot.robot import JointKind
-from dhgen.verify.native import CompiledSolver, compile_solver
+from tests.compiling import library, written
 from tests.targets.calling import (
     FREE_JOINT,
     HELD,
@@ -30,6 +29,7 @@ from tests.targets.made import ROBOTS, folder, in_c, poses_of, robot
 
 if TYPE_CHECKING:
     from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.verify.native import CompiledSolver
 
 SLACK = 1.001e-9
 WRIST = (3, 4, 5)  # the joints, from 0, of arms with a wrist
@@ -70,13 +70,7 @@ def in_millimetres() -> CompiledSolver:
     assert IN_MILLIMETRES in told
     assert path.stem in told
     path.write_text(told.replace("length: m", "length: mm"), encoding="utf-8")
-    compilation = compile_robot(path)
-    for file, content in compilation.files.items():
-        (folder() / file).write_text(content, encoding="utf-8")
-    rows = compilation.module.solver.rows
-    solver = compile_solver(folder() / f"{path.stem}.c", folder(), path.stem, 6, rows, 0)
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(written(path, folder()).module, folder())
 
 
 def test_the_unit_of_slides_does_not_count() -> None:

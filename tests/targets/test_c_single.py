@@ -12,15 +12,16 @@ import numpy as np
 import pytest
 
 from dhgen.check import compare
-from dhgen.compiler import compile_robot, verified
+from dhgen.compiler import verified
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.tolerances import SINGLE
 from dhgen.robot_files import load_all
 from dhgen.status import Status
 from dhgen.targets.c_single import in_single_precision
-from dhgen.verify.native import c_compiler, compile_solver
+from dhgen.verify.native import c_compiler
 from dhgen.verify.single import RESIDUAL, verify_single
+from tests.compiling import compile_file, library, written
 from tests.targets.made import ROBOTS, made, robot_path
 
 if TYPE_CHECKING:
@@ -135,12 +136,9 @@ def test_the_edge_of_a_hollow_wrist_is_reached(tmp_path: Path) -> None:
     """Where the wrist tilts the tool as far as it can, rounding puts poses out of its reach."""
     path = tmp_path / "hollow_wrist.yaml"
     path.write_text(HOLLOW_WRIST, encoding="utf-8")
-    compilation = compile_robot(path)
-    for file, text in compilation.files.items():
-        (tmp_path / file).write_text(text, encoding="utf-8")
-    name = f"hollow_wrist{SINGLE.suffix}"
-    solver = compile_solver(tmp_path / f"{name}.c", tmp_path, name, 6, 8, 0)
-    assert solver is not None
+    compilation = written(path, tmp_path)
+    assert compilation.single is not None
+    name, solver = compilation.single.name, library(compilation.single, tmp_path)
     q = np.random.default_rng(1).uniform(-1.4, 1.4, (20000, 6))
     q[:, 4] = np.pi
     arm = numeric_arm(compilation.module.chain)
@@ -160,14 +158,14 @@ def test_roots_of_polynomials_are_refused(name: str, tmp_path: Path) -> None:
     path = tmp_path / f"{name}.yaml"
     path.write_text(source.read_text(encoding="utf-8") + "float32: true\n", encoding="utf-8")
     with pytest.raises(PrecisionError, match="closed form"):
-        compile_robot(path)
+        compile_file(path)
 
 
 def test_without_asking_there_is_none(tmp_path: Path) -> None:
     path = tmp_path / f"{SCARA}.yaml"
     text = (ROBOTS / path.name).read_text(encoding="utf-8")
     path.write_text(re.sub(r"float32:.*\n", "", text), encoding="utf-8")
-    compilation = compile_robot(path)
+    compilation = compile_file(path)
     assert compilation.single is None
     assert [name for name in compilation.files if SINGLE.suffix in name] == []
 

@@ -17,10 +17,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
-from dhgen.verify.native import PORTABLE, compile_solver
+from tests.compiling import library, written
 from tests.targets.calling import HELD, gap
 from tests.targets.made import folder, without_numba
 
@@ -88,18 +87,12 @@ def compiled(name: str) -> Compilation:
         f"name: {name}\ntitle: made up\nsource: made up\nconvention: standard\n"
         f"joints:\n{joints}task: {TASK[name]}\n"
     )
-    compilation = compile_robot(path)
-    for file, text in compilation.files.items():
-        (folder() / file).write_text(text, encoding="utf-8")
-    return compilation
+    return written(path, folder())
 
 
 @cache
 def in_c(name: str) -> CompiledSolver:
-    dof, rows = len(JOINTS[name]), compiled(name).module.solver.rows
-    solver = compile_solver(folder() / f"{name}.c", folder(), name, dof, rows, 0, PORTABLE)
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(compiled(name).module, folder())
 
 
 def beside(name: str, distance: float, count: int) -> FloatArray:

@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
 from dhgen.survey.oracle.forward import forward
-from dhgen.verify.native import PORTABLE, compile_solver
+from tests.compiling import library, written
 from tests.targets.calling import FREE_JOINT, HELD
 from tests.targets.made import folder, without_numba
 
@@ -64,21 +63,12 @@ def compiled(name: str) -> Compilation:
         f"name: {name}\ntitle: made up\nsource: made up\nconvention: standard\n"
         f"joints:\n{joints}tool: {{xyz: [0, 0, 0.1]}}\ntask: pose\n"
     )
-    compilation = compile_robot(path)
-    for file, text in compilation.files.items():
-        (folder() / file).write_text(text, encoding="utf-8")
-    return compilation
+    return written(path, folder())
 
 
 @cache
 def in_c(name: str) -> CompiledSolver:
-    module = compiled(name).module
-    path = folder() / f"{name}.c"
-    solver = compile_solver(
-        path, folder(), name, module.chain.dof, module.solver.rows, module.chain.given, PORTABLE
-    )
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(compiled(name).module, folder())
 
 
 def asked(name: str, count: int = COUNT) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.compiler import compile_robot, verified
+from dhgen.compiler import verified
 from dhgen.program.regular.flatten import flatten
 from dhgen.targets.c_regular import best_lanes
 from dhgen.targets.module import regular_solver
 from dhgen.verify.native import C_FLAGS, c_compiler
+from tests.compiling import compile_file
+from tests.compiling import written as written_file
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -85,10 +87,7 @@ def robot_file(arm: str, names: tuple[str, ...], folder: Path) -> Path:
 
 
 def written(arm: str, names: tuple[str, ...], folder: Path) -> Compilation:
-    made = compile_robot(robot_file(arm, names, folder))
-    for file, text in made.files.items():
-        (folder / file).write_text(text, encoding="utf-8")
-    return made
+    return written_file(robot_file(arm, names, folder), folder)
 
 
 def stored(tree: ast.AST) -> set[str]:
@@ -145,13 +144,13 @@ def check_names(folder: Path) -> None:
 @pytest.mark.parametrize("names", [("low2", "high1"), ("doubt_limit_squared2", "free_limit")])
 def test_a_name_does_not_say_what_a_constant_is(names: tuple[str, ...], tmp_path: Path) -> None:
     """Neither the end of a limit nor a tolerance, though the files have those under such names."""
-    verified(compile_robot(robot_file(PLANAR, names, tmp_path)))
+    verified(compile_file(robot_file(PLANAR, names, tmp_path)))
 
 
 def test_the_derivation_calls_parameters_as_the_file_does(tmp_path: Path) -> None:
     """Also those that the ring has another generator for, or that look like numbers it names."""
     names = ("wx", "r1", "u1x", "p3y")
-    text = compile_robot(robot_file(WRIST, names, tmp_path)).files["arm.md"]
+    text = compile_file(robot_file(WRIST, names, tmp_path)).files["arm.md"]
     listed = [rf"$\mathit{{{name}}} = 0.{place + 31}$ m" for place, name in enumerate(names)]
     assert f"Parameters: {', '.join(listed[:-1])} and {listed[-1]}." in text
     assert all(rf"\mathit{{{name}}} " in text for name in names)

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
-from dhgen.verify.native import compile_solver
+from tests.compiling import library, written
 from tests.targets.calling import (
     FREE_JOINT,
     HELD,
@@ -141,11 +140,8 @@ def test_where_many_roots_meet_a_joint_stands_on_its_limit(tmp_path: Path) -> No
     """Joint values beside the solution miss the pose by next to nothing, some beyond the limit."""
     path = tmp_path / "welding.yaml"
     path.write_text(WELDING, encoding="utf-8")
-    compilation = compile_robot(path)
-    for name, text in compilation.files.items():
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    solver = compile_solver(tmp_path / "welding.c", tmp_path, "welding", 5, 16, 0)
-    assert solver is not None
+    compilation = written(path, tmp_path)
+    solver = library(compilation.module, tmp_path)
     python = without_numba(compilation.files["welding.py"], "welding")
     T, source = solver.fk(FOLDED), np.random.default_rng(0)
     low, high = np.array([joint.limits for joint in compilation.module.chain.joints]).T

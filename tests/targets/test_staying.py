@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
-from dhgen.verify.native import NATIVE, PORTABLE, compile_solver
+from dhgen.verify.native import NATIVE, PORTABLE
+from tests.compiling import library, written
 from tests.targets.calling import HELD, LANGUAGES, Solver, gap
 from tests.targets.made import ROBOTS, folder, without_numba
 from tests.targets.made import poses_of as made_poses
@@ -46,19 +46,12 @@ def compiled(name: str) -> Compilation:
     told = text.replace("alpha: pi/2", "alpha: 1.5708").replace("alpha: -pi/2", "alpha: -1.5708")
     assert told != text
     path.write_text(told.replace(f"name: {name}", f"name: {path.stem}"))
-    compilation = compile_robot(path)
-    for file, content in compilation.files.items():
-        (folder() / file).write_text(content, encoding="utf-8")
-    return compilation
+    return written(path, folder())
 
 
 @cache
 def in_c(name: str, build: Build) -> CompiledSolver:
-    module = compiled(name).module
-    source = folder() / f"{module.name}.c"
-    solver = compile_solver(source, folder(), module.name, 6, module.solver.rows, 0, build)
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(compiled(name).module, folder(), build)
 
 
 @cache

@@ -12,10 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
-from dhgen.verify.native import PORTABLE, compile_solver
+from tests.compiling import library, written
 from tests.targets.calling import FREE_JOINT, HELD
 from tests.targets.made import folder
 
@@ -44,19 +43,14 @@ def compiled() -> Compilation:
     path.write_text(
         f"name: {NAME}\ntitle: made up\nsource: made up\nconvention: modified\njoints:\n{joints}"
     )
-    compilation = compile_robot(path)
+    compilation = written(path, folder())
     assert compilation.module.method == "quartic"
-    for file, text in compilation.files.items():
-        (folder() / file).write_text(text, encoding="utf-8")
     return compilation
 
 
 @cache
 def in_c() -> CompiledSolver:
-    rows = compiled().module.solver.rows
-    solver = compile_solver(folder() / f"{NAME}.c", folder(), NAME, 6, rows, 0, PORTABLE)
-    assert solver is not None, "the tests need a C compiler"
-    return solver
+    return library(compiled().module, folder())
 
 
 def beside(distance: float) -> FloatArray:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 import numba
 import pytest
 
-from dhgen.compiler import Compilation, compile_robot, verified
+from dhgen.compiler import Compilation, verified
 from dhgen.errors import CompilerError, VerificationError
 from dhgen.verify.verify import verify
+from tests.compiling import compile_file
 from tests.targets.made import ROBOTS
 
 if TYPE_CHECKING:
@@ -24,12 +25,12 @@ NAME = "arm_3r"
 
 @pytest.fixture(scope="module")
 def compilation() -> Compilation:
-    return compile_robot(ROBOTS / f"{NAME}.yaml")
+    return compile_file(ROBOTS / f"{NAME}.yaml")
 
 
 @pytest.fixture(scope="module")
 def scara() -> Compilation:
-    return compile_robot(ROBOTS / "scara.yaml")
+    return compile_file(ROBOTS / "scara.yaml")
 
 
 @contextmanager

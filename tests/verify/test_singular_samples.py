@@ -9,13 +9,14 @@ import numba
 import numpy as np
 import pytest
 
-from dhgen.compiler import compile_robot, verified
+from dhgen.compiler import verified
 from dhgen.errors import VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.survey.oracle.arm import arm, arm_size
 from dhgen.survey.singular import task_jacobian
 from dhgen.verify.samples import NEAR, samples
 from dhgen.verify.verify import verify
+from tests.compiling import compile_file
 from tests.robots.cases import ROBOTS, robot
 from tests.targets.made import robot_path
 
@@ -70,7 +71,7 @@ def interpreted(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("interpreted")
 def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None:
     """It is stretched at no right angle: nothing but the singular samples comes there."""
-    compilation = compile_robot(ROBOTS / "puma_arm.yaml")
+    compilation = compile_file(ROBOTS / "puma_arm.yaml")
     shorter = set()
     for file, text in compilation.files.items():
         short = re.sub(r"(longest3_reach = 0\.74662891)25\d+", r"\g<1>24", text)
@@ -85,7 +86,7 @@ def test_a_stretched_arm_that_is_said_to_be_out_of_reach(tmp_path: Path) -> None
 @pytest.mark.parametrize("name", ["folding_7r", "folding_7r_arm_angle"])
 def test_a_hand_that_folds_back_into_the_shoulder(name: str) -> None:
     """Beside the fold next to nothing is left of the distance from which the elbow is known."""
-    report = verified(compile_robot(robot_path(name)))
+    report = verified(compile_file(robot_path(name)))
     assert report.poses > 5 * COUNT
     assert report.residual < 1e-11
 
@@ -96,5 +97,5 @@ def test_limits_at_singular_places_refuse_no_arm(
 ) -> None:
     """Joints that stand on their limits there, and joint values that are beyond to begin with."""
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
-    report = verified(compile_robot(robot_path(name)))  # with as many poses as there always are
+    report = verified(compile_file(robot_path(name)))  # with as many poses as there always are
     assert report.residual < 1e-11
