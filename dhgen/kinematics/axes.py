@@ -15,6 +15,7 @@ from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.robot.robot import JointKind
+from dhgen.robot.surds import Surd, square_root, surd
 
 if TYPE_CHECKING:
     from sympy.polys.rings import PolyRing
@@ -71,7 +72,7 @@ def _read(
 
     axes = [
         (
-            [table.scalar(c, f"u{i}{x}", f"{x} of axis {i}") for x, c in _xyz(joint.direction)],
+            [table.scalar(c, f"u{i}{x}", f"{x} of axis {i}") for x, c in _xyz(_unit(joint))],
             [coordinate(i, x, c) for x, c in _xyz(joint.point)],
         )
         for i, joint in enumerate(reference.axes, start=1)
@@ -79,6 +80,18 @@ def _read(
     home = read_frame(reference.home, table, "h", "home pose")
     base = read_frame(robot.base, table, "z", "base frame")
     return axes, home, base, read_frame(robot.tool, table, "e", "tool frame")
+
+
+def _unit(joint: AxisJoint) -> tuple[Expression, Expression, Expression]:
+    """The direction at length one where that takes roots of 2 and 3 only; elsewhere as it is."""
+    parts = [surd(cell) for cell in joint.direction]
+    x, y, z = (part or Surd.of(0) for part in parts)
+    square, *irrational = (x * x + y * y + z * z).coefficients
+    length = None if None in parts or any(irrational) else square_root(square)
+    scale = length and length.inverse()
+    if scale is None or scale == Surd.of(1):
+        return joint.direction
+    return (x * scale).expression(), (y * scale).expression(), (z * scale).expression()
 
 
 def _xyz(cells: tuple[Expression, Expression, Expression]) -> list[tuple[str, Expression]]:

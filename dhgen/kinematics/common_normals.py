@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.expression import ZERO, Binary, Negate, Number, Pi, evaluate
+from dhgen.robot.expression import ZERO, Binary, Call, Negate, Number, Pi, evaluate
 from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind
 
 if TYPE_CHECKING:
@@ -142,6 +142,15 @@ def _length(value: float, size: float) -> Expression:
     return ZERO if abs(value) < SNAP * size else _number(value)
 
 
+def _cosine(value: float) -> Expression:
+    """An entry of a rotation, exact where it is the cosine of an exact angle."""
+    if abs(value - round(value)) < SNAP:
+        return _number(float(round(value)))
+    angle = math.acos(value)
+    exact = _angle(angle)
+    return Call("cos", exact) if exact != _number(angle) else _number(value)
+
+
 def _number(value: float) -> Expression:
     exact = Number(Fraction(repr(abs(value))))
     return Negate(exact) if value < 0.0 else exact
@@ -155,9 +164,6 @@ def _matrix(frame: Frame, values: Mapping[str, float]) -> Vector:
 
 
 def _frame(matrix: Vector, size: float) -> Frame:
-    rotation = tuple(
-        _number(float(round(entry))) if abs(entry - round(entry)) < SNAP else _number(float(entry))
-        for entry in matrix[:3, :3].flat
-    )
+    rotation = tuple(_cosine(float(entry)) for entry in matrix[:3, :3].flat)
     x, y, z = (_length(float(entry), size) for entry in matrix[:3, 3])
     return Frame((x, y, z), rotation)

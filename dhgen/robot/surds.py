@@ -81,7 +81,7 @@ def surd(expression: Expression) -> Surd | None:
             inner = surd(operand)
             return None if inner is None else -inner
         case Call("sqrt", Number(value)) if value >= 0:
-            return _square_root(value)
+            return square_root(value)
         case Binary("+" | "-" | "*" | "/" as operator, left, right):
             a, b = surd(left), surd(right)
             return None if a is None or b is None else _combine(operator, a, b)
@@ -98,7 +98,8 @@ def _combine(operator: str, a: Surd, b: Surd) -> Surd | None:
     return None if factor is None else a * factor
 
 
-def _square_root(value: Fraction) -> Surd | None:
+def square_root(value: Fraction) -> Surd | None:
+    """The root of a rational number that is not negative, or None where it is no such number."""
     # sqrt(n/d) = sqrt(n d)/d
     product = value.numerator * value.denominator
     for root in _ROOTS:

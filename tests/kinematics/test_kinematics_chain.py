@@ -71,8 +71,11 @@ def test_tables_of_either_convention(
     np.testing.assert_allclose(numeric_arm(algebra.chain).pose(q), expected, atol=1e-12)
 
 
-# with a zero component and of length one: kept as they are
-EXACT = ["1, 0, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1", "cos(pi/6), sin(pi/6), 0", "0, 3/5, 4/5"]
+# with a zero component and of a length that takes roots of 2 and 3 only: kept as they are
+EXACT = [
+    *("1, 0, 0", "0, -1, 0", "0, 0, 1", "0, 0, -1", "cos(pi/6), sin(pi/6), 0", "0, 3/5, 4/5"),
+    *("0, 1, 1", "-1, 0, sqrt(3)", "0, -2, 0", "3, 4, 0", "0, 2.5, -2.5"),
+]
 
 
 def entry(kind: str, direction: str, point: str) -> str:
@@ -109,6 +112,17 @@ def test_axes_in_any_direction(given_axes: list[str], home: str, tool: str, seed
     chain = build_chain(arm)
     q, tolerance = random_joints(arm, 2, seed=seed), 1e-9 * max(1.0, chain.size)
     np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(arm, q), atol=tolerance)
+
+
+def test_frames_of_skew_axes_keep_their_roots() -> None:
+    """What floating point makes of a root of 2 is that root again."""
+    arm = axes(
+        "type: revolute, direction: [1, 1, 1], point: [0, 0, 1]",
+        "type: revolute, direction: [1, 0, 0], point: [0, 0.5, 1]",
+        home="{xyz: [0, 1, 1]}",
+    )
+    entries = {str(abs(entry.LC)) for row in build_chain(arm).tool.rotation for entry in row}
+    assert entries == {"0", "1/2", "1"}  # of sqrt(2), and of 1
 
 
 @pytest.mark.parametrize("name", NAMES)
