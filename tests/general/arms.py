@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dhgen.general.links import Link
+from dhgen.general.reference import solve
 from dhgen.general.setup import setup
 from dhgen.targets.general.emit import c_source, python_source
 
@@ -27,6 +28,8 @@ Answer = tuple[np.ndarray, np.ndarray, bool]  # q (k, 6), residual (k,), certain
 
 QUARTER = {-1: (0.0, -1.0), 0: (1.0, 0.0), 1: (0.0, 1.0), 2: (-1.0, 0.0)}
 # -O1: compiling takes the time of these tests; test_silent_c and the generated arms have more.
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+SLOW_POSES = 3  # in plain Python
 FLAGS = ("-std=c99", "-O1", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 
 # Angles that are integers count quarter turns.
@@ -136,6 +139,25 @@ def in_c(known: GeneralKernel, name: str, *flags: str) -> Callable[[np.ndarray],
     subprocess.run(command, check=True, cwd=folder)
     run = ctypes.CDLL(str(library)).run
     return lambda T: _answer(lambda *a: run(*(x.ctypes.data_as(ctypes.c_void_p) for x in a)), T)
+
+
+def doubtful_in_all_languages(known: GeneralKernel, poses: Sequence[np.ndarray]) -> int:
+    """Of how many poses it is not certain that these are all solutions; C has the same as Python.
+
+    In lanes and one by one; in Python, and by what that is held to, for the first poses.
+    """
+    in_lanes, one_by_one = in_c(known, "arm", *STRICT), in_c(known, "arm", "-DARM_LANES=1")
+    in_words = in_python(known, "arm")
+    doubtful = 0
+    for number, T in enumerate(poses):
+        q, residual, certain = in_lanes(T)
+        assert (residual < 1e-10).all()
+        doubtful += not certain
+        np.testing.assert_allclose(one_by_one(T)[0], q, atol=1e-8)
+        if number < SLOW_POSES:
+            np.testing.assert_allclose(in_words(T)[0], q, atol=1e-8)
+            np.testing.assert_allclose(solve(T, known).q, q, atol=1e-8)
+    return doubtful
 
 
 @cache

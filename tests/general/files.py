@@ -79,6 +79,14 @@ def without_derivation(arm: Robot) -> SolverModule:
     )
 
 
+def kernel_by(chain: Chain, method: str) -> GeneralKernel:
+    """The general kernel of an arm, which is solved by this method."""
+    kernel = general_kernel(chain)
+    assert kernel is not None
+    assert kernel.method == method
+    return kernel
+
+
 def compiled(module: SolverModule, folder: Path) -> CompiledSolver:
     """Its C, written there and compiled."""
     for name, text in c_files(module).items():

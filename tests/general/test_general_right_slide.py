@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.general.arm import general_kernel
 from dhgen.general.formulation import OTHERS
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
-from tests.general.arms import in_c, in_python
-from tests.general.files import assert_all_solutions, poses, written
+from tests.general.arms import doubtful_in_all_languages
+from tests.general.files import assert_all_solutions, kernel_by, poses, written
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -22,7 +21,6 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
 
 POSES = 3
-STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 
 # Axes side by side are parallel, or meet, at several places. One determinant of the last one
 # with the slide as a partner does not vanish, but has other roots than its solutions.
@@ -71,9 +69,7 @@ ARMS = (
 
 
 def known(chain: Chain) -> GeneralKernel:
-    kernel = general_kernel(chain)
-    assert kernel is not None
-    assert kernel.method == "general 5R1P"
+    kernel = kernel_by(chain, "general 5R1P")
     assert kernel.slides_on_the_right
     return kernel
 
@@ -89,18 +85,7 @@ def test_all_solutions(tmp_path: Path, rows: tuple[str, ...]) -> None:
 def test_c_and_python_agree(tmp_path: Path, rows: tuple[str, ...]) -> None:
     chain = build_chain(written(tmp_path, rows))
     kernel = known(chain)
-    in_lanes, one_by_one = in_c(kernel, "arm", *STRICT), in_c(kernel, "arm", "-DARM_LANES=1")
-    in_words = in_python(kernel, "arm")
-    doubtful = 0
-    for number, T in enumerate(poses(chain, 200, seed=5)):
-        q, residual, certain = in_lanes(T)
-        assert (residual < 1e-10).all()
-        doubtful += not certain
-        np.testing.assert_allclose(one_by_one(T)[0], q, atol=1e-8)
-        if number < POSES:
-            np.testing.assert_allclose(in_words(T)[0], q, atol=1e-8)
-            np.testing.assert_allclose(solve(T, kernel).q, q, atol=1e-8)
-    assert doubtful <= 2
+    assert doubtful_in_all_languages(kernel, poses(chain, 200, seed=5)) <= 2
 
 
 def test_either_formulation_serves(tmp_path: Path) -> None:

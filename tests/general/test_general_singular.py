@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from dhgen.compiler import Compilation
+    from dhgen.targets.module import SolverModule
 
 # xArm6: axes 4 and 5 meet, and axes 1 and 2; at a straight wrist joints turn against each other.
 XARM6 = """
@@ -47,6 +48,13 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Compilation, Compile
     compilation = written(folder / "arm.yaml", folder)
     assert compilation.module.method == "general 6R"
     return compilation, library(compilation.module, folder)
+
+
+def module_of(text: str, folder: Path) -> SolverModule:
+    """The programs of an arm that is written as this."""
+    path = folder / "arm.yaml"
+    path.write_text(text, encoding="utf-8")
+    return without_derivation(load(path))
 
 
 def gaps(rows: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -97,8 +105,7 @@ def on_the_first_axis(solver: CompiledSolver) -> np.ndarray:
 def test_of_a_continuum_a_solution_inside_the_limits_is_taken(tmp_path: Path, first: float) -> None:
     """Joints 1 and 6 turn against each other; near to the seed joint 6 is beyond its limit."""
     limited = XARM6.replace("d: 0.097}", "d: 0.097, limits: [-0.5, 0.5]}")
-    (tmp_path / "arm.yaml").write_text(limited, encoding="utf-8")
-    module = without_derivation(load(tmp_path / "arm.yaml"))
+    module = module_of(limited, tmp_path)
     solver = compiled(module, tmp_path)
     q = on_the_first_axis(solver)
     T, seed = solver.fk(q), np.array([first, *q[1:]])
@@ -262,8 +269,7 @@ def test_where_roots_meet_or_polynomials_vanish_there_are_rows(
     tmp_path: Path, text: str, q: tuple[float, ...]
 ) -> None:
     """Rounding moves roots that meet by thousandths; in C, and in what C is held to."""
-    (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
-    module = without_derivation(load(tmp_path / "arm.yaml"))
+    module = module_of(text, tmp_path)
     solver = compiled(module, tmp_path)
     T = solver.fk(np.array(q))
     rows, _ = solver.ik(T, np.array(q))
@@ -287,8 +293,7 @@ def test_where_many_roots_meet_there_is_one_row(
     tmp_path: Path, text: str, q: tuple[float, ...]
 ) -> None:
     """Joint values up to 0.02 rad beside the solution miss the pose by less than 1e-10."""
-    (tmp_path / "arm.yaml").write_text(text, encoding="utf-8")
-    module = without_derivation(load(tmp_path / "arm.yaml"))
+    module = module_of(text, tmp_path)
     solver = compiled(module, tmp_path)
     T = solver.fk(np.array(q))
     for seed in (np.zeros(6), np.array(q)):
@@ -302,8 +307,7 @@ def test_where_many_roots_meet_there_is_one_row(
 
 def test_an_exact_solution_is_not_left_for_one_of_a_rounded_pose(tmp_path: Path) -> None:
     """The seed leads beside it, and what lies between both would solve a rounded pose, too."""
-    (tmp_path / "arm.yaml").write_text(RAIL, encoding="utf-8")
-    module = without_derivation(load(tmp_path / "arm.yaml"))
+    module = module_of(RAIL, tmp_path)
     solver = compiled(module, tmp_path)
     T = solver.fk(np.array([0.0, np.pi, np.pi, -np.pi, -np.pi]))
     rows, status = solver.ik(T, np.zeros(5))

@@ -22,6 +22,8 @@ from tests.compiling import library, written
 from tests.structures import STRUCTURES
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from dhgen.compiler import Compilation
@@ -62,6 +64,18 @@ def robot(name: str) -> Robot:
 def made(name: str) -> Compilation:
     """A robot's files, written to the folder."""
     return written(robot_path(name), folder())
+
+
+def made_up(name: str, rows: Sequence[str], rest: str, convention: str = "standard") -> Compilation:
+    """The same of an arm that is in no file, with these rows and what else a file may say."""
+    joints = "".join(f"  - {{{row}}}\n" for row in rows)
+    path = folder() / f"{name}.yaml"
+    path.write_text(
+        f"name: {name}\ntitle: made up\nsource: made up\nconvention: {convention}\n"
+        f"joints:\n{joints}{rest}",
+        encoding="utf-8",
+    )
+    return written(path, folder())
 
 
 @cache

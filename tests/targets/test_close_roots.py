@@ -19,9 +19,9 @@ import pytest
 
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
-from tests.compiling import library, written
+from tests.compiling import library
 from tests.targets.calling import HELD, gap
-from tests.targets.made import folder, without_numba
+from tests.targets.made import folder, made_up, without_numba
 
 if TYPE_CHECKING:
     from dhgen.compiler import Compilation
@@ -81,13 +81,7 @@ APART = 1e-3  # of two solutions, and of one from what rounding of the pose leav
 
 @cache
 def compiled(name: str) -> Compilation:
-    joints = "".join(f"  - {{{joint}}}\n" for joint in JOINTS[name])
-    path = folder() / f"{name}.yaml"
-    path.write_text(
-        f"name: {name}\ntitle: made up\nsource: made up\nconvention: standard\n"
-        f"joints:\n{joints}task: {TASK[name]}\n"
-    )
-    return written(path, folder())
+    return made_up(name, JOINTS[name], f"task: {TASK[name]}\n")
 
 
 @cache

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from dhgen.survey.oracle.forward import forward
-from tests.compiling import library, written
+from tests.compiling import library
 from tests.targets.calling import FREE_JOINT, HELD
-from tests.targets.made import folder, without_numba
+from tests.targets.made import folder, made_up, without_numba
 
 if TYPE_CHECKING:
     from dhgen.compiler import Compilation
@@ -57,13 +57,7 @@ APART = 1e-4  # between joint values of two solutions [rad]
 
 @cache
 def compiled(name: str) -> Compilation:
-    joints = "".join(f"  - {{{joint}}}\n" for joint in ARMS[name])
-    path = folder() / f"{name}.yaml"
-    path.write_text(
-        f"name: {name}\ntitle: made up\nsource: made up\nconvention: standard\n"
-        f"joints:\n{joints}tool: {{xyz: [0, 0, 0.1]}}\ntask: pose\n"
-    )
-    return written(path, folder())
+    return made_up(name, ARMS[name], "tool: {xyz: [0, 0, 0.1]}\ntask: pose\n")
 
 
 @cache

@@ -14,9 +14,9 @@ import pytest
 
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.forward import forward
-from tests.compiling import library, written
+from tests.compiling import library
 from tests.targets.calling import FREE_JOINT, HELD
-from tests.targets.made import folder
+from tests.targets.made import folder, made_up
 
 if TYPE_CHECKING:
     from dhgen.compiler import Compilation
@@ -38,12 +38,7 @@ EXACT = 1e-11
 
 @cache
 def compiled() -> Compilation:
-    joints = "".join(f"  - {{{joint}}}\n" for joint in JOINTS)
-    path = folder() / f"{NAME}.yaml"
-    path.write_text(
-        f"name: {NAME}\ntitle: made up\nsource: made up\nconvention: modified\njoints:\n{joints}"
-    )
-    compilation = written(path, folder())
+    compilation = made_up(NAME, JOINTS, "", convention="modified")
     assert compilation.module.method == "quartic"
     return compilation
 
