@@ -31,6 +31,7 @@ from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
+from dhgen.targets.reserved import RESERVED
 from dhgen.verify.single import verify_single
 from dhgen.verify.verify import verify
 
@@ -99,16 +100,16 @@ def _module(
     """The programs of a robot for some arithmetic, under the name that they bear there."""
     chain = derivation.problem.algebra.chain
     name = robot.name + precision.suffix
-    angle = arm_angle_program(derivation, precision.tolerances)
+    angle = arm_angle_program(derivation, precision.tolerances, RESERVED)
     return SolverModule(
         name=name,
         title=robot.title,
         source=source,
         chain=chain,
         method=derivation.method,
-        solver=replace(lower(derivation, precision.tolerances), name=name),
-        forward=replace(forward_program(chain), name=name),
-        jacobian=replace(jacobian_program(chain), name=name),
+        solver=replace(lower(derivation, precision.tolerances, RESERVED), name=name),
+        forward=replace(forward_program(chain, RESERVED), name=name),
+        jacobian=replace(jacobian_program(chain, RESERVED), name=name),
         length_unit=robot.length_unit,
         arm_angle=None if angle is None else replace(angle, name=name),
         precision=precision,

@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, ClassVar, Literal
 
+from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
@@ -28,7 +29,8 @@ if TYPE_CHECKING:
 
     from dhgen.general.kernel import GeneralKernel
     from dhgen.numerical.kernel import NumericalKernel
-    from dhgen.program.role import Role
+    from dhgen.program.reserved import Reserved
+from dhgen.program.role import Role
 
 Operator = Literal[
     "add",
@@ -285,8 +287,8 @@ class Program:
             Where roots nearly meet, rows of both of their sides are looked for with it. It holds
             arrays, which can't be hashed, and programs are: of those that are made from this one
             none depends on it.
-        reserved: Names of the arm's numbers, whether they occur here or not: nothing else is called
-            so, here or in a program that is made from this one.
+        reserved: Names that are kept for others, the arm's numbers among them, whether they occur
+            here or not: nothing else is called so, here or in a program that is made from this one.
     """
 
     name: str
@@ -297,7 +299,7 @@ class Program:
     free: tuple[tuple[int, str], ...]
     near: tuple[str, ...] = ()
     tightened: NumericalKernel | None = field(default=None, compare=False)
-    reserved: frozenset[str] = frozenset()
+    reserved: Reserved = NOTHING
 
     @property
     def rows(self) -> int:

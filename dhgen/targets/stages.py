@@ -70,7 +70,7 @@ class _Staging:
         self._lets: list[list[Let]] = [[]]
         self._calls: list[list[Call]] = [[]]
         self._taken = {s.name for s in program.body if isinstance(s, Let)}
-        self._taken |= {constant.name for constant in program.constants} | program.reserved
+        self._taken |= {constant.name for constant in program.constants} | program.reserved.own
 
     def run(self) -> Staged:
         for statement in self._program.body:

@@ -10,6 +10,7 @@ from dhgen.paul.derivation import derive
 from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from dhgen.targets.derivation.story import Story
+from dhgen.targets.reserved import RESERVED
 from tests.structures import STRUCTURES
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
@@ -41,4 +42,4 @@ def story(name: str) -> Story:
     """A robot with its derivation and program."""
     robot = load(OWN.get(name, ROBOTS) / f"{name}.yaml")
     derivation = derive(build_chain(robot), numerical=robot.numerical)
-    return Story(robot, derivation, lower(derivation))
+    return Story(robot, derivation, lower(derivation, reserved=RESERVED))

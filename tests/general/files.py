@@ -18,6 +18,7 @@ from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.targets.c import c_files
 from dhgen.targets.module import SolverModule
+from dhgen.targets.reserved import RESERVED
 from tests.compiling import library
 from tests.oracle.sets import all_solutions
 
@@ -71,8 +72,8 @@ def without_derivation(arm: Robot) -> SolverModule:
         chain=chain,
         method=kernel.method,
         solver=whole_program(chain, kernel),
-        forward=replace(forward_program(chain), name=chain.name),
-        jacobian=replace(jacobian_program(chain), name=chain.name),
+        forward=replace(forward_program(chain, RESERVED), name=chain.name),
+        jacobian=replace(jacobian_program(chain, RESERVED), name=chain.name),
         length_unit=arm.length_unit,
         arm_angle=None,
         precision=DOUBLE,

@@ -7,7 +7,7 @@ from dhgen.program.building.builder import Builder
 
 
 def test_a_value_waits_for_the_slowest_of_its_operands() -> None:
-    builder = Builder(set())
+    builder = Builder()
     square = builder.name(builder.square(builder.pose(1, 4)), "N1")
     root = builder.name(builder.apply("sqrt", square), "w1")
     quotient = builder.name(builder.div(builder.pose(1, 1), square), "c1")

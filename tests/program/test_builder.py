@@ -14,6 +14,7 @@ from dhgen.program.building.schedule import Option
 from dhgen.program.count import count_operations
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Apply, Choice, Failure, Integer, Let, Pose, Program, Variable
+from dhgen.program.reserved import Reserved
 from dhgen.program.walk import expressions
 
 if TYPE_CHECKING:
@@ -92,14 +93,14 @@ def value(program: Program) -> float:
 
 @given(FORMULAS)
 def test_simplified_is_equal(formula: Formula) -> None:
-    builder = Builder(set())
+    builder = Builder()
     program = builder.finish("t", {"q1": built(builder, formula)}, [])
     np.testing.assert_allclose(value(program), plain(formula), rtol=1e-12, atol=1e-12)
 
 
 @given(FORMULAS, FORMULAS)
 def test_two_results_share_and_stay_equal(first: Formula, second: Formula) -> None:
-    builder = Builder(set())
+    builder = Builder()
     difference = builder.sub(built(builder, first), built(builder, second))
     mirrored = builder.sub(built(builder, second), built(builder, first))
     program = builder.finish("t", {"q1": difference, "q2": mirrored}, [])
@@ -111,7 +112,7 @@ def test_two_results_share_and_stay_equal(first: Formula, second: Formula) -> No
 
 @given(FORMULAS)
 def test_nothing_is_left_to_simplify(formula: Formula) -> None:
-    builder = Builder(set())
+    builder = Builder()
     program = builder.finish("t", {"q1": built(builder, formula)}, [])
     for expression in expressions(program):
         if not isinstance(expression, Apply):
@@ -130,7 +131,7 @@ def test_nothing_is_left_to_simplify(formula: Formula) -> None:
 
 
 def test_a_value_is_computed_once() -> None:
-    builder = Builder(set())
+    builder = Builder()
     x, y = builder.pose(1, 1), builder.pose(1, 2)
     one, other = builder.mul(x, y), builder.mul(y, x)
     assert one == other
@@ -140,7 +141,7 @@ def test_a_value_is_computed_once() -> None:
 
 
 def test_what_only_a_deeper_loop_uses_is_computed_outside_of_it() -> None:
-    builder = Builder(set())
+    builder = Builder()
     sign = builder.sign(("left", "right"), 1)
     outside = builder.add(builder.pose(1, 1), builder.pose(1, 2))
     program = builder.finish("t", {"q1": builder.mul(sign, outside)}, [])
@@ -149,7 +150,7 @@ def test_what_only_a_deeper_loop_uses_is_computed_outside_of_it() -> None:
 
 
 def test_what_nothing_needs_is_left_out() -> None:
-    builder = Builder(set())
+    builder = Builder()
     builder.name(builder.add(builder.pose(1, 1), builder.pose(2, 2)), "unused")
     builder.constant("also_unused", 1.5, "a test")
     program = builder.finish("t", {"q1": builder.pose(3, 3)}, [])
@@ -157,14 +158,14 @@ def test_what_nothing_needs_is_left_out() -> None:
 
 
 def test_a_constant_that_is_a_result_itself_is_kept() -> None:
-    builder = Builder(set())
+    builder = Builder()
     program = builder.finish("t", {"q1": builder.constant("height", 0.3, "a test")}, [])
     assert [c.name for c in program.constants] == ["height"]
     assert value(program) == 0.3
 
 
 def test_formulas_of_constants_are_readable() -> None:
-    builder = Builder(set())
+    builder = Builder()
     a, b = (
         builder.constant(name, length, "a test", 1) for name, length in (("a", 2.0), ("b", 3.0))
     )
@@ -181,7 +182,7 @@ def test_formulas_of_constants_are_readable() -> None:
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_constant_divisor_becomes_a_factor(sign: int) -> None:
-    builder = Builder(set())
+    builder = Builder()
     length = builder.constant("a", 2.0, "a test", 1)
     divisor = length if sign > 0 else builder.neg(length)
     program = builder.finish("t", {"q1": builder.div(builder.pose(1, 4), divisor)}, [])
@@ -190,7 +191,7 @@ def test_a_constant_divisor_becomes_a_factor(sign: int) -> None:
 
 
 def test_guards_keep_only_choices_that_matter() -> None:
-    builder = Builder(set())
+    builder = Builder()
     margin = builder.sub(builder.pose(1, 4), builder.apply("cos", builder.seed(2)))
     flags = [
         (joint, builder.apply("at_most", builder.pose(joint, joint), builder.integer(0)))
@@ -206,7 +207,7 @@ def test_guards_keep_only_choices_that_matter() -> None:
 
 def test_what_a_joint_would_be_chosen_by_counts_as_needed() -> None:
     """The value of a joint that is nearly free, where nothing else names its constants."""
-    builder = Builder(set())
+    builder = Builder()
     flag = builder.apply("at_most", builder.pose(1, 1), builder.integer(0))
     near = builder.mul(builder.constant("a", 0.3, "a test"), builder.pose(2, 3))
     margin = builder.sub(builder.pose(1, 4), builder.seed(2))
@@ -219,7 +220,7 @@ def test_what_a_joint_would_be_chosen_by_counts_as_needed() -> None:
 
 def test_a_value_says_whether_it_has_a_name_of_its_own() -> None:
     """Its name does not: v1 may be taken by the arm, or be what somebody calls a value."""
-    builder = Builder({"v1"})
+    builder = Builder(Reserved(frozenset({"v1"})))
     numbered = builder.mul(builder.pose(1, 1), builder.pose(2, 2))
     called = builder.hint(builder.mul(builder.pose(1, 2), builder.pose(2, 1)), "v7")
     results = {"q1": builder.apply("atan2", numbered, called), "q2": builder.mul(numbered, called)}

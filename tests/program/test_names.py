@@ -9,9 +9,10 @@ import pytest
 
 from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Let
-from dhgen.program.reserved import RESERVED
+from dhgen.program.reserved import NOTHING
 from dhgen.program.role import Source
 from dhgen.robot.reserved import C_KEYWORDS, C_LIBRARY
+from dhgen.targets.reserved import RESERVED
 from tests.derivation.stories import NAMES, ROBOTS, story
 
 if TYPE_CHECKING:
@@ -28,12 +29,12 @@ def names(program: Program) -> list[str]:
 def test_names_are_unique_and_free(robot: str) -> None:
     given = names(story(robot).program)
     assert len(given) == len(set(given))
-    assert not RESERVED & set(given)
+    assert not RESERVED.values & set(given)
     assert all(re.fullmatch(r"[A-Za-z]\w*", name) for name in given)
 
 
 def test_the_same_wish_twice() -> None:
-    builder = Builder({"taken"})
+    builder = Builder(RESERVED.with_own({"taken"}))
     nodes = [
         builder.name(builder.apply("sqrt", builder.pose(1, column)), "taken") for column in (1, 2)
     ]
@@ -45,7 +46,7 @@ def test_the_same_wish_twice() -> None:
 
 @pytest.mark.parametrize("name", ["status", "row", "turn", "solve", "e1", "T11", "k1"])
 def test_a_constant_of_a_name_in_use(name: str) -> None:
-    builder = Builder({name, name + "_"})
+    builder = Builder(RESERVED.with_own({name, name + "_"}))
     nodes = [
         builder.constant(each, value, "a test", role=Source.ARM)
         for each, value in ((name, 1.5), (name + "_", 2.5), (name, 1.5))
@@ -58,7 +59,7 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
     assert sorted(c.value for c in program.constants) == [1.5, 2.5]
     given = names(program)
     assert len(given) == len(set(given))
-    assert not RESERVED & set(given)
+    assert not RESERVED.values & set(given)
 
 
 BEHIND_THE_CONSTANTS = (
@@ -74,7 +75,7 @@ def test_what_the_templates_use_is_reserved() -> None:
     code = re.sub(r'/\*.*?\*/|"[^"]*"|#include [^\n]*|#\s*\w+', "", code, flags=re.DOTALL)
     used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
     assert {"solve", "misfit_one", "seed"} <= used
-    assert not used - RESERVED
+    assert not used - RESERVED.values
 
 
 def test_what_stands_before_the_constants_is_reserved() -> None:
@@ -83,7 +84,7 @@ def test_what_stands_before_the_constants_is_reserved() -> None:
     functions = re.findall(r"^HELPER [\w ]*?\*?(\w+)\(", tools, re.MULTILINE)
     macros = re.findall(r"#define (\w+)", tools)
     assert {"store_4", "pick_four", "kind_of"} <= {*functions, *macros}
-    assert not {*functions, *macros} - RESERVED
+    assert not {*functions, *macros} - RESERVED.values
 
 
 def _templates(*names: str) -> str:
@@ -92,9 +93,18 @@ def _templates(*names: str) -> str:
 
 
 def test_a_tolerance_of_a_name_that_the_arm_has() -> None:
-    builder = Builder({"free_limit"})
+    builder = Builder(RESERVED.with_own({"free_limit"}))
     own = builder.constant("free_limit", 0.4, "link length", role=Source.ARM)
     limit = builder.constant("free_limit", 1e-12, "a tolerance")
     product = [builder.mul(node, builder.pose(1, 1)) for node in (own, limit)]
     program = builder.finish("t", {"q1": product[0], "q2": product[1]}, [])
     assert {c.name: c.value for c in program.constants} == {"free_limit": 0.4, "free_limit_": 1e-12}
+
+
+def test_which_names_are_kept_is_for_the_targets_to_say() -> None:
+    for reserved, value, constant in ((NOTHING, "row", "hasattr"), (RESERVED, "row_", "hasattr_")):
+        builder = Builder(reserved)
+        length = builder.constant("hasattr", 0.4, "a length")
+        node = builder.name(builder.mul(length, builder.pose(1, 1)), "row")
+        program = builder.finish("t", {"q1": builder.apply("sqrt", node)}, [])
+        assert names(program) == [value, "q1", constant]

@@ -22,7 +22,7 @@ class TwoLinks:
     """The elbow of an arm of links 0.4 and 0.3 that reaches for x, y: entries 1, 4 and 2, 4."""
 
     def __init__(self) -> None:
-        self.builder = b = Builder(set())
+        self.builder = b = Builder()
         self.x, self.y = b.pose(1, 4), b.pose(2, 4)
         first, second = b.constant("L1", 0.4, "a link"), b.constant("L2", 0.3, "a link")
         self.sign = b.sign(("down", "up"), 1)

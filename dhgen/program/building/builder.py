@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from dhgen.program.building.graph import Graph
 from dhgen.program.building.schedule import Mark, Names, scheduled
 from dhgen.program.ir import Integer, Joint, Variable
+from dhgen.program.reserved import NOTHING, Reserved
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from collections.abc import Set as AbstractSet
 
     from dhgen.program.building.graph import Node
     from dhgen.program.building.schedule import Option
@@ -22,11 +22,11 @@ class Builder(Graph):
     """A program in the making.
 
     Args:
-        reserved: Names that values must not get.
+        reserved: Names that are kept for others.
         folded: What the names of constants made from constants begin with.
     """
 
-    def __init__(self, reserved: AbstractSet[str], folded: str = "k") -> None:
+    def __init__(self, reserved: Reserved = NOTHING, folded: str = "k") -> None:
         super().__init__(reserved)
         self._folded = folded
         self._names: dict[Node, str] = {}

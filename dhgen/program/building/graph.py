@@ -11,12 +11,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.building.formulas import Formula, combined
 from dhgen.program.ir import Axis, Expression, Integer, Joint, NamedConstant, Pose, Variable
-from dhgen.program.reserved import RESERVED, is_kept_from_constants
+from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
-    from collections.abc import Set as AbstractSet
-
     from dhgen.program.ir import Operator
     from dhgen.program.role import Role
 
@@ -53,16 +51,16 @@ class Graph:
         constants: By name.
         folded: Constants made from constants, by their leaf; they have no name yet.
         axes: The branch signs so far.
-        reserved: Names that values must not get.
+        reserved: Names that are kept for others.
     """
 
-    def __init__(self, reserved: AbstractSet[str]) -> None:
+    def __init__(self, reserved: Reserved = NOTHING) -> None:
         self.entries: list[Entry] = []
         self.constants: dict[str, NamedConstant] = {}
         self.folded: dict[Expression, NamedConstant] = {}
         self.axes: list[Axis] = []
-        self.reserved = frozenset(reserved)
-        self._reserved = set(reserved)
+        self.reserved = reserved
+        self._own = set(reserved.own)
         self._used: set[str] = set()
         self._index: dict[object, Node] = {}
         self._formulas: dict[Node, Formula] = {}
@@ -161,7 +159,7 @@ class Graph:
     def unique(self, wanted: str) -> str:
         """A name like the wanted one that nothing else has; it is taken from now on."""
         name = wanted
-        while name in self._used or name in self._reserved or name in RESERVED:
+        while name in self._used or name in self._own or name in self.reserved.values:
             name += "_"
         self._used.add(name)
         return name
@@ -188,13 +186,13 @@ class Graph:
 
     def _constant_name(self, name: str, *, own: bool) -> str:
         """The same in every program of an arm: it depends on the arm's own names alone."""
-        key = name, own
+        key, kept = (name, own), self.reserved.is_kept_from_constants
         if key not in self._renamed:
             wanted = name
-            while is_kept_from_constants(wanted) or (wanted in self._reserved and not own):
+            while kept(wanted) or (wanted in self._own and not own):
                 wanted, own = wanted + "_", False
             self._renamed[key] = wanted
-            self._reserved.add(wanted)
+            self._own.add(wanted)
         return self._renamed[key]
 
     def _is_integer(self, node: Node) -> bool:

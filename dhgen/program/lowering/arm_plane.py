@@ -17,6 +17,7 @@ from dhgen.program.building.tolerance_constants import tolerance_constant
 from dhgen.program.lowering.forward import Walk
 from dhgen.program.lowering.roots import is_short
 from dhgen.program.lowering.vectors import chosen, cross, inner, length, minus, plus, scaled
+from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Tolerance
 from dhgen.program.tolerances import TOLERANCES
 
@@ -136,7 +137,7 @@ def _lowered(context: Lowering, vector: tuple[Polynomial, ...]) -> Vector:
 
 
 def arm_angle_program(
-    derivation: Derivation, tolerances: Tolerances = TOLERANCES
+    derivation: Derivation, tolerances: Tolerances = TOLERANCES, reserved: Reserved = NOTHING
 ) -> Program | None:
     """The arm angle of joint values, in (-pi, pi]; None for arms to which none is given.
 
@@ -146,7 +147,7 @@ def arm_angle_program(
     plane, chain = derivation.pool.plane, derivation.problem.algebra.chain
     if plane is None:
         return None
-    walk = Walk(chain, "n")
+    walk = Walk(chain, "n", reserved)
     builder = walk.builder
     walk.along_arm()
     shoulder = walk.frames[plane.shoulder_frame][3]

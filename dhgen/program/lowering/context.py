@@ -15,6 +15,7 @@ from dhgen.program.lowering.checks import Checks
 from dhgen.program.lowering.polynomials import PolynomialLowering
 from dhgen.program.lowering.scales import Scales
 from dhgen.program.lowering.target import Target
+from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
@@ -45,9 +46,16 @@ class Lowering:
         derivation: What to compute, and why.
         tolerances: Of the arithmetic that the program is for.
         checks: What is done about rows that do not reproduce their pose.
+        reserved: Names that are kept for others.
     """
 
-    def __init__(self, derivation: Derivation, tolerances: Tolerances, checks: Checks) -> None:
+    def __init__(
+        self,
+        derivation: Derivation,
+        tolerances: Tolerances,
+        checks: Checks,
+        reserved: Reserved = NOTHING,
+    ) -> None:
         self.checks = checks
         self._derivation = derivation
         self._problem = derivation.problem
@@ -55,7 +63,7 @@ class Lowering:
         self._constants = {c.name: c for c in self._algebra.chain.constants}
         self._values: dict[str, Node] = {}
         self._words = branch_words(derivation.steps)
-        self.builder = Builder(reserved={*self._constants, "T", "q", "status"})
+        self.builder = Builder(reserved.with_own({*self._constants, "T", "q", "status"}))
         self.polynomials = PolynomialLowering(self._algebra, self.builder, self.value)
         self.angles = Angles(self._algebra, self.builder, self.polynomials, self._values)
         if checks.tightened:

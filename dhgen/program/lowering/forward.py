@@ -8,6 +8,7 @@ from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.program.building.builder import Builder
 from dhgen.program.lowering.joints import offset_constant
 from dhgen.program.lowering.vectors import cross
+from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Source
 
 if TYPE_CHECKING:
@@ -20,9 +21,9 @@ if TYPE_CHECKING:
 Vector = list["Node"]
 
 
-def forward_program(chain: Chain) -> Program:
+def forward_program(chain: Chain, reserved: Reserved = NOTHING) -> Program:
     """The twelve entries of Z A_1 ... A_n E, row by row."""
-    walk = Walk(chain, "f")
+    walk = Walk(chain, "f", reserved)
     walk.along_arm()
     results = {
         f"T{row + 1}{column + 1}": walk.columns[column][row]
@@ -32,13 +33,13 @@ def forward_program(chain: Chain) -> Program:
     return walk.builder.finish_entries(chain.name, results)
 
 
-def jacobian_program(chain: Chain) -> Program:
+def jacobian_program(chain: Chain, reserved: Reserved = NOTHING) -> Program:
     """The geometric Jacobian, 6 x n, row by row: velocity of the tool's origin, angular velocity.
 
     Column i is (z x (p - o), z) for a revolute joint with axis z through o, and (z, 0) for a
     prismatic one (B. Siciliano et al., Robotics, 2009, equations 3.30 and 3.29).
     """
-    walk = Walk(chain, "g")
+    walk = Walk(chain, "g", reserved)
     walk.along_arm()
     builder = walk.builder
     tip = walk.columns[3]
@@ -70,9 +71,9 @@ class Walk:
         frames: The columns of the base frame and of the frame after every link.
     """
 
-    def __init__(self, chain: Chain, folded: str) -> None:
-        reserved = {constant.name for constant in chain.constants} | {"T", "J", "q"}
-        self.builder = Builder(reserved=reserved, folded=folded)
+    def __init__(self, chain: Chain, folded: str, reserved: Reserved) -> None:
+        own = {constant.name for constant in chain.constants} | {"T", "J", "q"}
+        self.builder = Builder(reserved.with_own(own), folded)
         self._chain = chain
         self._values = {constant.name: constant for constant in chain.constants}
         one, zero = self.builder.integer(1), self.builder.integer(0)

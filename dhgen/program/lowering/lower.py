@@ -14,24 +14,34 @@ from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.final_check import check_rows
 from dhgen.program.lowering.kernels import KERNELS
 from dhgen.program.lowering.whole import whole_program
+from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.program.reserved import Reserved
+from dhgen.program.tolerances import Tolerances
 
 
-def lower(derivation: Derivation, tolerances: Tolerances = TOLERANCES) -> Program:
-    """The program of a derivation, for arithmetic with these tolerances."""
+def lower(
+    derivation: Derivation, tolerances: Tolerances = TOLERANCES, reserved: Reserved = NOTHING
+) -> Program:
+    """The program of a derivation.
+
+    Args:
+        derivation: What to compute, and why.
+        tolerances: Of the arithmetic that it is for.
+        reserved: Names that are kept for others.
+    """
     chain = derivation.problem.algebra.chain
     if derivation.whole is not None:
         return whole_program(chain, derivation.whole)
 
     @cache  # the last that was tried is mostly the one that is wanted
     def lowered(checks: Checks) -> Program:
-        return _lowered(derivation, Lowering(derivation, tolerances, checks))
+        return _lowered(derivation, Lowering(derivation, tolerances, checks, reserved))
 
     checks = checks_needed(derivation, tolerances, lowered)
     program = lowered(checks)
