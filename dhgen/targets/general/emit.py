@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from dhgen.general.loop import LINKS
 from dhgen.targets.general.angles import Angles, Arctangent
 from dhgen.targets.general.arm import arm
+from dhgen.targets.general.elimination import Elimination, Kinds
 from dhgen.targets.general.equations import equations
 from dhgen.targets.general.links import links
 from dhgen.targets.general.rows import rows
@@ -43,6 +44,8 @@ def python_source(kernel: GeneralKernel, name: str) -> str:
         **_texts(kernel, name),
         links=links(kernel, [f"links[{i}]" for i in range(LINKS + 2)], "q_free"),
         spelling=python_spelling(kernel),
+        elimination=Elimination(),
+        kinds=Kinds(),
     )
 
 
