@@ -26,13 +26,14 @@ EXACT = 1e-9  # [rad, or arm sizes] rounding
 
 @dataclass(frozen=True, slots=True)
 class Triple:
-    """Three consecutive revolute axes.
+    """Three consecutive revolute axes, slides between them left out.
 
     Attributes:
         joints: Their numbers.
         tilt: The larger angle between neighbours, 0 when all are parallel [rad].
         miss: The largest of the distances between neighbours and between the two feet on the
-            middle axis, 0 when all meet in one point [length]; infinite for parallel neighbours.
+            middle axis, 0 when all meet in one point [length]; infinite for parallel neighbours
+            and where a slide is between them, which takes such a point apart.
     """
 
     joints: tuple[int, int, int]
@@ -52,16 +53,23 @@ def missed_point(triple: Triple) -> str:
 
 
 def axis_triples(chain: Chain) -> tuple[Triple, ...]:
-    """All triples of consecutive revolute joints without a given one."""
-    axes = {j: axis for j, axis in _axes(chain).items() if j not in chain.free}
+    """All triples of consecutive revolute joints without a given one; slides turn no axis."""
+    axes = _axes(chain)
+    turning = list(axes)
     return tuple(
-        Triple(
-            (joint - 1, joint, joint + 1),
-            max(_tilt(axes[joint], axes[other]) for other in (joint - 1, joint + 1)),
-            _miss(axes[joint - 1], axes[joint], axes[joint + 1]),
-        )
-        for joint in axes
-        if joint - 1 in axes and joint + 1 in axes
+        _triple(axes, joints)
+        for joints in zip(turning, turning[1:], turning[2:], strict=False)
+        if not set(joints) & set(chain.free)
+    )
+
+
+def _triple(axes: dict[int, tuple[Array, Array]], joints: tuple[int, int, int]) -> Triple:
+    before, middle, after = (axes[joint] for joint in joints)
+    slides = joints[2] - joints[0] > 2
+    return Triple(
+        joints,
+        max(_tilt(middle, before), _tilt(middle, after)),
+        float("inf") if slides else _miss(before, middle, after),
     )
 
 

@@ -38,7 +38,18 @@ def test_parallel_and_nearly_parallel_axes() -> None:
 
 
 def test_only_revolute_joints_that_are_not_given() -> None:
-    assert axis_triples(build_chain(robot("scara"))) == ()  # RRPR
+    assert axis_triples(build_chain(robot("spherical"))) == ()  # RRP
     seven = ("theta: q, d: 0.3, alpha: pi/2",) * 7
     joints = [t.joints for t in axis_triples(build_chain(table(*seven, free="[3]")))]
     assert joints == [(4, 5, 6), (5, 6, 7)]
+
+
+def test_slides_turn_no_axis_and_take_points_apart() -> None:
+    (triple,) = axis_triples(build_chain(robot("scara")))  # RRPR
+    assert triple.joints == (1, 2, 4)
+    assert triple.tilt == pytest.approx(0, abs=1e-15)
+    assert triple.miss == math.inf
+    first, *others = wrist("0")
+    (triple,) = axis_triples(build_chain(table(first, "d: q", *others)))
+    assert triple.joints == (1, 3, 4)
+    assert triple.miss == math.inf

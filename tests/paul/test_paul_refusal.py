@@ -165,6 +165,12 @@ def test_a_wrist_that_nearly_meets() -> None:
     assert "  axes 4, 5, 6 miss one point by 0.0321" in missed_structure(chain)
 
 
+def test_a_scara_that_was_calibrated() -> None:
+    rows = ("theta: q, a: 0.4", "theta: q, a: 0.3, alpha: pi - 0.0001", "d: q", "theta: q, d: 0.1")
+    chain = build_chain(table(*rows, task="pointing"))
+    assert missed_structure(chain)[1:] == ["  axes 1, 2, 4 are 0.00573 deg from parallel"]
+
+
 def test_reasons_stand_with_the_types_that_give_them() -> None:
     lines = stuck(*SKEW, task="[x, y, z]")
     assert len(lines) <= 25
