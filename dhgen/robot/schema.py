@@ -71,6 +71,8 @@ def _task(value: object) -> object:
 
 
 def _joint_number(value: object) -> object:
+    if value == ARM_ANGLE:
+        raise ValueError(f"it stands without a list: write free: {ARM_ANGLE}")
     if not re.fullmatch(r"-?[0-9]{1,4}", str(value)):
         raise ExpectedError("the number of a joint")
     return value

@@ -125,7 +125,8 @@ def test_the_arm_angle_in_place_of_joints() -> None:
     assert (robot(text).arm_angle, robot(text).free) == (True, ())
     assert not robot(table("theta: q", "theta: q", free="[1]")).arm_angle
     assert mistake(f"{MINIMAL}free: elbow\n").endswith("arm_angle, not 'elbow'")
-    assert mistake(f"{MINIMAL}free: [arm_angle]\n").endswith("a joint, not 'arm_angle'")
+    told = "'arm_angle': it stands without a list: write free: arm_angle"
+    assert mistake(f"{MINIMAL}free: [arm_angle]\n") == told
 
 
 @pytest.mark.parametrize("kind", ["pose", "position", "orientation", "pointing"])
