@@ -7,7 +7,8 @@ Generated from templates/python/dhgen_native.py.jinja. Do not edit.
     q, status = robot.ik_all(T)
 
 What comes back is a module like the one given, with the same functions, constants and errors; only
-the solving is done in C. numba functions cannot call it: they need the module itself.
+the solving is done in C. It and its functions can be pickled, as multiprocessing does: by how they
+were asked for. numba functions cannot call it: they need the module itself.
 
 Libraries are kept in $DHGEN_CACHE_DIR, or dhgen/ in the user's cache folder, under the digest of
 their source, the compiler, its flags and the processor. Any number of processes may build at once.
@@ -18,20 +19,22 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import importlib.util
+import inspect
 import os
 import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
+from functools import cache, update_wrapper
 from pathlib import Path
+from types import MethodType, ModuleType
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from types import ModuleType
     from typing import Any
 
     from numpy.typing import NDArray
@@ -48,6 +51,11 @@ FLAGS = (
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
 FLAGS_APART = "its options belong in flags"
 WRITABLE = "set DHGEN_CACHE_DIR to a writable folder"
+# What a robot's module is for.
+FUNCTIONS = (
+    *("fk", "jacobian", "ik_into", "ik_all", "ik", "ik_batch"),
+    *("arm_angle", "warm_up"),
+)
 
 
 class NoCompiler(RuntimeError):  # noqa: N818
@@ -102,7 +110,41 @@ def native(
         vars(apart)["address"] = vars(module)["_address"]
     solver = _Solver(robot, ctypes.CDLL(str(library)))
     vars(robot).update(solver.names(), Unreachable=module.Unreachable)
+    robot.__class__ = _Robot
+    vars(robot).update(_asked=(module.__name__, compiler, tuple(words)))
+    for name in FUNCTIONS:
+        if hasattr(robot, name):
+            setattr(robot, name, _function_of(robot, name))
     return robot
+
+
+class _Robot(ModuleType):
+    """A module that is pickled by how it was asked for."""
+
+    def __reduce__(self) -> tuple[Callable[..., ModuleType], tuple[Any, ...]]:
+        return _again, vars(self)["_asked"]
+
+
+@cache
+def _again(name: str, compiler: str | None, flags: tuple[str, ...]) -> ModuleType:
+    """What another process asked for, made once."""
+    return native(importlib.import_module(name), compiler=compiler, flags=flags)
+
+
+def _function_of(robot: ModuleType, name: str) -> MethodType:
+    """A function of the robot's, pickled as its: by itself the module's own would be looked up."""
+    function = getattr(robot, name)
+
+    def call(_: ModuleType, /, *arguments: Any, **named: Any) -> Any:  # noqa: ANN401
+        return function(*arguments, **named)
+
+    update_wrapper(call, function)
+    signature = inspect.signature(function)
+    itself = inspect.Parameter("robot", inspect.Parameter.POSITIONAL_ONLY)
+    taken = signature.replace(parameters=[itself, *signature.parameters.values()])
+    vars(call).update(__signature__=taken)
+    call.__name__ = name
+    return MethodType(call, robot)
 
 
 class _Solver:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
+import multiprocessing
 import os
+import pickle
 import subprocess
 import sys
 from functools import cache
@@ -132,6 +135,45 @@ def test_constants_names_and_the_arm_angle() -> None:
     assert c.Unreachable is python.Unreachable
     assert c.__name__ == python.__name__
     c.warm_up()
+
+
+def pickled(value: Any) -> Any:
+    """What another process gets."""
+    return pickle.loads(pickle.dumps(value))  # noqa: S301
+
+
+@pytest.mark.parametrize("name", ["scara", "kuka_iiwa14_arm_angle"])
+def test_a_robot_and_its_functions_are_pickled_by_how_they_were_asked_for(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DHGEN_CACHE_DIR", str(folder() / "native"))
+    robot_of = module("dhgen_native").native(module(name), compiler="cc", flags="-std=c99 -O1")
+    again = pickled(robot_of)
+    assert again._asked == robot_of._asked == (name, "cc", ("-std=c99", "-O1"))
+    q, T = poses(name, 1)
+    free = [each[0] for each in given(name, q)]
+    for function in ("fk", "jacobian", "ik_into", "ik_all", "ik", "ik_batch", "warm_up"):
+        own = getattr(robot_of, function)
+        back = pickled(own)
+        assert back == getattr(again, function)
+        taken = inspect.signature(getattr(module(name), function)).parameters
+        assert list(inspect.signature(own).parameters) == list(taken)
+        assert own.__doc__
+    rows, status = pickled(robot_of.ik_all)(T[0], *free)
+    expected, kinds = robot_of.ik_all(T[0], *free)
+    np.testing.assert_array_equal(rows, expected)
+    np.testing.assert_array_equal(status, kinds)
+
+
+@pytest.mark.parametrize("way", ["fork", "spawn"])
+def test_other_processes_solve(way: str) -> None:
+    _, T = poses("scara", 4)
+    solve = native("scara").ik_all
+    with multiprocessing.get_context(way).Pool(1) as pool:
+        found = pool.map(solve, T)
+    for (rows, status), pose in zip(found, T, strict=True):
+        np.testing.assert_array_equal(rows, solve(pose)[0])
+        np.testing.assert_array_equal(status, solve(pose)[1])
 
 
 ELSEWHERE = """
