@@ -24,7 +24,7 @@ from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derivation import derive
-from dhgen.program.lowering.arm_plane import arm_angle_program
+from dhgen.program.lowering.arm_plane import arm_angle_program, plane_miss_program
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import lower
 from dhgen.program.tolerances import DOUBLE, SINGLE
@@ -101,17 +101,21 @@ def _module(
     chain = derivation.problem.algebra.chain
     name = robot.name + precision.suffix
     angle = arm_angle_program(derivation, precision.tolerances, RESERVED)
+    solver = lower(derivation, precision.tolerances, RESERVED)
+    tight = solver.tightened is not None
+    plane = plane_miss_program(derivation, precision.tolerances, RESERVED) if tight else None
     return SolverModule(
         name=name,
         title=robot.title,
         source=source,
         chain=chain,
         method=derivation.method,
-        solver=replace(lower(derivation, precision.tolerances, RESERVED), name=name),
+        solver=replace(solver, name=name),
         forward=replace(forward_program(chain, RESERVED), name=name),
         jacobian=replace(jacobian_program(chain, RESERVED), name=name),
         length_unit=robot.length_unit,
         arm_angle=None if angle is None else replace(angle, name=name),
+        plane_miss=None if plane is None else replace(plane, name=name),
         precision=precision,
     )
 

@@ -424,28 +424,28 @@ def arm_angle(q):
     s4 = math.sin(v3)
     p5_x = p3_x + ((x2_x * c3 + s1 * s3) * s4 - z2_x * c4) * d5
     p5_y = p3_y + ((x2_y * c3 - c1 * s3) * s4 - z2_y * c4) * d5
-    v4 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1
-    v5 = p3_z - d1
-    v6 = p3_x * z3_x + z3_y * p3_y + z3_z * v5
-    v7 = p3_x - z3_x * v6
-    v8 = p3_y - z3_y * v6
-    v9 = v5 - z3_z * v6
+    v4 = p3_z - d1
+    v5 = p3_x * z3_x + z3_y * p3_y + z3_z * v4
+    v6 = p3_x - z3_x * v5
+    v7 = p3_y - z3_y * v5
+    v8 = v4 - z3_z * v5
+    v9 = p3_z + (c2 * c4 + s2 * c3 * s4) * d5 - d1
     v10 = (
-        -1.0 if z3_x * (p5_y * v9 - v4 * v8) + z3_y * (v4 * v7 - p5_x * v9) + z3_z * (p5_x * v8 -
-        p5_y * v7) < -straight_limit else 1.0
+        -1.0 if z3_x * (p5_y * v8 - v7 * v9) + z3_y * (v6 * v9 - p5_x * v8) + z3_z * (p5_x * v7 -
+        p5_y * v6) < -straight_limit else 1.0
     )
     v11 = z3_x * v10
     v12 = z3_y * v10
     v13 = z3_z * v10
     v14 = p5_x * p5_x + p5_y * p5_y
-    v15 = math.sqrt(v14 + v4 * v4)
+    v15 = math.sqrt(v14 + v9 * v9)
     v16 = math.sqrt(v14) <= v15 * free_limit
     v17 = 0.0 if v16 else p5_y
     v18 = 1.0 if v16 else -p5_x
-    v19 = v4 * v12 - p5_y * v13
-    v20 = p5_x * v13 - v4 * v11
+    v19 = v9 * v12 - p5_y * v13
+    v20 = p5_x * v13 - v9 * v11
     psi = (
-        _atan2(v15 * (v17 * v19 + v18 * v20), v4 * v18 * v19 - v4 * v17 * v20 + (p5_y * v17 - p5_x *
+        _atan2(v15 * (v17 * v19 + v18 * v20), v9 * v18 * v19 - v9 * v17 * v20 + (p5_y * v17 - p5_x *
         v18) * (p5_y * v11 - p5_x * v12))
     )
     return psi
@@ -463,7 +463,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14_arm_angle 7a1c2610180c935c"
+_KEY = "kuka_iiwa14_arm_angle f3540dc26596370c"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address

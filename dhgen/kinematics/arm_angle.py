@@ -92,19 +92,15 @@ def arm_angles(arm: NumericArm, q: Array, *, aside: float, merge: float) -> Arra
     """
     found = triangle(arm, np.asarray(q, np.float64))
     w, e = found.wrist - found.shoulder, found.elbow - found.shoulder
-    reference = np.cross(w, found.first)
-    length, reach = _norm(reference), _norm(w)
-    y = np.cross(found.first, arm.base[:3, reference_axis(arm)])
-    unit = reference / np.where(length > 0.0, length, 1.0)
-    b = np.where(length <= aside * reach, y, unit)
+    a, b = _base_plane(arm, w, found.first, aside)
     normal = np.cross(w, e)
     if is_planar(arm):
         area = _norm(e) * _norm(found.wrist - found.elbow)
         straight = np.sqrt(merge * arm.chain.size**2 * area[..., 0])
         behind = found.side < -straight
         normal = np.where(behind[..., None], -found.fourth, found.fourth)
-    a, u = np.cross(b, w), np.cross(normal, w)
-    sine, cosine = reach[..., 0] * np.sum(u * b, axis=-1), np.sum(u * a, axis=-1)
+    u = np.cross(normal, w)
+    sine, cosine = _norm(w)[..., 0] * np.sum(u * b, axis=-1), np.sum(u * a, axis=-1)
     return np.asarray(np.arctan2(sine, cosine))
 
 
@@ -119,6 +115,60 @@ def elbow_rates(arm: NumericArm, q: Array) -> Array:
     rates = np.sum(np.cross(z, reach) * normal[..., None, :], axis=-1) / arm.chain.size
     signs = [joint.sign * (joint.number < ELBOW) for joint in arm.chain.joints]
     return np.asarray(rates * signs)
+
+
+def plane_miss(
+    arm: NumericArm, T: Array, psi: float, q: Array, aside: float
+) -> tuple[Array, Array]:
+    """By how much the elbow's plane misses an arm angle, and how fast the joints turn it.
+
+    The plane is turned about the line from the shoulder to the wrist of a pose, by joints before
+    the elbow. Of a planar arm both sides of the line are taken for one.
+
+    Args:
+        arm: The arm.
+        T: Pose (4, 4).
+        psi: The arm angle [rad].
+        q: Joint values (..., 7).
+        aside: As for `arm_angles`.
+
+    Returns:
+        The miss (...), in (-pi, pi], or (-pi/2, pi/2] of a planar arm, and the rates (..., 7).
+    """
+    found, planar = triangle(arm, q), is_planar(arm)
+    wrist = T[:3, :3] @ wrist_in_tool(arm) + T[:3, 3]
+    w, e = wrist - found.shoulder, found.elbow - found.shoulder
+    normal = found.fourth if planar else np.cross(w, e)
+    a, b = _base_plane(arm, w, found.first, aside)
+    reach, u = _norm(w), np.cross(normal, w)
+    sine, cosine = reach[..., 0] * np.sum(u * b, axis=-1), np.sum(u * a, axis=-1)
+    times = 2.0 if planar else 1.0
+    off = times * (psi - np.arctan2(sine, cosine))
+    miss = (off - 2 * np.pi * np.ceil(off / (2 * np.pi) - 0.5)) / times
+    about = w / np.where(reach > 0.0, reach, 1.0)
+    if not planar:
+        along, square = (np.sum(e * x, axis=-1, keepdims=True) for x in (about, e))
+        about = (about * square - e * along) / (square - along * along)
+    z, _ = arm.axes(q)
+    signs = [joint.sign * (joint.number < ELBOW) for joint in arm.chain.joints]
+    rates = np.sum(z * about[..., None, :], axis=-1) * signs
+    return np.where(reach[..., 0] > aside * arm.chain.size, miss, 0.0), rates
+
+
+def wrist_in_tool(arm: NumericArm) -> Array:
+    """Where the tool's frame sees the wrist, (3,)."""
+    home = np.zeros(arm.chain.dof)
+    return np.asarray(np.linalg.solve(arm.pose(home), [*triangle(arm, home).wrist, 1.0])[:3])
+
+
+def _base_plane(arm: NumericArm, w: Array, first: Array, aside: float) -> tuple[Array, Array]:
+    """Where the plane of axis 1 and the arm's line points to, times the line, and across it."""
+    reference = np.cross(w, first)
+    length = _norm(reference)
+    y = np.cross(first, arm.base[:3, reference_axis(arm)])
+    unit = reference / np.where(length > 0.0, length, 1.0)
+    b = np.where(length <= aside * _norm(w), y, unit)
+    return np.cross(b, w), b
 
 
 def reference_axis(arm: NumericArm) -> int:

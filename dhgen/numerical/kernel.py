@@ -102,6 +102,11 @@ class NumericalKernel:
         return TOLERANCES.consistent if self.checked else TOLERANCES.polished
 
     @property
+    def elbow(self) -> bool:
+        """Whether the arm angle is one of the things to be met."""
+        return self.arm.chain.arm_angle
+
+    @property
     def limited(self) -> bool:
         """Whether a joint that is solved for has limits."""
         return max(self.lowest) > -inf or min(self.highest) < inf
@@ -117,9 +122,14 @@ class NumericalKernel:
         return 1 if self.redundant else self.most
 
     @property
-    def equations(self) -> int:
+    def entries(self) -> int:
         """How many numbers tell by how much a pose is missed."""
         return len(self.position) + (3 if self.turning or self.pointing else 0)
+
+    @property
+    def equations(self) -> int:
+        """How many there are with the arm angle's."""
+        return self.entries + int(self.elbow)
 
     @property
     def spans(self) -> tuple[tuple[float, float], ...]:

@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.arm_angle import plane_miss
+from dhgen.program.tolerances import TOLERANCES
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
@@ -21,7 +24,7 @@ ANY_AXIS = (0.48, 0.6, 0.64)  # is taken then, where half a turn is missing
 
 
 def miss(
-    kernel: NumericalKernel, T: FloatArray, q: FloatArray
+    kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: float = 0.0
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The missing motion of the tool, and how each solved joint moves it, in units.
 
@@ -29,6 +32,7 @@ def miss(
         kernel: The arm.
         T: The pose wanted, (4, 4).
         q: Joint values, (N, n).
+        psi: The arm angle, where the caller gives it.
 
     Returns:
         The miss (N, m) [arm sizes, rad], its length (N,), and the matrix A (N, m, k).
@@ -49,6 +53,10 @@ def miss(
         parts.append(_turn(np.cross(z, wanted), z @ wanted))
         # turning about z itself changes nothing
         matrices.append(J[:, 3:] - z[:, :, None] * (z[:, None, :] @ J[:, 3:]))
+    if kernel.elbow:
+        off, rates = plane_miss(kernel.arm, T, psi, q, TOLERANCES.free)
+        parts.append(off[:, None])
+        matrices.append(rates[:, None])
     e = np.concatenate(parts, axis=-1)
     return e, np.linalg.norm(e, axis=-1), np.concatenate(matrices, axis=-2)
 

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 
-def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray:
+def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray, psi: float = 0.0) -> FloatArray:
     """The rows of a pose where damped least squares lead; exact ones stay as they are.
 
     Those that miss the pose then are NaN: they were a little out of reach, and are by themselves.
@@ -36,14 +36,15 @@ def tighten(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> FloatArray
         kernel: The arm.
         T: Pose (4, 4); entries that the task does not name are ignored.
         q: Joint values (N, n), NaN where there is no solution; given joints stay as they are.
+        psi: The arm angle, where the caller gives it.
     """
     exact = exactness(kernel, T)
     rows = q.copy()
     misses, moved = np.full(len(q), np.inf), np.zeros(len(q), dtype=bool)
     first = misses.copy()
     for place in np.flatnonzero(~np.isnan(q).any(axis=1)):
-        first[place] = miss(kernel, T, q[place][None])[1][0]
-        rows[place], misses[place] = _tightened(kernel, T, q[place], exact)
+        first[place] = _missed(kernel, T, q[place])
+        rows[place], misses[place] = _tightened(kernel, T, q[place], exact, psi)
         moved[place] = bool((rows[place] != q[place]).any())
     rows[misses > _enough(kernel, misses, exact)] = np.nan
     for place in np.flatnonzero(moved):
@@ -108,6 +109,7 @@ def descended(
     q: FloatArray,
     exact: float,
     steps: int = constants.TIGHTENINGS,
+    psi: float = 0.0,
 ) -> End:
     """Takes a row (n,) as far as steps of damped least squares help.
 
@@ -118,7 +120,7 @@ def descended(
     best, least, there, ahead = q.copy(), np.inf, q.copy(), np.inf
     last, left = np.inf, 0.0  # the miss before a step, and what its curvature leaves
     for _ in range(steps + 1):
-        e, length, A = miss(kernel, T, there[None])
+        e, length, A = miss(kernel, T, there[None], psi)
         step = damped_step(e, length, A, constants.FINE)[0]
         slow = not length[0] <= max(0.5 * last, left)
         if length[0] < least:
@@ -134,14 +136,22 @@ def descended(
     return End(best, least, ahead)
 
 
+def _missed(kernel: NumericalKernel, T: FloatArray, q: FloatArray) -> float:
+    """By how much a row (n,) misses the pose [arm sizes, rad]: its arm angle is right."""
+    return float(np.linalg.norm(miss(kernel, T, q[None])[0][0, : kernel.entries]))
+
+
 def _tightened(
-    kernel: NumericalKernel, T: FloatArray, q: FloatArray, exact: float
+    kernel: NumericalKernel, T: FloatArray, q: FloatArray, exact: float, psi: float
 ) -> tuple[FloatArray, float]:
     """A row (n,) and by how much it misses the pose [arm sizes, rad]."""
-    first = float(miss(kernel, T, q[None])[1][0])
+    first = _missed(kernel, T, q)
     if first <= exact:
         return q, first
-    end = descended(kernel, T, q, exact)
+    turned = miss(kernel, T, q[None], psi)[0][0, kernel.entries :]
+    if (np.abs(turned) > TOLERANCES.doubtful).any():
+        return q, np.inf  # out of reach: it was not led here by rounding
+    end = descended(kernel, T, q, exact, psi=psi)
     if kernel.checked and end.miss > exact:
         return q, first  # the pose is rounded, or this is no solution
     return end.q, end.miss

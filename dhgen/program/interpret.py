@@ -80,8 +80,8 @@ def interpret(
     for k in np.flatnonzero(rows.close.any(axis=1)):
         moved = partial(run.moved, int(k))
         q[k] = both_sides(kernel, poses[k], q[k], rows.close[k], program.turning, moved)
-    pairs = zip(poses, q, strict=True)
-    q = np.array([tighten(kernel, T, each) for T, each in pairs]).reshape(q.shape)
+    trios = zip(poses, q, run.arm_angles(), strict=True)
+    q = np.array([tighten(kernel, *each) for each in trios]).reshape(q.shape)
     solved = np.asarray(~np.isnan(q).any(axis=-1))
     return replace(rows, q=q, solved=solved, free=rows.free & solved)
 
@@ -122,6 +122,11 @@ class _Run:
             self._values[axis.name] = sign.reshape(
                 [2 if p == place + 1 else 1 for p in range(len(self._shape))]
             )
+
+    def arm_angles(self) -> list[float]:
+        """The first value that is given for each pose, zero without any."""
+        values = self._given["free"]
+        return [float(each[0]) if len(each) else 0.0 for each in values]
 
     def outputs(self) -> list[Array]:
         with np.errstate(all="ignore"):

@@ -9,7 +9,7 @@ from dhgen.program.regular.flatten import flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c_arctangent import CArctangent
 from dhgen.targets.c_calls import CCalls, Prototypes, c_calls, c_prototypes
-from dhgen.targets.c_entries import entry_texts
+from dhgen.targets.c_entries import entry_lines, entry_texts
 from dhgen.targets.c_language import C
 from dhgen.targets.c_regular import CRegular, best_lanes, regular_values
 from dhgen.targets.c_single import in_single_precision
@@ -81,7 +81,7 @@ def c_solver(module: SolverModule, common: Common) -> CSolver:
         pose=c_pose(module, entry_texts(module, flats)),
         prototypes=c_prototypes(module),
         calls=calls,
-        bodies=bodies_of(module, C(), _assignments),
+        bodies=bodies_of(module, C(), _assignments, entry_lines),
         parts=_parts(module, common, calls),
         regular=regular_values(module, *flats) if flats else None,
         arctangent=CArctangent(),

@@ -43,6 +43,7 @@ class SolverModule:
         jacobian: From joint values to the geometric Jacobian.
         length_unit: How lengths are called.
         arm_angle: From joint values to the arm angle, where the caller gives that.
+        plane_miss: From them and the pose to what they miss the arm angle by, where rows need it.
         precision: The arithmetic that the programs are for; its suffix ends `name`.
     """
 
@@ -56,6 +57,7 @@ class SolverModule:
     jacobian: Program
     length_unit: str
     arm_angle: Program | None = None
+    plane_miss: Program | None = None
     precision: Precision = DOUBLE
 
     @property
@@ -77,7 +79,7 @@ class SolverModule:
     @property
     def programs(self) -> tuple[Program, ...]:
         """All programs."""
-        others = () if self.arm_angle is None else (self.arm_angle,)
+        others = (each for each in (self.arm_angle, self.plane_miss) if each is not None)
         return self.solver, self.forward, self.jacobian, *others
 
     @property

@@ -30,6 +30,7 @@ from dhgen.targets.python_texts import (
     python_pose,
     python_tables,
 )
+from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts
@@ -37,6 +38,7 @@ from dhgen.targets.templates import named, render
 from dhgen.targets.walk import parted, whole_arm
 
 if TYPE_CHECKING:
+    from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
     from dhgen.targets.solver.module import Module
@@ -87,7 +89,7 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
         tables=python_tables(module, flat),
         pose=python_pose(module),
         calls=calls,
-        bodies=bodies_of(module, Python(), _assignments),
+        bodies=bodies_of(module, Python(), _assignments, _entries),
         parts=_parts(module, common, calls),
         regular=None if flat is None else regular_values(module, flat),
         arctangent=python_arctangent(module.solver),
@@ -121,6 +123,14 @@ def _all_joints(module: SolverModule, of: Module) -> str:
         parts.append(python_source(whole.general, module.name))
         parts.append(python_rows(whole.general, module.chain, module.name))
     return "\n\n".join(parts)
+
+
+def _entries(program: Program) -> list[str]:
+    """The entries of the pose get their names, from the matrix of a descent."""
+    return [
+        f"{INDENT}T{each.row}{each.column} = T[{each.row - 1}, {each.column - 1}]"
+        for each in pose_entries(program)
+    ]
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

@@ -74,8 +74,8 @@ def checks_needed(
     if checks.rows and _follows_the_seed(chain, program):
         checks = replace(checks, again=True)
         program = lowered(checks)
-    if not tolerances.tell_rounding or chain.arm_angle:
-        return checks  # exact rows can't be told, or the task doesn't say all of a row
+    if not tolerances.tell_rounding:
+        return checks  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, enough)
     return replace(checks, tightened=inexact)

@@ -137,6 +137,8 @@ def _tightening(program: Program) -> Block:
         "Jacobian of the whole task, improve it until it is exact or comes no closer. Before that, "
         "it may be slightly out of reach; if it still is afterwards, it stays empty."
     )
+    if program.tightened is not None and program.tightened.elbow:
+        text += " The arm angle is one more equation of these steps."
     if finds_roots(program):
         text += (
             " Where two roots nearly meet, a joint may be nearly free. One root may then stand for "

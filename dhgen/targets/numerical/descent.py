@@ -42,6 +42,7 @@ class Descent:
         exact: That of the same name.
         promised: Likewise.
         limit: Likewise.
+        doubtful: Likewise.
         most_starts: Of all rounds together.
         turn: A whole one [rad].
     """
@@ -58,6 +59,7 @@ class Descent:
     exact: str = repr(TOLERANCES.exact)
     promised: str = repr(TOLERANCES.promised)
     limit: str = repr(TOLERANCES.limit)
+    doubtful: str = repr(TOLERANCES.doubtful)
     tightenings: int = kernel.TIGHTENINGS
     spare: str = repr(kernel.SPARE)
     sure: str = repr(kernel.SURE)

@@ -22,7 +22,8 @@ class NumericalProblem:
     Attributes:
         solved: Joints that are solved for.
         equations: How many there are.
-        last_equation: Place of the last.
+        last_equation: Place of the last: the arm angle's, if that is one of them.
+        elbow: Whether it is.
         width: Equations and joints.
         spin: Where its angular part begins.
         twice: Entries of two of its rows.
@@ -48,6 +49,7 @@ class NumericalProblem:
     solved: int
     equations: int
     last_equation: int
+    elbow: bool
     width: int
     spin: int
     twice: int
@@ -78,6 +80,7 @@ def problem_of(kernel: NumericalKernel) -> NumericalProblem:
         solved=solved,
         equations=kernel.equations,
         last_equation=kernel.equations - 1,
+        elbow=kernel.elbow,
         width=kernel.equations + solved,
         spin=3 * dof,
         twice=2 * dof,

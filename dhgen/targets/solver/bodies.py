@@ -25,6 +25,23 @@ class ArmAngle:
 
 
 @dataclass(frozen=True, slots=True)
+class PlaneMiss:
+    """The body of the function that tells by how much joint values miss the arm angle.
+
+    Attributes:
+        entries: Give the pose's entries their names.
+        lines: What comes first.
+        off: What is missed.
+        rates: How fast joints 1, 2 and 3 change it.
+    """
+
+    entries: Sequence[str]
+    lines: Sequence[str]
+    off: str
+    rates: Sequence[str]
+
+
+@dataclass(frozen=True, slots=True)
 class Bodies:
     """The bodies of functions.
 
@@ -35,6 +52,7 @@ class Bodies:
         jacobian: From joint values to what the Jacobian is made of.
         jacobian_rows: The Jacobian.
         arm_angle: From joint values to the arm angle, where the caller gives that.
+        plane_miss: From them to what they miss it by, where rows may.
     """
 
     solver: Sequence[str]
@@ -43,12 +61,14 @@ class Bodies:
     jacobian: Sequence[str]
     jacobian_rows: Sequence[str]
     arm_angle: ArmAngle | None
+    plane_miss: PlaneMiss | None
 
 
 def bodies_of(
     module: SolverModule,
     language: ScalarLanguage,
     assignments: Callable[[str, list[str], int], list[str]],
+    entries: Callable[[Program], list[str]],
 ) -> Bodies:
     """The programs of a robot.
 
@@ -56,6 +76,7 @@ def bodies_of(
         module: The robot.
         language: That they are written in.
         assignments: Fill an array of this name with entries, in rows of so many.
+        entries: Give the pose's entries their names in a function of a descent.
     """
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)
@@ -66,6 +87,7 @@ def bodies_of(
         jacobian=straight_lines(module.jacobian, language, INDENT),
         jacobian_rows=assignments("J", jacobian, module.chain.dof),
         arm_angle=_arm_angle(module.arm_angle, language),
+        plane_miss=_plane_miss(module.plane_miss, language, entries),
     )
 
 
@@ -74,3 +96,14 @@ def _arm_angle(program: Program | None, language: ScalarLanguage) -> ArmAngle | 
         return None
     (result,) = output_texts(program, language)
     return ArmAngle(straight_lines(program, language, INDENT), result)
+
+
+def _plane_miss(
+    program: Program | None,
+    language: ScalarLanguage,
+    entries: Callable[[Program], list[str]],
+) -> PlaneMiss | None:
+    if program is None:
+        return None
+    off, *rates = output_texts(program, language)
+    return PlaneMiss(entries(program), straight_lines(program, language, INDENT), off, rates)
