@@ -2,22 +2,30 @@
 
 When every axis points along a direction whose frame is exact, the chain is built from the axes
 as they are, with their parameters: frame i is the reference frame carried along by joint i, at
-a point of axis i. Any other set of axes is for `common_normals.py`.
+a point of axis i. Any other set of axes is for `common_normals.py`, and so is one where letters
+hide that an axis meets another, or lies level with it, seen along a slanting direction.
 """
 
 from __future__ import annotations
 
+from functools import partial
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Turn, arm_size
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
+from dhgen.kinematics.numeric import matrix_of
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
-from dhgen.robot.robot import JointKind
+from dhgen.robot.angles import SNAP
+from dhgen.robot.expression import ZERO
+from dhgen.robot.robot import Frame, JointKind
 from dhgen.robot.surds import Surd, square_root, surd
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
     from sympy.polys.rings import PolyRing
 
     from dhgen.kinematics.constants import Polynomial
@@ -29,7 +37,7 @@ if TYPE_CHECKING:
 
 
 def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
-    """The chain of reference axes whose directions are exact, or None when one is not."""
+    """The chain of reference axes as they are, or None for `common_normals.py`."""
     table = ConstantTable({parameter.name: parameter.value for parameter in robot.parameters})
     _read(robot, reference, table)
     ring = table.close()
@@ -40,22 +48,28 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
     if placed is None:
         return None
     frames, signs = placed
-    last = compose(inverse(frames[-1], normal), home, normal)
     joints = tuple(
         ChainJoint(number, joint.kind, sign, 0.0, joint.limits)
         for number, (joint, sign) in enumerate(zip(reference.axes, signs, strict=True), 1)
     )
+    size = arm_size([each.value for each in constants if each.is_length], joints)
+    values = {each.name: each.value for each in constants}
+    vanish = partial(_vanishing, values, SNAP * size)
+    steps = _steps([identity(ring), *frames, home], normal, vanish)
+    if steps is None:
+        return None
+    *links, last = steps
     return Chain(
         name=robot.name,
         joints=joints,
-        links=_links(reference.axes, frames, ring, normal),
+        links=_links(reference.axes, links, identity(ring)),
         base=base,
         tool=compose(last, tool, normal),
         constants=constants,
         ring=ring,
         task=robot.task,
         free=robot.free,
-        size=arm_size([each.value for each in constants if each.is_length], joints),
+        size=size,
         arm_angle=robot.arm_angle,
     )
 
@@ -65,19 +79,21 @@ def _read(
 ) -> tuple[list[Axis], Transform, Transform, Transform]:
     first: dict[tuple[str, Expression], tuple[str, str]] = {}
 
-    def coordinate(i: int, x: str, cell: Expression) -> Polynomial:
-        """Axes at one height share its name, so that what coincides in the file does here."""
-        name, meaning = first.setdefault((x, cell), (f"p{i}{x}", f"{x} of axis {i}"))
+    def coordinate(x: str, cell: Expression, name: str, of: str) -> Polynomial:
+        """What is at one height shares its name, so that what coincides in the file does here."""
+        name, meaning = first.setdefault((x, cell), (f"{name}{x}", f"{x} of {of}"))
         return table.length(cell, name, meaning)
 
     axes = [
         (
             [table.scalar(c, f"u{i}{x}", f"{x} of axis {i}") for x, c in _xyz(_unit(joint))],
-            [coordinate(i, x, c) for x, c in _xyz(joint.point)],
+            [coordinate(x, c, f"p{i}", f"axis {i}") for x, c in _xyz(joint.point)],
         )
         for i, joint in enumerate(reference.axes, start=1)
     ]
-    home = read_frame(reference.home, table, "h", "home pose")
+    turned = read_frame(Frame((ZERO,) * 3, reference.home.rotation), table, "h", "home pose")
+    origin = [coordinate(x, c, "h", "the home pose") for x, c in _xyz(reference.home.xyz)]
+    home = Transform(turned.rotation, tuple(origin))
     base = read_frame(robot.base, table, "z", "base frame")
     return axes, home, base, read_frame(robot.tool, table, "e", "tool frame")
 
@@ -117,17 +133,47 @@ def _frames(
     return frames, signs
 
 
+def _steps(
+    frames: list[Transform], normal: NormalForm, vanish: Callable[[Transform], list[bool]]
+) -> list[Transform] | None:
+    """From each frame to the next, or None where a coordinate is zero that letters do not show."""
+    steps = [
+        _settled(compose(inverse(before, normal), after, normal), vanish)
+        for before, after in pairwise(frames)
+    ]
+    hidden = any(any(vanish(inverse(step, normal))) for step in steps)
+    return None if hidden else steps
+
+
+def _vanishing(values: Mapping[str, float], least: float, step: Transform) -> list[bool]:
+    """Which coordinates are zero in numbers, though not in letters."""
+    numbers = matrix_of(step, values)[:3, 3]
+    return [
+        bool(entry) and abs(number) <= least
+        for entry, number in zip(step.translation, numbers, strict=True)
+    ]
+
+
+def _settled(step: Transform, vanish: Callable[[Transform], list[bool]]) -> Transform:
+    """Coordinates that are zero, but for what floating point left in the file, are zero.
+
+    So are differences of lengths that happen to agree: what coincides is what solves an arm.
+    """
+    kept = (
+        entry.ring.zero if vanishes else entry
+        for entry, vanishes in zip(step.translation, vanish(step), strict=True)
+    )
+    return Transform(step.rotation, tuple(kept))
+
+
 def _links(
-    joints: tuple[AxisJoint, ...], frames: list[Transform], ring: PolyRing, normal: NormalForm
+    joints: tuple[AxisJoint, ...], steps: list[Transform], still: Transform
 ) -> tuple[tuple[Element, ...], ...]:
     """The way from each frame to the next, then the joint."""
     links: list[tuple[Element, ...]] = []
-    before = still = identity(ring)
-    for number, (joint, frame) in enumerate(zip(joints, frames, strict=True), start=1):
-        step = compose(inverse(before, normal), frame, normal)
+    for number, (joint, step) in enumerate(zip(joints, steps, strict=True), start=1):
         move = Turn(number) if joint.kind is JointKind.REVOLUTE else Slide(number)
         links.append((move,) if step == still else (Fixed(step), move))
-        before = frame
     return tuple(links)
 
 

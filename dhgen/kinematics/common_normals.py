@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     Vector = NDArray[np.float64]
 
 SNAP = 1e-9  # twists and lengths nearer than this to an exact value are exact
+ROUNDING = 1e-12  # of the entries of a rotation
+DIGITS = 14  # of lengths: those behind are rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,16 +141,15 @@ def _angle(value: float) -> Expression:
 
 
 def _length(value: float, size: float) -> Expression:
-    return ZERO if abs(value) < SNAP * size else _number(value)
+    return ZERO if abs(value) < SNAP * size else _number(float(f"{value:.{DIGITS}g}"))
 
 
-def _cosine(value: float) -> Expression:
+def _cosine(value: float, within: float) -> Expression:
     """An entry of a rotation, exact where it is the cosine of an exact angle."""
-    if abs(value - round(value)) < SNAP:
-        return _number(float(round(value)))
-    angle = math.acos(value)
-    exact = _angle(angle)
-    return Call("cos", exact) if exact != _number(angle) else _number(value)
+    steps = round(math.acos(max(-1.0, min(1.0, value))) / (math.pi / 12.0))
+    if abs(value - math.cos(steps * math.pi / 12.0)) > within:
+        return _number(value)
+    return Call("cos", Binary("*", Number(Fraction(steps, 12)), Pi()))
 
 
 def _number(value: float) -> Expression:
@@ -164,6 +165,9 @@ def _matrix(frame: Frame, values: Mapping[str, float]) -> Vector:
 
 
 def _frame(matrix: Vector, size: float) -> Frame:
-    rotation = tuple(_cosine(float(entry)) for entry in matrix[:3, :3].flat)
+    exact = [_cosine(float(entry), SNAP) for entry in matrix[:3, :3].flat]
+    R = np.array([evaluate(entry, {}) for entry in exact]).reshape(3, 3)
+    if np.abs(R @ R.T - np.eye(3)).max() > ROUNDING:  # a small angle has a cosine of nearly 1
+        exact = [_cosine(float(entry), ROUNDING) for entry in matrix[:3, :3].flat]
     x, y, z = (_length(float(entry), size) for entry in matrix[:3, 3])
-    return Frame((x, y, z), rotation)
+    return Frame((x, y, z), tuple(exact))

@@ -45,10 +45,16 @@ prismatic = st.builds(
     lambda theta, d, sign, a, alpha: f"theta: {theta}, d: {joint(d, sign)}, a: {a}, alpha: {alpha}",
     *(angles, lengths, signs, lengths, angles),
 )
-frames = st.builds(
-    lambda x, y, z, roll, pitch, yaw: f"{{xyz: [{x}, {y}, {z}], rpy: [{roll}, {pitch}, {yaw}]}}",
-    *(lengths, lengths, lengths, angles, angles, angles),
-)
+
+
+def frames_of(cells: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
+    return st.builds(
+        lambda x, y, z, *turns: f"{{xyz: [{x}, {y}, {z}], rpy: [{', '.join(turns)}]}}",
+        *(cells, cells, cells, angles, angles, angles),
+    )
+
+
+frames = frames_of(lengths)
 vectors = st.builds(lambda x, y, z: np.array([x, y, z]), *[st.integers(-3, 3)] * 3)
 
 
@@ -85,17 +91,20 @@ def entry(kind: str, direction: str, point: str) -> str:
 
 kinds = st.sampled_from(["revolute", "revolute", "prismatic"])
 points = st.builds(lambda *cells: ", ".join(cells), lengths, lengths, lengths)
-exact_entries = st.builds(entry, kinds, st.sampled_from(EXACT), points)
+# letters alone, which agree where their values do
+lettered = st.sampled_from(["0", "L", "-L/2", "2*L", "M", "L - M", "-M"])
+lettered_points = st.builds(lambda *cells: ", ".join(cells), lettered, lettered, lettered)
+exact_entries = st.builds(entry, kinds, st.sampled_from(EXACT), lettered_points)
 directions = st.tuples(*[st.integers(-5, 5)] * 3).filter(any).map(lambda v: ", ".join(map(str, v)))
 entries = st.builds(entry, kinds, st.one_of(directions, st.sampled_from(EXACT)), points)
 
 
 @settings(max_examples=40)
-@given(st.lists(exact_entries, min_size=1, max_size=4), frames, st.integers(0, 999))
+@given(st.lists(exact_entries, min_size=1, max_size=4), frames_of(lettered), st.integers(0, 999))
 def test_axes_with_exact_directions_stay_as_they_are(
     given_axes: list[str], home: str, seed: int
 ) -> None:
-    arm = axes(*given_axes, parameters="{L: 0.4}", home=home)
+    arm = axes(*given_axes, parameters="{L: 0.4137, M: 0.2718}", home=home)
     assert isinstance(arm.geometry, ReferenceAxes)
     assert exact_axes(arm, arm.geometry) is not None
     q = random_joints(arm, 2, seed=seed)
@@ -112,6 +121,42 @@ def test_axes_in_any_direction(given_axes: list[str], home: str, tool: str, seed
     chain = build_chain(arm)
     q, tolerance = random_joints(arm, 2, seed=seed), 1e-9 * max(1.0, chain.size)
     np.testing.assert_allclose(numeric_arm(chain).pose(q), forward(arm, q), atol=tolerance)
+
+
+def test_what_lies_level_with_slanting_axes_is_level() -> None:
+    """A planar arm drawn at 30 degrees, in sixteen digits, has no lateral offsets."""
+    along = "direction: [-0.5, 0.8660254037844386, 0]"
+    arm = axes(
+        "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
+        f"type: revolute, {along}, point: [0.0866025403784438, 0.05, 0.35]",
+        f"type: revolute, {along}, point: [0.692820323027551, 0.4, 1.05]",
+        home="{xyz: [0.8660254037844386, 0.5, 0.8]}",
+    )
+    found = {each.meaning: each.value for each in build_chain(arm).constants}
+    assert found["joint offset 1"] == 0.35
+    assert found["link length 2"] == pytest.approx(-0.1, abs=1e-13)
+    assert not any("offset 2" in meaning or "offset 3" in meaning for meaning in found)
+
+
+def test_coordinates_that_agree_by_value_are_one() -> None:
+    arm = axes(
+        "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
+        "type: revolute, direction: [0, 1, 0], point: [0.1, 0, L]",
+        parameters="{L: 0.4, M: 0.5}",
+        home="{xyz: [0.1, 0, M - 0.1]}",
+    )
+    assert not any(build_chain(arm).tool.translation)
+
+
+def test_small_turns_leave_rotations_rotations() -> None:
+    """The cosine of 2e-5 is within 1e-9 of 1, its sine is not of 0."""
+    arm = axes(
+        "type: revolute, direction: [1, 2, 3], point: [0, 0, 0]",
+        home="{rpy: [2e-5, -1e-5, 3e-5]}",
+    )
+    q = np.zeros((1, 1))
+    pose = numeric_arm(build_chain(arm)).pose(q)
+    np.testing.assert_allclose(pose, forward(arm, q), atol=1e-14)
 
 
 def test_frames_of_skew_axes_keep_their_roots() -> None:
