@@ -9,7 +9,7 @@ from dhgen.paul.step import Kind
 from dhgen.program.ir import Guard
 from dhgen.targets.derivation.blocks import joined, say
 from dhgen.targets.derivation.formula import ONE, ZERO, equal, minus
-from dhgen.targets.derivation.names import joint_symbol, single
+from dhgen.targets.derivation.names import joint_symbol, single, theta
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.blocks import Prose
@@ -27,17 +27,21 @@ def merged_effect(context: StepContext) -> Prose:
 
 
 def free_effect(context: StepContext) -> Prose:
-    """A joint takes the seed's value."""
+    """A joint takes the seed's value; of a sum of angles it is the sum that does."""
     joints = open_joints(context)
     symbols = joined([say("{}", joint_symbol(joint)) for joint in joints])
-    takes = "takes" if len(joints) == 1 else "take"
-    value = "the seed's value (0 without a seed)"
+    value, taking = "{} takes the seed's value (0 without a seed)", [symbols]
+    if len(joints) > 1:
+        value = "{} takes the value that the seed's {} give it (each 0 without a seed)"
+        taking = [say("{}", theta(context.angle)), symbols]
     troubles = ["leads to no solution"] if _decides(context, joints) else []
     if any(joint.limits for joint in context.story.algebra.chain.joints):
         troubles.append("puts a joint beyond its limits")
     if troubles:
         value += f" or, where that {' or '.join(troubles)}, the nearest value that works"
-    parts = [say(f"{{}} {takes} {value}", symbols)]
+    parts = [say(value, *taking)]
+    if len(joints) > 1:
+        parts.append(say("the joints themselves follow from it"))
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
     elif context.step.kind is Kind.CIRCLE:

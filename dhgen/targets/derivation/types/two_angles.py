@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from itertools import permutations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value, primitive
 from dhgen.targets.derivation.blocks import display, paragraph, say
-from dhgen.targets.derivation.effects import merged_effect
+from dhgen.targets.derivation.effects import free_effect, merged_effect
 from dhgen.targets.derivation.formula import (
     ZERO,
     Formula,
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
 X, Y, Z1, Z2 = (type_letter(name) for name in ("X", "Y", "Z1", "Z2"))
 K, W = letter("K", "K"), letter("W", "W")
+CLOSE = 1e-9  # two lengths nearer than this, relative to their sum, are equal
 REACH = add(square(Z1), square(Z2))
 
 
@@ -47,7 +49,7 @@ def print_two_angles(context: StepContext) -> StepText:
         equal(letter_, context.story.write(part, context.number)) for letter_, part, _ in named
     ]
     lines.append(equal(K, subtract(REACH, context.story.write(rest))))
-    met = _met(context, x, y)
+    met, free = _met(context, x, y), _free(context, x, y)
     far = relation(square(K), ">", add(*(square(letter_) for letter_, _, _ in named)))
     blocks: list[Block] = [
         *_squares(context, x, y, rest),
@@ -63,7 +65,11 @@ def print_two_angles(context: StepContext) -> StepText:
             met.effect,
         ),
     ]
-    return StepText(tuple(blocks), (met,))
+    if free is None:
+        return StepText(tuple(blocks), (met,))
+    text = "Degenerate when {}: {}. Then {}."
+    blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
+    return StepText(tuple(blocks), (met, free))
 
 
 def _squares(context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomial) -> list[Block]:
@@ -156,6 +162,27 @@ def _met(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity:
             joints = equal(unsigned(context.story, shared), ZERO)
         meaning = say("the arm is stretched or folded")
     return Singularity(context.number, condition, joints, meaning, merged_effect(context))
+
+
+def _free(context: StepContext, x: Polynomial, y: Polynomial) -> Singularity | None:
+    """Where nothing is said of the angle, if that may be: K, too, has to vanish with X and Y.
+
+    Of the three vectors that add up to nothing one has no length then, so that the others are
+    equally long.
+    """
+    algebra = context.story.algebra
+    if algebra.is_constant(x) and algebra.is_constant(y):
+        return None
+    vectors = ([context.step.coefficient(name + part) for part in "12"] for name in "VWZ")
+    fixed = [parts for parts in vectors if all(map(algebra.is_constant, parts))]
+    lengths = [math.hypot(*(constant_value(algebra, part) for part in parts)) for parts in fixed]
+    if len(lengths) == 2 and abs(lengths[0] - lengths[1]) > CLOSE * sum(lengths):
+        return None
+    text = "two links of equal length are folded upon each other, and every {} works"
+    meaning = say(text, theta(context.angle))
+    named = [letter_ for letter_, part in ((X, x), (Y, y)) if part]
+    condition = equal(*named, K, ZERO)
+    return Singularity(context.number, condition, None, meaning, free_effect(context))
 
 
 def _without_lengths(context: StepContext, form: Polynomial) -> Polynomial:
