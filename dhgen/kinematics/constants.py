@@ -22,6 +22,7 @@ from dhgen.kinematics.expressions import (
     has_parameters,
     is_polynomial,
     multiple_of_pi,
+    rational_number,
 )
 from dhgen.robot.expression import Binary, Call, Name, Negate, Number, evaluate
 from dhgen.robot.surds import surd
@@ -129,10 +130,16 @@ class ConstantTable:
         return self._ring
 
     def length(self, expression: Expression, name: str, meaning: str) -> Polynomial:
-        """A length cell as a polynomial; a bare number gets `name`, a parameter keeps its own."""
+        """A length cell as a polynomial; a parameter keeps its name.
+
+        A number gets `name`, and so does what is written as a sum, a nominal length and what
+        calibration added: of its fraction no reader learns anything.
+        """
+        if value := rational_number(expression):
+            expression = Number(value)
         cell = _Cell(expression, name, meaning)
         known = is_polynomial(expression) or has_parameters(expression)
-        if not known or bare_number(expression) not in {None, 0}:
+        if value or not known:
             return self._named(expression, cell)
         return self._polynomial(expression, cell)
 

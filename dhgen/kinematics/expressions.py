@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator as arithmetic
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -10,6 +11,13 @@ from dhgen.robot.surds import surd
 
 if TYPE_CHECKING:
     from dhgen.robot.expression import Expression
+
+_ARITHMETIC = {
+    "+": arithmetic.add,
+    "-": arithmetic.sub,
+    "*": arithmetic.mul,
+    "/": arithmetic.truediv,
+}
 
 
 def multiple_of_pi(expression: Expression) -> Fraction | None:
@@ -66,6 +74,25 @@ def bare_number(expression: Expression) -> Fraction | None:
             return -value
         case _:
             return None
+
+
+def rational_number(expression: Expression) -> Fraction | None:
+    """What arithmetic of numbers alone gives, where that is a rational number."""
+    match expression:
+        case Negate(operand):
+            inner = rational_number(operand)
+            return None if inner is None else -inner
+        case Binary("**", left, Number(power)) if power.denominator == 1 and power >= 0:
+            base = rational_number(left)
+            return None if base is None else base ** int(power)
+        case Binary("+" | "-" | "*" | "/" as operator, left, right):
+            first, second = rational_number(left), rational_number(right)
+            if first is None or second is None or (operator == "/" and second == 0):
+                return None
+            return Fraction(_ARITHMETIC[operator](first, second))
+        case _:
+            value = surd(expression)
+            return None if value is None or any(value.coefficients[1:]) else value.coefficients[0]
 
 
 def is_polynomial(expression: Expression) -> bool:

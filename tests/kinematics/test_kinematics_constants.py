@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.expressions import multiple_of_pi
 from dhgen.kinematics.normal import normal_form
+from dhgen.robot.arithmetic import parse
 from dhgen.robot.expression import Binary, Call, Expression, Name, Negate, Number, Pi
 from tests.kinematics.values import number
 
@@ -122,6 +123,32 @@ def test_lengths_keep_the_names_of_parameters_and_numbers_get_one() -> None:
     assert table.constants["a3"].value == 0.3
     values = {constant.name: constant.value for constant in table.constants.values()}
     assert number(found[4], values) == pytest.approx(0.5 * math.cos(0.25))
+
+
+@pytest.mark.parametrize(
+    ("cell", "value"),
+    [
+        ("0.4 + 0.0001", 0.4001),
+        ("-(150/2 - 3*0.5)/1000", -0.0735),
+        ("0.3**2 + 0.1", 0.19),
+        ("sqrt(4)/10", 0.2),
+        ("0.1 + 0.2", 0.3),
+    ],
+)
+def test_a_length_of_several_numbers_is_one_number(cell: str, value: float) -> None:
+    table = ConstantTable({})
+    table.length(parse(cell, {}), "a1", "link length 1")
+    (generator,) = table.close().gens
+    assert table.length(parse(cell, {}), "a1", "link length 1") == generator
+    (constant,) = table.constants.values()
+    assert (constant.name, constant.value, constant.meaning) == ("a1", value, "link length 1")
+
+
+def test_roots_and_parameters_stay_what_they_are() -> None:
+    table = ConstantTable({"p": 0.5})
+    for cell in ("sqrt(2)/4 + 0.1", "p + 0.1", "0.4 - 0.2*2"):
+        table.length(parse(cell, {"p": 0.5}), "a1", "link length 1")
+    assert set(table.constants) == {"sqrt2", "p"}
 
 
 def root(value: int) -> Expression:
