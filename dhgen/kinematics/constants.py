@@ -253,11 +253,20 @@ class ConstantTable:
             case _ if (roots := surd(expression)) is not None:
                 result = self._of_roots(roots.coefficients)
             case Call("cos" | "sin" as function, argument):
-                cosine, sine = self.cosine_sine(argument, cell.name, cell.meaning)
+                cosine, sine = self.cosine_sine(argument, cell.name, _angle(argument, cell))
                 result = cosine if function == "cos" else sine
             case _:
                 result = self._named(expression, cell)
         return result
+
+
+def _angle(argument: Expression, cell: _Cell) -> str:
+    """What an angle is whose cosine or sine is in a cell."""
+    match argument:
+        case Name(parameter) | Negate(Name(parameter)):
+            return f"the parameter {parameter}"
+        case _:
+            return cell.meaning
 
 
 class _Any:

@@ -193,6 +193,15 @@ def test_numbers_of_a_frame_are_not_called_its_entries() -> None:
     assert r"E = \begin{bmatrix} \cos \eta_2 & -\sin \eta_2 & 0 & 0 \\" in text
 
 
+def test_a_parameter_s_cosine_is_called_its_own_and_no_sine_is_listed_for_nothing() -> None:
+    rows = "theta: q, a: 0.4", "theta: q, a: cos(w)/4", "theta: q, d: 0.1*sin(-v)"
+    text = made_of(*rows, parameters="{w: 30 deg, v: 0.3}", task="[x, y, z]", free="[3]")
+    assert "(cosine of the parameter w)" in text
+    assert "sine of the parameter w" not in text.replace("cosine", "")
+    assert "(sine of the parameter v)" in text
+    assert "an angle in" not in text
+
+
 def test_a_point_of_the_base_has_the_letter_of_its_coordinates() -> None:
     text = document("franka_panda")
     assert "w_{2x} & = " in text

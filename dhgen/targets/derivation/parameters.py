@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from itertools import product
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.chain import Fixed
+from dhgen.kinematics.ring import used_places
 from dhgen.robot.expression import Negate, Number
 from dhgen.targets.derivation.blocks import Given, joined, paragraph, say
 from dhgen.targets.derivation.expressions import expression_symbol
@@ -12,13 +15,14 @@ from dhgen.targets.derivation.formula import Symbol, equal
 from dhgen.targets.derivation.names import parameter
 
 if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Constant
     from dhgen.robot.robot import Parameter
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.story import Story
 
 
-ANGLES = ("twist", "the angle")
+ANGLES = ("twist", "the angle", "the parameter")
 TURNED = ("cosine of", "sine of")
 SIGNS = " Cosines and sines are given without their signs, which stand in the formulas."
 
@@ -26,7 +30,7 @@ SIGNS = " Cosines and sines are given without their signs, which stand in the fo
 def constant_blocks(story: Story) -> list[Block]:
     """Every letter of the formulas that stands for a number."""
     blocks: list[Block] = []
-    constants = story.algebra.chain.constants
+    constants = _written(story.algebra.chain)
     used = {each.parameter: each for each in constants}
     shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
     if shown:
@@ -41,6 +45,19 @@ def constant_blocks(story: Story) -> list[Block]:
             )
         )
     return blocks
+
+
+def _written(chain: Chain) -> list[Constant]:
+    """The constants without the sines that occur nowhere: of some angles only the cosine does."""
+    fixed = [part.transform for link in chain.links for part in link if isinstance(part, Fixed)]
+    places = {
+        place
+        for transform in (*fixed, chain.base, chain.tool)
+        for row, column in product(range(3), range(4))
+        for place in used_places(transform.entry(row, column))
+    }
+    used = {chain.ring.symbols[place].name for place in places}
+    return [each for each in chain.constants if each.cosine is None or each.name in used]
 
 
 def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:
