@@ -3914,17 +3914,15 @@ int abb_gofa_5_ik(
 
 int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[16][6], least = HUGE_VAL;
+    double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
     int result = -ABB_GOFA_5_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -ABB_GOFA_5_INVALID_POSE;
-    if (abb_gofa_5_ik(T, q_seed, all, status) < 0)
-        return -ABB_GOFA_5_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = abb_gofa_5_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == ABB_GOFA_5_OUT_OF_LIMITS && result < 0)
             result = -ABB_GOFA_5_OUT_OF_LIMITS;
@@ -3938,10 +3936,11 @@ int abb_gofa_5_ik_nearest(const double T[16], const double q_seed[6], double q[6
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -ABB_GOFA_5_INVALID_POSE;
 }
 
 void abb_gofa_5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -733,17 +733,15 @@ int bartell_rprpr_ik(
 
 int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[2][5], least = HUGE_VAL;
+    double all[2][5], found[5], least = HUGE_VAL;
     unsigned char status[2];
     int result = -BARTELL_RPRPR_UNREACHABLE;
-    for (int i = 0; i < 5; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 5; i++)
-        if (!isfinite(q_seed[i]))
-            return -BARTELL_RPRPR_INVALID_POSE;
-    if (bartell_rprpr_ik(T, q_seed, all, status) < 0)
-        return -BARTELL_RPRPR_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = bartell_rprpr_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 5; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == BARTELL_RPRPR_OUT_OF_LIMITS && result < 0)
             result = -BARTELL_RPRPR_OUT_OF_LIMITS;
@@ -757,10 +755,11 @@ int bartell_rprpr_ik_nearest(const double T[16], const double q_seed[5], double 
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -BARTELL_RPRPR_INVALID_POSE;
 }
 
 void bartell_rprpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -392,17 +392,15 @@ int cartesian_ik(const double T[16], const double *q_seed, double q[1][3], unsig
 
 int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[1][3], least = HUGE_VAL;
+    double all[1][3], found[3], least = HUGE_VAL;
     unsigned char status[1];
     int result = -CARTESIAN_UNREACHABLE;
-    for (int i = 0; i < 3; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(q_seed[i]))
-            return -CARTESIAN_INVALID_POSE;
-    if (cartesian_ik(T, q_seed, all, status) < 0)
-        return -CARTESIAN_INVALID_POSE;
-    for (int row = 0; row < 1; row++) {
+    int valid = cartesian_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 3; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 1 && valid; row++) {
         double distance = 0.0;
         if (status[row] == CARTESIAN_OUT_OF_LIMITS && result < 0)
             result = -CARTESIAN_OUT_OF_LIMITS;
@@ -415,10 +413,11 @@ int cartesian_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -CARTESIAN_INVALID_POSE;
 }
 
 void cartesian_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

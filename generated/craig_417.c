@@ -824,17 +824,15 @@ int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsig
 
 int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
-    double all[2][4], least = HUGE_VAL;
+    double all[2][4], found[4], least = HUGE_VAL;
     unsigned char status[2];
     int result = -CRAIG_417_UNREACHABLE;
-    for (int i = 0; i < 4; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 4; i++)
-        if (!isfinite(q_seed[i]))
-            return -CRAIG_417_INVALID_POSE;
-    if (craig_417_ik(T, q_seed, all, status) < 0)
-        return -CRAIG_417_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = craig_417_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 4; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == CRAIG_417_OUT_OF_LIMITS && result < 0)
             result = -CRAIG_417_OUT_OF_LIMITS;
@@ -848,10 +846,11 @@ int craig_417_ik_nearest(const double T[16], const double q_seed[4], double q[4]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -CRAIG_417_INVALID_POSE;
 }
 
 void craig_417_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -882,17 +882,15 @@ int cuspidal_3r_ik(
 
 int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[4][3], least = HUGE_VAL;
+    double all[4][3], found[3], least = HUGE_VAL;
     unsigned char status[4];
     int result = -CUSPIDAL_3R_UNREACHABLE;
-    for (int i = 0; i < 3; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(q_seed[i]))
-            return -CUSPIDAL_3R_INVALID_POSE;
-    if (cuspidal_3r_ik(T, q_seed, all, status) < 0)
-        return -CUSPIDAL_3R_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = cuspidal_3r_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 3; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == CUSPIDAL_3R_OUT_OF_LIMITS && result < 0)
             result = -CUSPIDAL_3R_OUT_OF_LIMITS;
@@ -906,10 +904,11 @@ int cuspidal_3r_ik_nearest(const double T[16], const double q_seed[3], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -CUSPIDAL_3R_INVALID_POSE;
 }
 
 void cuspidal_3r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

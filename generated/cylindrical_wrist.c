@@ -725,17 +725,15 @@ int cylindrical_wrist_ik(
 
 int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[4][6], least = HUGE_VAL;
+    double all[4][6], found[6], least = HUGE_VAL;
     unsigned char status[4];
     int result = -CYLINDRICAL_WRIST_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -CYLINDRICAL_WRIST_INVALID_POSE;
-    if (cylindrical_wrist_ik(T, q_seed, all, status) < 0)
-        return -CYLINDRICAL_WRIST_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = cylindrical_wrist_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == CYLINDRICAL_WRIST_OUT_OF_LIMITS && result < 0)
             result = -CYLINDRICAL_WRIST_OUT_OF_LIMITS;
@@ -749,10 +747,11 @@ int cylindrical_wrist_ik_nearest(const double T[16], const double q_seed[6], dou
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -CYLINDRICAL_WRIST_INVALID_POSE;
 }
 
 void cylindrical_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

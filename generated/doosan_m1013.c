@@ -922,17 +922,15 @@ int doosan_m1013_ik(
 
 int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -DOOSAN_M1013_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -DOOSAN_M1013_INVALID_POSE;
-    if (doosan_m1013_ik(T, q_seed, all, status) < 0)
-        return -DOOSAN_M1013_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = doosan_m1013_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == DOOSAN_M1013_OUT_OF_LIMITS && result < 0)
             result = -DOOSAN_M1013_OUT_OF_LIMITS;
@@ -946,10 +944,11 @@ int doosan_m1013_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -DOOSAN_M1013_INVALID_POSE;
 }
 
 void doosan_m1013_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -1123,17 +1123,15 @@ int fanuc_lrmate200id_ik(
 
 int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -FANUC_LRMATE200ID_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -FANUC_LRMATE200ID_INVALID_POSE;
-    if (fanuc_lrmate200id_ik(T, q_seed, all, status) < 0)
-        return -FANUC_LRMATE200ID_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = fanuc_lrmate200id_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == FANUC_LRMATE200ID_OUT_OF_LIMITS && result < 0)
             result = -FANUC_LRMATE200ID_OUT_OF_LIMITS;
@@ -1147,10 +1145,11 @@ int fanuc_lrmate200id_ik_nearest(const double T[16], const double q_seed[6], dou
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -FANUC_LRMATE200ID_INVALID_POSE;
 }
 
 void fanuc_lrmate200id_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -1116,17 +1116,15 @@ int fanuc_m710ic50_ik(
 
 int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -FANUC_M710IC50_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -FANUC_M710IC50_INVALID_POSE;
-    if (fanuc_m710ic50_ik(T, q_seed, all, status) < 0)
-        return -FANUC_M710IC50_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = fanuc_m710ic50_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == FANUC_M710IC50_OUT_OF_LIMITS && result < 0)
             result = -FANUC_M710IC50_OUT_OF_LIMITS;
@@ -1140,10 +1138,11 @@ int fanuc_m710ic50_ik_nearest(const double T[16], const double q_seed[6], double
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -FANUC_M710IC50_INVALID_POSE;
 }
 
 void fanuc_m710ic50_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

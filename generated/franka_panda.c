@@ -533,46 +533,46 @@ HELPER wide_mask solve_wide(
     const wide_mask v165 = beyond(v161, 6), v166 = beyond(v162, 6), v167 = beyond(v163, 6),
         v168 = beyond(v164, 6);
     const wide q6_ppp = pick_wide(v165, angle4, v161), q6_pmp = pick_wide(v166, angle5, v162),
-        q6_mpp = pick_wide(v167, angle6, v163), q6_mmp = pick_wide(v168, angle7, v164);
-    const wide_mask v169 = beyond(free_joints[0], 7);
-    const wide q4_ppp = v17 + v153, q4_mpp = v18 + v154, v170 = free_joints[0] + (w4 - w4),
-        q7_ppp = v17 + v170, q7_mpp = v18 + v170;
-    const wide_mask doubt1 = (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8) | (v74 <= m9) |
-        (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <=
-        doubt_limit_squared2) | (abs_wide(D5_p) <= v19) | (abs_wide(D4) <= reach_slack2 *
-        (reach_slack2 + 2.0 * abs_wide(Z4))) | (N5_p <= doubt_limit_squared2);
+        q6_mpp = pick_wide(v167, angle6, v163), q6_mmp = pick_wide(v168, angle7, v164),
+        q4_ppp = v17 + v153, q4_mpp = v18 + v154, v169 = free_joints[0] + (w4 - w4),
+        q7_ppp = v17 + v169, q7_mpp = v18 + v169;
+    const wide_mask doubt1 = (free_joints[0] < low(7)) | (abs_wide(D4) <= reach_slack2 *
+        (reach_slack2 + 2.0 * abs_wide(Z4))) | (v76 <= m9) | (v43 <= m8) | (v75 <= m9) | (v42 <= m8)
+        | (v74 <= m9) | (v41 <= m8) | (v73 <= m9) | (v40 <= m8) | (abs_wide(D5_m) <= v19) | (N5_m <=
+        doubt_limit_squared2) | (abs_wide(D5_p) <= v19) | (high(7) < free_joints[0]) | (N5_p <=
+        doubt_limit_squared2);
 
     q[0] = angle8; q[1] = angle16; q[2] = angle12; q[3] = q4_ppp; q[4] = angle2; q[5] = q6_ppp;
     q[6] = q7_ppp;
-    kind[0] = kind_of(q[0], v169 | v165 | v157 | v155 | beyond(angle12, 3) | beyond(angle8, 1) |
+    kind[0] = kind_of(q[0], v165 | v157 | v155 | beyond(angle12, 3) | beyond(angle8, 1) |
         beyond(angle16, 2));
     q[7] = q1_ppm; q[8] = -angle16; q[9] = q3_ppm; q[10] = q4_ppp; q[11] = angle2; q[12] = q6_ppp;
     q[13] = q7_ppp;
-    kind[1] = kind_of(q[7], v169 | v165 | v157 | v155 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
+    kind[1] = kind_of(q[7], v165 | v157 | v155 | beyond(q3_ppm, 3) | beyond(q1_ppm, 1) |
         beyond(-angle16, 2));
     q[14] = angle9; q[15] = angle17; q[16] = angle13; q[17] = q4_ppp; q[18] = q5_pmp;
     q[19] = q6_pmp; q[20] = q7_ppp;
-    kind[2] = kind_of(q[14], v169 | v166 | v158 | v155 | beyond(angle13, 3) | beyond(angle9, 1) |
+    kind[2] = kind_of(q[14], v166 | v158 | v155 | beyond(angle13, 3) | beyond(angle9, 1) |
         beyond(angle17, 2));
     q[21] = q1_pmm; q[22] = -angle17; q[23] = q3_pmm; q[24] = q4_ppp; q[25] = q5_pmp;
     q[26] = q6_pmp; q[27] = q7_ppp;
-    kind[3] = kind_of(q[21], v169 | v166 | v158 | v155 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
+    kind[3] = kind_of(q[21], v166 | v158 | v155 | beyond(q3_pmm, 3) | beyond(q1_pmm, 1) |
         beyond(-angle17, 2));
     q[28] = angle10; q[29] = angle18; q[30] = angle14; q[31] = q4_mpp; q[32] = angle3;
     q[33] = q6_mpp; q[34] = q7_mpp;
-    kind[4] = kind_of(q[28], v169 | v167 | v159 | v156 | beyond(angle14, 3) | beyond(angle10, 1) |
+    kind[4] = kind_of(q[28], v167 | v159 | v156 | beyond(angle14, 3) | beyond(angle10, 1) |
         beyond(angle18, 2));
     q[35] = q1_mpm; q[36] = -angle18; q[37] = q3_mpm; q[38] = q4_mpp; q[39] = angle3;
     q[40] = q6_mpp; q[41] = q7_mpp;
-    kind[5] = kind_of(q[35], v169 | v167 | v159 | v156 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
+    kind[5] = kind_of(q[35], v167 | v159 | v156 | beyond(q3_mpm, 3) | beyond(q1_mpm, 1) |
         beyond(-angle18, 2));
     q[42] = angle11; q[43] = angle19; q[44] = angle15; q[45] = q4_mpp; q[46] = q5_mmp;
     q[47] = q6_mmp; q[48] = q7_mpp;
-    kind[6] = kind_of(q[42], v169 | v168 | v160 | v156 | beyond(angle15, 3) | beyond(angle11, 1) |
+    kind[6] = kind_of(q[42], v168 | v160 | v156 | beyond(angle15, 3) | beyond(angle11, 1) |
         beyond(angle19, 2));
     q[49] = q1_mmm; q[50] = -angle19; q[51] = q3_mmm; q[52] = q4_mpp; q[53] = q5_mmp;
     q[54] = q6_mmp; q[55] = q7_mpp;
-    kind[7] = kind_of(q[49], v169 | v168 | v160 | v156 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
+    kind[7] = kind_of(q[49], v168 | v160 | v156 | beyond(q3_mmm, 3) | beyond(q1_mmm, 1) |
         beyond(-angle19, 2));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -597,9 +597,7 @@ HELPER int solve_regular(
         w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32,
         w2z = T13 * v1 + T23 * v2 + T33 * v3,
         Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4);
-    const int doubt1 = fabs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4));
-    const double v4 = m2 * Z4;
+            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = sqrt(D4), v4 = m2 * Z4;
     const four c4 = v4 + w4 * (m1 * e1);
     const double v5 = m1 * Z4;
     const four s4 = w4 * (m2 * e1) - v5;
@@ -656,11 +654,12 @@ HELPER int solve_regular(
         v77 = v13 * v71, v78 = v13 * v69, v79 = s5 * v67, v80 = T33 * s5, v81 = v13 * v72;
 
     /* joint values */
-    const int v87 = beyond(free_joints[0], 7);
-    const double v88 = free_joints[0] + (w4 - w4);
-    const four q7_p = v10 + v88;
+    const double v87 = free_joints[0] + (w4 - w4);
+    const four q7_p = v10 + v87;
     const four_mask doubt2 = (N5 <= doubt_limit_squared2) | (abs_four(D5) <= v11),
         doubt3 = (v23 <= m8) | (v39 <= m9);
+    const int doubt1 = (free_joints[0] < low(7)) | (high(7) < free_joints[0]) | (fabs(D4) <=
+        reach_slack2 * (reach_slack2 + 2.0 * fabs(Z4)));
 
     const four_ratio ratio1 = ratio_four(shuffle(v14, all_four(w4), 0, 5, 2, 3), shuffle(-v12,
         all_four(Z4), 0, 5, 2, 3)), ratio2 = ratio_four(-v20, C6), ratio3 = ratio_four(-v38, -X1),
@@ -678,10 +677,10 @@ HELPER int solve_regular(
     const four v85 = angle3 + only_four(angle3 < low(6), turn);
     const four_mask v86 = beyond_four(v85, 6);
     const four q6_p = pick_four(v86, angle3, v85), q4_p = v10 + v82;
-    const four_mask outside_p = where_four(v87) | v86 | v84 | v83 | beyond_four(angle5, 3) |
-        beyond_four(angle4, 1) | beyond_four(angle6, 2),
-        outside_m = where_four(v87) | v86 | v84 | v83 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1)
-            | beyond_four(-angle6, 2);
+    const four_mask outside_p = v86 | v84 | v83 | beyond_four(angle5, 3) | beyond_four(angle4, 1) |
+        beyond_four(angle6, 2),
+        outside_m = v86 | v84 | v83 | beyond_four(q3_m, 3) | beyond_four(q1_m, 1) |
+            beyond_four(-angle6, 2);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2 | doubt3) |
         (unsigned)(doubt1))
@@ -1217,17 +1216,15 @@ int franka_panda_ik(
 int franka_panda_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
-    double all[8][7], least = HUGE_VAL;
+    double all[8][7], found[7], least = HUGE_VAL;
     unsigned char status[8];
     int result = -FRANKA_PANDA_UNREACHABLE;
-    for (int i = 0; i < 7; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 7; i++)
-        if (!isfinite(q_seed[i]))
-            return -FRANKA_PANDA_INVALID_POSE;
-    if (franka_panda_ik(T, free_joints, q_seed, all, status) < 0)
-        return -FRANKA_PANDA_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = franka_panda_ik(T, free_joints, q_seed, all, status) >= 0;
+    for (int i = 0; i < 7; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == FRANKA_PANDA_OUT_OF_LIMITS && result < 0)
             result = -FRANKA_PANDA_OUT_OF_LIMITS;
@@ -1241,10 +1238,11 @@ int franka_panda_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -FRANKA_PANDA_INVALID_POSE;
 }
 
 void franka_panda_ik_batch(

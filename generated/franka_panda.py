@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "franka_panda 7427b789a11421f5"
+_KEY = "franka_panda 57002ddcf4762ea8"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1090,9 +1090,6 @@ def _regular(pose, q_free, q, status):
     v83 = a4 * T23
     v94 = d5 * T13
     v95 = a4 * T13
-
-    # joint values
-    v169 = q_free[0] < low7 or high7 < q_free[0]
     s7 = math.sin(q_free[0])
     c7 = math.cos(q_free[0])
 
@@ -1315,13 +1312,14 @@ def _regular(pose, q_free, q, status):
     v152 = v23 * v134
 
     # joint values
-    v170 = q_free[0] + (w4 - w4)
-    q7_ppp = v17 + v170
-    q7_mpp = v18 + v170
+    v169 = q_free[0] + (w4 - w4)
+    q7_ppp = v17 + v169
+    q7_mpp = v18 + v169
     doubt1 = (
-        v76 <= m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or
-        v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or abs(D4)
-        <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <= doubt_limit_squared2
+        q_free[0] < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v76 <= m9 or
+        v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or v40 <= m8 or
+        abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or high7 < q_free[0] or
+        N5_p <= doubt_limit_squared2
     )
 
     # angles, side by side
@@ -1443,36 +1441,36 @@ def _regular(pose, q_free, q, status):
     q4_ppp = v17 + v153
     q4_mpp = v18 + v154
     outside_ppp = (
-        v169 or v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
-        < angle8 or angle16 < low2 or high2 < angle16
+        v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1 < angle8
+        or angle16 < low2 or high2 < angle16
     )
     outside_ppm = (
-        v169 or v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
-        q1_ppm or -angle16 < low2 or high2 < -angle16
+        v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 < q1_ppm
+        or -angle16 < low2 or high2 < -angle16
     )
     outside_pmp = (
-        v169 or v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1
-        < angle9 or angle17 < low2 or high2 < angle17
+        v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1 < angle9
+        or angle17 < low2 or high2 < angle17
     )
     outside_pmm = (
-        v169 or v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
-        q1_pmm or -angle17 < low2 or high2 < -angle17
+        v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 < q1_pmm
+        or -angle17 < low2 or high2 < -angle17
     )
     outside_mpp = (
-        v169 or v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1
-        < angle10 or angle18 < low2 or high2 < angle18
+        v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1 <
+        angle10 or angle18 < low2 or high2 < angle18
     )
     outside_mpm = (
-        v169 or v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
-        q1_mpm or -angle18 < low2 or high2 < -angle18
+        v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 < q1_mpm
+        or -angle18 < low2 or high2 < -angle18
     )
     outside_mmp = (
-        v169 or v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1
-        < angle11 or angle19 < low2 or high2 < angle19
+        v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1 <
+        angle11 or angle19 < low2 or high2 < angle19
     )
     outside_mmm = (
-        v169 or v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
-        q1_mmm or -angle19 < low2 or high2 < -angle19
+        v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 < q1_mmm
+        or -angle19 < low2 or high2 < -angle19
     )
 
     # a joint is free, or branches meet
@@ -1714,16 +1712,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1328, 1344, 1360, 1376, 1392, 1408, 1424],
-    [1440, 1456, 1472, 1376, 1392, 1408, 1424],
-    [1488, 1504, 1520, 1376, 1536, 1552, 1424],
-    [1568, 1584, 1600, 1376, 1536, 1552, 1424],
-    [1616, 1632, 1648, 1664, 1680, 1696, 1712],
-    [1728, 1744, 1760, 1664, 1680, 1696, 1712],
-    [1776, 1792, 1808, 1664, 1824, 1840, 1712],
-    [1856, 1872, 1888, 1664, 1824, 1840, 1712],
+    [1312, 1328, 1344, 1360, 1376, 1392, 1408],
+    [1424, 1440, 1456, 1360, 1376, 1392, 1408],
+    [1472, 1488, 1504, 1360, 1520, 1536, 1408],
+    [1552, 1568, 1584, 1360, 1520, 1536, 1408],
+    [1600, 1616, 1632, 1648, 1664, 1680, 1696],
+    [1712, 1728, 1744, 1648, 1664, 1680, 1696],
+    [1760, 1776, 1792, 1648, 1808, 1824, 1696],
+    [1840, 1856, 1872, 1648, 1808, 1824, 1696],
 ])
-_KINDS = np.array([1904, 1920, 1936, 1952, 1968, 1984, 2000, 2016])
+_KINDS = np.array([1888, 1904, 1920, 1936, 1952, 1968, 1984, 2000])
 
 
 @intrinsic(prefer_literal=True)
@@ -1750,7 +1748,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(2032), 2032)
+    work = carray(_tile(2016), 2016)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1799,7 +1797,6 @@ def _in_tiles(T, q_free, q, status):
             v83 = a4 * T23
             v94 = d5 * T13
             v95 = a4 * T13
-            v169 = given1 < low7 or high7 < given1
             work[288 + k] = v1
             work[304 + k] = v2
             work[320 + k] = w2x
@@ -1809,12 +1806,11 @@ def _in_tiles(T, q_free, q, status):
             work[384 + k] = v83
             work[400 + k] = v94
             work[416 + k] = v95
-            work[432 + k] = v169
+            work[432 + k] = given1
             work[448 + k] = given1
-            work[464 + k] = given1
-        for k in range(448, 464):
+        for k in range(432, 448):
             work[k] = math.sin(work[k])
-        for k in range(464, 480):
+        for k in range(448, 464):
             work[k] = math.cos(work[k])
         for k in range(0, 16):
             T11 = work[0 + k]
@@ -1836,8 +1832,8 @@ def _in_tiles(T, q_free, q, status):
             v83 = work[384 + k]
             v94 = work[400 + k]
             v95 = work[416 + k]
-            s7 = work[448 + k]
-            c7 = work[464 + k]
+            s7 = work[432 + k]
+            c7 = work[448 + k]
             Z4 = (
                 c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z *
                 w2z - k4)))
@@ -2044,118 +2040,117 @@ def _in_tiles(T, q_free, q, status):
             v150 = T33 * s5_m
             v151 = v22 * v134
             v152 = v23 * v134
-            v170 = given1 + (w4 - w4)
-            q7_ppp = v17 + v170
-            q7_mpp = v18 + v170
+            v169 = given1 + (w4 - w4)
+            q7_ppp = v17 + v169
+            q7_mpp = v18 + v169
             doubt1 = (
-                v76 <= m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <=
-                m9 or v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <=
-                v19 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or N5_p <=
-                doubt_limit_squared2
+                given1 < low7 or abs(D4) <= reach_slack2 * (reach_slack2 + 2.0 * abs(Z4)) or v76 <=
+                m9 or v43 <= m8 or v75 <= m9 or v42 <= m8 or v74 <= m9 or v41 <= m8 or v73 <= m9 or
+                v40 <= m8 or abs(D5_m) <= v19 or N5_m <= doubt_limit_squared2 or abs(D5_p) <= v19 or
+                high7 < given1 or N5_p <= doubt_limit_squared2
             )
-            work[480 + k] = v17
-            work[496 + k] = v18
-            work[512 + k] = v24
-            work[528 + k] = v25
-            work[544 + k] = v69
-            work[560 + k] = v70
-            work[576 + k] = v71
-            work[592 + k] = v72
-            work[608 + k] = v117
-            work[624 + k] = v118
-            work[640 + k] = v119
-            work[656 + k] = v120
-            work[672 + k] = q7_ppp
-            work[688 + k] = q7_mpp
-            work[704 + k] = doubt1
-            work[720 + k] = w4
-            work[736 + k] = v24
-            work[752 + k] = v25
-            work[768 + k] = -v31
-            work[784 + k] = -v32
-            work[800 + k] = -v34
-            work[816 + k] = -v35
-            work[832 + k] = -v69
-            work[848 + k] = -v70
-            work[864 + k] = -v71
-            work[880 + k] = v72
-            work[896 + k] = v117
-            work[912 + k] = v118
-            work[928 + k] = v119
-            work[944 + k] = v120
-            work[960 + k] = (
+            work[464 + k] = v17
+            work[480 + k] = v18
+            work[496 + k] = v24
+            work[512 + k] = v25
+            work[528 + k] = v69
+            work[544 + k] = v70
+            work[560 + k] = v71
+            work[576 + k] = v72
+            work[592 + k] = v117
+            work[608 + k] = v118
+            work[624 + k] = v119
+            work[640 + k] = v120
+            work[656 + k] = q7_ppp
+            work[672 + k] = q7_mpp
+            work[688 + k] = doubt1
+            work[704 + k] = w4
+            work[720 + k] = v24
+            work[736 + k] = v25
+            work[752 + k] = -v31
+            work[768 + k] = -v32
+            work[784 + k] = -v34
+            work[800 + k] = -v35
+            work[816 + k] = -v69
+            work[832 + k] = -v70
+            work[848 + k] = -v71
+            work[864 + k] = v72
+            work[880 + k] = v117
+            work[896 + k] = v118
+            work[912 + k] = v119
+            work[928 + k] = v120
+            work[944 + k] = (
                 w1_pp * v121 * (v141 + factor6_pp * (C6_pp * (v130 - v143) - -v31 * (v126 + v145)))
                 + w1_pp * v117 * (v151 + factor6_pp * (C6_pp * v147 + -v31 * v149))
             )
-            work[976 + k] = (
+            work[960 + k] = (
                 w1_pm * v122 * (v141 + factor6_pm * (C6_pm * (v130 + v143) + v32 * (v126 - v145))) +
                 w1_pm * v118 * (factor6_pm * (C6_pm * v147 - v32 * v149) - v151)
             )
-            work[992 + k] = (
+            work[976 + k] = (
                 w1_mp * v123 * (v142 - factor6_mp * (C6_mp * (v131 + v144) + -v34 * (v146 - v127)))
                 + w1_mp * v119 * (v152 + factor6_mp * (C6_mp * v148 + -v34 * v150))
             )
-            work[1008 + k] = (
+            work[992 + k] = (
                 w1_mm * v124 * (v142 + factor6_mm * (C6_mm * (v144 - v131) - v35 * (v127 + v146))) +
                 w1_mm * v120 * (factor6_mm * (C6_mm * v148 - v35 * v150) - v152)
             )
-            work[1024 + k] = Z4
-            work[1040 + k] = -v20
-            work[1056 + k] = -v21
-            work[1072 + k] = C6_pp
-            work[1088 + k] = C6_pm
-            work[1104 + k] = C6_mp
-            work[1120 + k] = C6_mm
-            work[1136 + k] = -X1_pp
-            work[1152 + k] = -X1_pm
-            work[1168 + k] = -X1_mp
-            work[1184 + k] = v56
-            work[1200 + k] = -v121
-            work[1216 + k] = -v122
-            work[1232 + k] = -v123
-            work[1248 + k] = -v124
-            work[1264 + k] = v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))
-            work[1280 + k] = v135 - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))
-            work[1296 + k] = factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136
-            work[1312 + k] = -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138)))
-        for k in range(720, 1024):
+            work[1008 + k] = Z4
+            work[1024 + k] = -v20
+            work[1040 + k] = -v21
+            work[1056 + k] = C6_pp
+            work[1072 + k] = C6_pm
+            work[1088 + k] = C6_mp
+            work[1104 + k] = C6_mm
+            work[1120 + k] = -X1_pp
+            work[1136 + k] = -X1_pm
+            work[1152 + k] = -X1_mp
+            work[1168 + k] = v56
+            work[1184 + k] = -v121
+            work[1200 + k] = -v122
+            work[1216 + k] = -v123
+            work[1232 + k] = -v124
+            work[1248 + k] = v135 + factor6_pp * (-v31 * (v132 - v139) - C6_pp * (v128 + v137))
+            work[1264 + k] = v135 - factor6_pm * (v32 * (v132 + v139) + C6_pm * (v128 - v137))
+            work[1280 + k] = factor6_mp * (-v34 * (v133 + v140) - C6_mp * (v129 - v138)) - v136
+            work[1296 + k] = -(v136 + factor6_mm * (v35 * (v133 - v140) + C6_mm * (v129 + v138)))
+        for k in range(704, 1008):
             work[k] = _atan2(work[k], work[k + 304])
         for k in range(0, 16):
-            v169 = work[432 + k] != 0.0
-            v17 = work[480 + k]
-            v18 = work[496 + k]
-            v24 = work[512 + k]
-            v25 = work[528 + k]
-            v69 = work[544 + k]
-            v70 = work[560 + k]
-            v71 = work[576 + k]
-            v72 = work[592 + k]
-            v117 = work[608 + k]
-            v118 = work[624 + k]
-            v119 = work[640 + k]
-            v120 = work[656 + k]
-            q7_ppp = work[672 + k]
-            q7_mpp = work[688 + k]
-            doubt1 = work[704 + k] != 0.0
-            angle1 = work[720 + k]
-            angle2 = work[736 + k]
-            angle3 = work[752 + k]
-            angle4 = work[768 + k]
-            angle5 = work[784 + k]
-            angle6 = work[800 + k]
-            angle7 = work[816 + k]
-            angle8 = work[832 + k]
-            angle9 = work[848 + k]
-            angle10 = work[864 + k]
-            angle11 = work[880 + k]
-            angle12 = work[896 + k]
-            angle13 = work[912 + k]
-            angle14 = work[928 + k]
-            angle15 = work[944 + k]
-            angle16 = work[960 + k]
-            angle17 = work[976 + k]
-            angle18 = work[992 + k]
-            angle19 = work[1008 + k]
+            v17 = work[464 + k]
+            v18 = work[480 + k]
+            v24 = work[496 + k]
+            v25 = work[512 + k]
+            v69 = work[528 + k]
+            v70 = work[544 + k]
+            v71 = work[560 + k]
+            v72 = work[576 + k]
+            v117 = work[592 + k]
+            v118 = work[608 + k]
+            v119 = work[624 + k]
+            v120 = work[640 + k]
+            q7_ppp = work[656 + k]
+            q7_mpp = work[672 + k]
+            doubt1 = work[688 + k] != 0.0
+            angle1 = work[704 + k]
+            angle2 = work[720 + k]
+            angle3 = work[736 + k]
+            angle4 = work[752 + k]
+            angle5 = work[768 + k]
+            angle6 = work[784 + k]
+            angle7 = work[800 + k]
+            angle8 = work[816 + k]
+            angle9 = work[832 + k]
+            angle10 = work[848 + k]
+            angle11 = work[864 + k]
+            angle12 = work[880 + k]
+            angle13 = work[896 + k]
+            angle14 = work[912 + k]
+            angle15 = work[928 + k]
+            angle16 = work[944 + k]
+            angle17 = work[960 + k]
+            angle18 = work[976 + k]
+            angle19 = work[992 + k]
             q4__p = angle1 - turn1
             v9 = turn1 + angle1
             q5_pmp = math.copysign(half_turn, v24) - angle2
@@ -2191,132 +2186,132 @@ def _in_tiles(T, q_free, q, status):
             q4_ppp = v17 + v153
             q4_mpp = v18 + v154
             outside_ppp = (
-                v169 or v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1
-                or high1 < angle8 or angle16 < low2 or high2 < angle16
+                v165 or v157 or v155 or angle12 < low3 or high3 < angle12 or angle8 < low1 or high1
+                < angle8 or angle16 < low2 or high2 < angle16
             )
             outside_ppm = (
-                v169 or v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or
-                high1 < q1_ppm or -angle16 < low2 or high2 < -angle16
+                v165 or v157 or v155 or q3_ppm < low3 or high3 < q3_ppm or q1_ppm < low1 or high1 <
+                q1_ppm or -angle16 < low2 or high2 < -angle16
             )
             outside_pmp = (
-                v169 or v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1
-                or high1 < angle9 or angle17 < low2 or high2 < angle17
+                v166 or v158 or v155 or angle13 < low3 or high3 < angle13 or angle9 < low1 or high1
+                < angle9 or angle17 < low2 or high2 < angle17
             )
             outside_pmm = (
-                v169 or v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or
-                high1 < q1_pmm or -angle17 < low2 or high2 < -angle17
+                v166 or v158 or v155 or q3_pmm < low3 or high3 < q3_pmm or q1_pmm < low1 or high1 <
+                q1_pmm or -angle17 < low2 or high2 < -angle17
             )
             outside_mpp = (
-                v169 or v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1
-                or high1 < angle10 or angle18 < low2 or high2 < angle18
+                v167 or v159 or v156 or angle14 < low3 or high3 < angle14 or angle10 < low1 or high1
+                < angle10 or angle18 < low2 or high2 < angle18
             )
             outside_mpm = (
-                v169 or v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or
-                high1 < q1_mpm or -angle18 < low2 or high2 < -angle18
+                v167 or v159 or v156 or q3_mpm < low3 or high3 < q3_mpm or q1_mpm < low1 or high1 <
+                q1_mpm or -angle18 < low2 or high2 < -angle18
             )
             outside_mmp = (
-                v169 or v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1
-                or high1 < angle11 or angle19 < low2 or high2 < angle19
+                v168 or v160 or v156 or angle15 < low3 or high3 < angle15 or angle11 < low1 or high1
+                < angle11 or angle19 < low2 or high2 < angle19
             )
             outside_mmm = (
-                v169 or v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or
-                high1 < q1_mmm or -angle19 < low2 or high2 < -angle19
+                v168 or v160 or v156 or q3_mmm < low3 or high3 < q3_mmm or q1_mmm < low1 or high1 <
+                q1_mmm or -angle19 < low2 or high2 < -angle19
             )
-            _1328 = angle8
+            _1312 = angle8
+            work[1312 + k] = _1312
+            _1328 = angle16
             work[1328 + k] = _1328
-            _1344 = angle16
+            _1344 = angle12
             work[1344 + k] = _1344
-            _1360 = angle12
+            _1360 = q4_ppp
             work[1360 + k] = _1360
-            _1376 = q4_ppp
+            _1376 = angle2
             work[1376 + k] = _1376
-            _1392 = angle2
+            _1392 = q6_ppp
             work[1392 + k] = _1392
-            _1408 = q6_ppp
+            _1408 = q7_ppp
             work[1408 + k] = _1408
-            _1424 = q7_ppp
+            _1424 = q1_ppm
             work[1424 + k] = _1424
-            _1440 = q1_ppm
+            _1440 = -angle16
             work[1440 + k] = _1440
-            _1456 = -angle16
+            _1456 = q3_ppm
             work[1456 + k] = _1456
-            _1472 = q3_ppm
+            _1472 = angle9
             work[1472 + k] = _1472
-            _1488 = angle9
+            _1488 = angle17
             work[1488 + k] = _1488
-            _1504 = angle17
+            _1504 = angle13
             work[1504 + k] = _1504
-            _1520 = angle13
+            _1520 = q5_pmp
             work[1520 + k] = _1520
-            _1536 = q5_pmp
+            _1536 = q6_pmp
             work[1536 + k] = _1536
-            _1552 = q6_pmp
+            _1552 = q1_pmm
             work[1552 + k] = _1552
-            _1568 = q1_pmm
+            _1568 = -angle17
             work[1568 + k] = _1568
-            _1584 = -angle17
+            _1584 = q3_pmm
             work[1584 + k] = _1584
-            _1600 = q3_pmm
+            _1600 = angle10
             work[1600 + k] = _1600
-            _1616 = angle10
+            _1616 = angle18
             work[1616 + k] = _1616
-            _1632 = angle18
+            _1632 = angle14
             work[1632 + k] = _1632
-            _1648 = angle14
+            _1648 = q4_mpp
             work[1648 + k] = _1648
-            _1664 = q4_mpp
+            _1664 = angle3
             work[1664 + k] = _1664
-            _1680 = angle3
+            _1680 = q6_mpp
             work[1680 + k] = _1680
-            _1696 = q6_mpp
+            _1696 = q7_mpp
             work[1696 + k] = _1696
-            _1712 = q7_mpp
+            _1712 = q1_mpm
             work[1712 + k] = _1712
-            _1728 = q1_mpm
+            _1728 = -angle18
             work[1728 + k] = _1728
-            _1744 = -angle18
+            _1744 = q3_mpm
             work[1744 + k] = _1744
-            _1760 = q3_mpm
+            _1760 = angle11
             work[1760 + k] = _1760
-            _1776 = angle11
+            _1776 = angle19
             work[1776 + k] = _1776
-            _1792 = angle19
+            _1792 = angle15
             work[1792 + k] = _1792
-            _1808 = angle15
+            _1808 = q5_mmp
             work[1808 + k] = _1808
-            _1824 = q5_mmp
+            _1824 = q6_mmp
             work[1824 + k] = _1824
-            _1840 = q6_mmp
+            _1840 = q1_mmm
             work[1840 + k] = _1840
-            _1856 = q1_mmm
+            _1856 = -angle19
             work[1856 + k] = _1856
-            _1872 = -angle19
+            _1872 = q3_mmm
             work[1872 + k] = _1872
-            _1888 = q3_mmm
-            work[1888 + k] = _1888
+            work[1888 + k] = (
+                UNREACHABLE if _1312 != _1312 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
             work[1904 + k] = (
-                UNREACHABLE if _1328 != _1328 else (OUT_OF_LIMITS if outside_ppp else OK)
+                UNREACHABLE if _1424 != _1424 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[1920 + k] = (
-                UNREACHABLE if _1440 != _1440 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _1472 != _1472 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[1936 + k] = (
-                UNREACHABLE if _1488 != _1488 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _1552 != _1552 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[1952 + k] = (
-                UNREACHABLE if _1568 != _1568 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _1600 != _1600 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[1968 + k] = (
-                UNREACHABLE if _1616 != _1616 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _1712 != _1712 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
             work[1984 + k] = (
-                UNREACHABLE if _1728 != _1728 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _1760 != _1760 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[2000 + k] = (
-                UNREACHABLE if _1776 != _1776 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[2016 + k] = (
-                UNREACHABLE if _1856 != _1856 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _1840 != _1840 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(first, first + count):

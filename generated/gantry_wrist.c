@@ -679,17 +679,15 @@ int gantry_wrist_ik(
 
 int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[2][6], least = HUGE_VAL;
+    double all[2][6], found[6], least = HUGE_VAL;
     unsigned char status[2];
     int result = -GANTRY_WRIST_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -GANTRY_WRIST_INVALID_POSE;
-    if (gantry_wrist_ik(T, q_seed, all, status) < 0)
-        return -GANTRY_WRIST_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = gantry_wrist_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == GANTRY_WRIST_OUT_OF_LIMITS && result < 0)
             result = -GANTRY_WRIST_OUT_OF_LIMITS;
@@ -703,10 +701,11 @@ int gantry_wrist_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -GANTRY_WRIST_INVALID_POSE;
 }
 
 void gantry_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -3762,17 +3762,15 @@ int general_5r1p_ik(
 
 int general_5r1p_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[16][6], least = HUGE_VAL;
+    double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
     int result = -GENERAL_5R1P_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -GENERAL_5R1P_INVALID_POSE;
-    if (general_5r1p_ik(T, q_seed, all, status) < 0)
-        return -GENERAL_5R1P_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = general_5r1p_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == GENERAL_5R1P_OUT_OF_LIMITS && result < 0)
             result = -GENERAL_5R1P_OUT_OF_LIMITS;
@@ -3786,10 +3784,11 @@ int general_5r1p_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -GENERAL_5R1P_INVALID_POSE;
 }
 
 void general_5r1p_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

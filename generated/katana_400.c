@@ -1018,17 +1018,15 @@ int katana_400_ik(
 
 int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[4][5], least = HUGE_VAL;
+    double all[4][5], found[5], least = HUGE_VAL;
     unsigned char status[4];
     int result = -KATANA_400_UNREACHABLE;
-    for (int i = 0; i < 5; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 5; i++)
-        if (!isfinite(q_seed[i]))
-            return -KATANA_400_INVALID_POSE;
-    if (katana_400_ik(T, q_seed, all, status) < 0)
-        return -KATANA_400_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = katana_400_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 5; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == KATANA_400_OUT_OF_LIMITS && result < 0)
             result = -KATANA_400_OUT_OF_LIMITS;
@@ -1042,10 +1040,11 @@ int katana_400_ik_nearest(const double T[16], const double q_seed[5], double q[5
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -KATANA_400_INVALID_POSE;
 }
 
 void katana_400_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

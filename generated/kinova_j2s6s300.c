@@ -1149,17 +1149,15 @@ int kinova_j2s6s300_ik(
 
 int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -KINOVA_J2S6S300_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -KINOVA_J2S6S300_INVALID_POSE;
-    if (kinova_j2s6s300_ik(T, q_seed, all, status) < 0)
-        return -KINOVA_J2S6S300_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = kinova_j2s6s300_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == KINOVA_J2S6S300_OUT_OF_LIMITS && result < 0)
             result = -KINOVA_J2S6S300_OUT_OF_LIMITS;
@@ -1173,10 +1171,11 @@ int kinova_j2s6s300_ik_nearest(const double T[16], const double q_seed[6], doubl
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -KINOVA_J2S6S300_INVALID_POSE;
 }
 
 void kinova_j2s6s300_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -548,42 +548,42 @@ HELPER wide_mask solve_wide(
         q6_mpm = only_wide(-v98 <= -half_turn, turn) - v98,
         q6_mmp = v99 + only_wide(v99 <= -half_turn, turn),
         q6_mmm = only_wide(-v100 <= -half_turn, turn) - v100;
-    const wide_mask v101 = beyond(free_joints[0], 3), v102 = beyond(q4__p, 4),
-        v103 = beyond(q4__m, 4);
+    const wide_mask v101 = beyond(q4__p, 4), v102 = beyond(q4__m, 4);
     const wide q3_ppp = v6 + (free_joints[0] + (w4 - w4)), q4_ppp = v6 + q4__p, q4_mpp = v6 + q4__m;
-    const wide_mask v104 = v102 | v101 | beyond(q1_ppp, 1) | beyond(q2_ppp, 2),
-        v105 = v102 | v101 | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
-        v106 = v103 | v101 | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
-        v107 = v103 | v101 | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
+    const wide_mask v103 = v101 | beyond(q1_ppp, 1) | beyond(q2_ppp, 2),
+        v104 = v101 | beyond(q1_pmp, 1) | beyond(q2_pmp, 2),
+        v105 = v102 | beyond(q1_mpp, 1) | beyond(q2_mpp, 2),
+        v106 = v102 | beyond(q1_mmp, 1) | beyond(q2_mmp, 2),
         doubt1 = (N1 <= doubt_limit_squared2) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) &
-            (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (v51 <= m2) | (v27 <= m1) |
-            (v50 <= m2) | (v49 <= m2) | (v26 <= m1) | (v48 <= m2) | (abs_wide(D1) <= reach_slack1 *
-            (reach_slack1 + 2.0 * abs_wide(Z1))) | (v25 <= m1);
+            (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (abs_wide(D1) <= reach_slack1
+            * (reach_slack1 + 2.0 * abs_wide(Z1))) | (free_joints[0] < low(3)) | (v51 <= m2) | (v27
+            <= m1) | (v50 <= m2) | (v49 <= m2) | (v26 <= m1) | (v48 <= m2) | (high(3) <
+            free_joints[0]) | (v25 <= m1);
 
     q[0] = q1_ppp; q[1] = q2_ppp; q[2] = q3_ppp; q[3] = q4_ppp; q[4] = angle1; q[5] = q6_ppp;
     q[6] = angle5;
-    kind[0] = kind_of(q[0], beyond(angle5, 7) | beyond(q6_ppp, 6) | v104 | beyond(angle1, 5));
+    kind[0] = kind_of(q[0], beyond(angle5, 7) | beyond(q6_ppp, 6) | v103 | beyond(angle1, 5));
     q[7] = q1_ppp; q[8] = q2_ppp; q[9] = q3_ppp; q[10] = q4_ppp; q[11] = q5_ppm; q[12] = q6_ppm;
     q[13] = q7_ppm;
-    kind[1] = kind_of(q[7], beyond(q7_ppm, 7) | beyond(q6_ppm, 6) | v104 | beyond(q5_ppm, 5));
+    kind[1] = kind_of(q[7], beyond(q7_ppm, 7) | beyond(q6_ppm, 6) | v103 | beyond(q5_ppm, 5));
     q[14] = q1_pmp; q[15] = q2_pmp; q[16] = q3_ppp; q[17] = q4_ppp; q[18] = angle2; q[19] = q6_pmp;
     q[20] = angle6;
-    kind[2] = kind_of(q[14], beyond(angle6, 7) | beyond(q6_pmp, 6) | v105 | beyond(angle2, 5));
+    kind[2] = kind_of(q[14], beyond(angle6, 7) | beyond(q6_pmp, 6) | v104 | beyond(angle2, 5));
     q[21] = q1_pmp; q[22] = q2_pmp; q[23] = q3_ppp; q[24] = q4_ppp; q[25] = q5_pmm; q[26] = q6_pmm;
     q[27] = q7_pmm;
-    kind[3] = kind_of(q[21], beyond(q7_pmm, 7) | beyond(q6_pmm, 6) | v105 | beyond(q5_pmm, 5));
+    kind[3] = kind_of(q[21], beyond(q7_pmm, 7) | beyond(q6_pmm, 6) | v104 | beyond(q5_pmm, 5));
     q[28] = q1_mpp; q[29] = q2_mpp; q[30] = q3_ppp; q[31] = q4_mpp; q[32] = angle3; q[33] = q6_mpp;
     q[34] = angle7;
-    kind[4] = kind_of(q[28], beyond(angle7, 7) | beyond(q6_mpp, 6) | v106 | beyond(angle3, 5));
+    kind[4] = kind_of(q[28], beyond(angle7, 7) | beyond(q6_mpp, 6) | v105 | beyond(angle3, 5));
     q[35] = q1_mpp; q[36] = q2_mpp; q[37] = q3_ppp; q[38] = q4_mpp; q[39] = q5_mpm; q[40] = q6_mpm;
     q[41] = q7_mpm;
-    kind[5] = kind_of(q[35], beyond(q7_mpm, 7) | beyond(q6_mpm, 6) | v106 | beyond(q5_mpm, 5));
+    kind[5] = kind_of(q[35], beyond(q7_mpm, 7) | beyond(q6_mpm, 6) | v105 | beyond(q5_mpm, 5));
     q[42] = q1_mmp; q[43] = q2_mmp; q[44] = q3_ppp; q[45] = q4_mpp; q[46] = angle4; q[47] = q6_mmp;
     q[48] = angle8;
-    kind[6] = kind_of(q[42], beyond(angle8, 7) | beyond(q6_mmp, 6) | v107 | beyond(angle4, 5));
+    kind[6] = kind_of(q[42], beyond(angle8, 7) | beyond(q6_mmp, 6) | v106 | beyond(angle4, 5));
     q[49] = q1_mmp; q[50] = q2_mmp; q[51] = q3_ppp; q[52] = q4_mpp; q[53] = q5_mmm; q[54] = q6_mmm;
     q[55] = q7_mmm;
-    kind[7] = kind_of(q[49], beyond(q7_mmm, 7) | beyond(q6_mmm, 6) | v107 | beyond(q5_mmm, 5));
+    kind[7] = kind_of(q[49], beyond(q7_mmm, 7) | beyond(q6_mmm, 6) | v106 | beyond(q5_mmm, 5));
     const wide_mask exact = irregularity_wide(T, free_joints) <= 1e-24;
     return (exact == 0) | (doubt1);
 }
@@ -648,12 +648,12 @@ HELPER int solve_regular(
     const four v64 = e1 * v60;
 
     /* joint values */
-    const int v70 = beyond(free_joints[0], 3);
     const double q3_p = v6 + (free_joints[0] + (w4 - w4));
     const four_mask doubt2 = (v23 <= m1) | (v39 <= m2);
-    const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
-        2.0 * fabs(Z1))) | ((shortest4_reach <= V4) & (V4 <= longest4_reach) & (((shortest4_apart <
-        V4) & (V4 < longest4_apart)) == 0));
+    const int doubt1 = (N1 <= doubt_limit_squared2) | ((shortest4_reach <= V4) & (V4 <=
+        longest4_reach) & (((shortest4_apart < V4) & (V4 < longest4_apart)) == 0)) | (fabs(D1) <=
+        reach_slack1 * (reach_slack1 + 2.0 * fabs(Z1))) | (high(3) < free_joints[0]) |
+        (free_joints[0] < low(3));
 
     const four_ratio ratio1 = ratio_four((four){ -v4, -v4, -v4, -v4 }, (four){ -v2, -v2, -v2, -v2
         }), ratio2 = ratio_four(s1, c1), ratio3 = ratio_four(S2, -v22),
@@ -677,11 +677,11 @@ HELPER int solve_regular(
         q4_ = v67 + only_four(v67 <= -half_turn, turn), v68 = angle6 - offset6,
         v69 = offset6 + angle6, q6_p = v68 + only_four(v68 <= -half_turn, turn),
         q6_m = only_four(-v69 <= -half_turn, turn) - v69;
-    const four_mask v71 = beyond_four(q4_, 4);
+    const four_mask v70 = beyond_four(q4_, 4);
     const four q4_p = v6 + q4_;
-    const four_mask v72 = v71 | where_four(v70) | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
-        outside_p = beyond_four(angle2, 7) | beyond_four(q6_p, 6) | v72 | beyond_four(angle1, 5),
-        outside_m = beyond_four(q7_m, 7) | beyond_four(q6_m, 6) | v72 | beyond_four(q5_m, 5);
+    const four_mask v71 = v70 | beyond_four(q1_p, 1) | beyond_four(q2_p, 2),
+        outside_p = beyond_four(angle2, 7) | beyond_four(q6_p, 6) | v71 | beyond_four(angle1, 5),
+        outside_m = beyond_four(q7_m, 7) | beyond_four(q6_m, 6) | v71 | beyond_four(q5_m, 5);
 
     if (bits_four(((irregularity_four(T, free_joints) <= 1e-24) == 0) | doubt2) |
         (unsigned)(doubt1))
@@ -1220,17 +1220,15 @@ int kuka_iiwa14_ik(
 int kuka_iiwa14_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
-    double all[8][7], least = HUGE_VAL;
+    double all[8][7], found[7], least = HUGE_VAL;
     unsigned char status[8];
     int result = -KUKA_IIWA14_UNREACHABLE;
-    for (int i = 0; i < 7; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 7; i++)
-        if (!isfinite(q_seed[i]))
-            return -KUKA_IIWA14_INVALID_POSE;
-    if (kuka_iiwa14_ik(T, free_joints, q_seed, all, status) < 0)
-        return -KUKA_IIWA14_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = kuka_iiwa14_ik(T, free_joints, q_seed, all, status) >= 0;
+    for (int i = 0; i < 7; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == KUKA_IIWA14_OUT_OF_LIMITS && result < 0)
             result = -KUKA_IIWA14_OUT_OF_LIMITS;
@@ -1244,10 +1242,11 @@ int kuka_iiwa14_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -KUKA_IIWA14_INVALID_POSE;
 }
 
 void kuka_iiwa14_ik_batch(

@@ -407,7 +407,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kuka_iiwa14 14b477c50d2b2a3e"
+_KEY = "kuka_iiwa14 1a1066fc47c9a210"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -1101,9 +1101,6 @@ def _regular(pose, q_free, q, status):
     v76 = v5 * T31
     v77 = v5 * T11
     v78 = v5 * T21
-
-    # joint values
-    v101 = q_free[0] < low3 or high3 < q_free[0]
     s3 = math.sin(q_free[0])
     c3 = math.cos(q_free[0])
     angle17 = _atan2(-v4, -v2)
@@ -1235,16 +1232,16 @@ def _regular(pose, q_free, q, status):
     v92 = offset4 + angle17
     q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
     q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-    v102 = q4__p < low4 or high4 < q4__p
-    v103 = q4__m < low4 or high4 < q4__m
+    v101 = q4__p < low4 or high4 < q4__p
+    v102 = q4__m < low4 or high4 < q4__m
     q3_ppp = v6 + (q_free[0] + (w4 - w4))
     q4_ppp = v6 + q4__p
     q4_mpp = v6 + q4__m
     doubt1 = (
         N1 <= doubt_limit_squared2 or (shortest4_reach <= V4 and V4 <= longest4_reach and not
-        (shortest4_apart < V4 and V4 < longest4_apart)) or v51 <= m2 or v27 <= m1 or v50 <= m2 or
-        v49 <= m2 or v26 <= m1 or v48 <= m2 or abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 *
-        abs(Z1)) or v25 <= m1
+        (shortest4_apart < V4 and V4 < longest4_apart)) or abs(D1) <= reach_slack1 * (reach_slack1 +
+        2.0 * abs(Z1)) or q_free[0] < low3 or v51 <= m2 or v27 <= m1 or v50 <= m2 or v49 <= m2 or
+        v26 <= m1 or v48 <= m2 or high3 < q_free[0] or v25 <= m1
     )
 
     # angles, side by side
@@ -1410,40 +1407,40 @@ def _regular(pose, q_free, q, status):
     q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
     q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
     q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
-    v104 = v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
-    v105 = v102 or v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
-    v106 = v103 or v101 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
-    v107 = v103 or v101 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
+    v103 = v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
+    v104 = v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
+    v105 = v102 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
+    v106 = v102 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
     outside_ppp = (
-        angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v104 or angle1 < low5
+        angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v103 or angle1 < low5
         or high5 < angle1
     )
     outside_ppm = (
-        q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v104 or q5_ppm < low5
+        q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v103 or q5_ppm < low5
         or high5 < q5_ppm
     )
     outside_pmp = (
-        angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v105 or angle2 < low5
+        angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v104 or angle2 < low5
         or high5 < angle2
     )
     outside_pmm = (
-        q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v105 or q5_pmm < low5
+        q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v104 or q5_pmm < low5
         or high5 < q5_pmm
     )
     outside_mpp = (
-        angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v106 or angle3 < low5
+        angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v105 or angle3 < low5
         or high5 < angle3
     )
     outside_mpm = (
-        q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v106 or q5_mpm < low5
+        q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v105 or q5_mpm < low5
         or high5 < q5_mpm
     )
     outside_mmp = (
-        angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v107 or angle4 < low5
+        angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v106 or angle4 < low5
         or high5 < angle4
     )
     outside_mmm = (
-        q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v107 or q5_mmm < low5
+        q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v106 or q5_mmm < low5
         or high5 < q5_mmm
     )
 
@@ -1686,16 +1683,16 @@ def _one_by_one(T, q_free, q, status):
 
 # Where in a tile the rows' values and statuses begin.
 _PLACES = np.array([
-    [1936, 1952, 1968, 1984, 2000, 2016, 2032],
-    [1936, 1952, 1968, 1984, 2048, 2064, 2080],
-    [2096, 2112, 1968, 1984, 2128, 2144, 2160],
-    [2096, 2112, 1968, 1984, 2176, 2192, 2208],
-    [2224, 2240, 1968, 2256, 2272, 2288, 2304],
-    [2224, 2240, 1968, 2256, 2320, 2336, 2352],
-    [2368, 2384, 1968, 2256, 2400, 2416, 2432],
-    [2368, 2384, 1968, 2256, 2448, 2464, 2480],
+    [1920, 1936, 1952, 1968, 1984, 2000, 2016],
+    [1920, 1936, 1952, 1968, 2032, 2048, 2064],
+    [2080, 2096, 1952, 1968, 2112, 2128, 2144],
+    [2080, 2096, 1952, 1968, 2160, 2176, 2192],
+    [2208, 2224, 1952, 2240, 2256, 2272, 2288],
+    [2208, 2224, 1952, 2240, 2304, 2320, 2336],
+    [2352, 2368, 1952, 2240, 2384, 2400, 2416],
+    [2352, 2368, 1952, 2240, 2432, 2448, 2464],
 ])
-_KINDS = np.array([2496, 2512, 2528, 2544, 2560, 2576, 2592, 2608])
+_KINDS = np.array([2480, 2496, 2512, 2528, 2544, 2560, 2576, 2592])
 
 
 @intrinsic(prefer_literal=True)
@@ -1722,7 +1719,7 @@ def _in_tiles(T, q_free, q, status):
     Loops that hold nothing but arithmetic become vector instructions. The formulas are those of
     _regular; poses that it does not answer are solved one by one.
     """
-    work = carray(_tile(2624), 2624)
+    work = carray(_tile(2608), 2608)
     work[:] = 0.0  # the last tile may be half full
     for first in range(0, len(T), 16):
         count = min(16, len(T) - first)
@@ -1787,7 +1784,6 @@ def _in_tiles(T, q_free, q, status):
             v76 = v5 * T31
             v77 = v5 * T11
             v78 = v5 * T21
-            v101 = given1 < low3 or high3 < given1
             work[288 + k] = wx
             work[304 + k] = wy
             work[320 + k] = Z1_2
@@ -1811,16 +1807,15 @@ def _in_tiles(T, q_free, q, status):
             work[608 + k] = v76
             work[624 + k] = v77
             work[640 + k] = v78
-            work[656 + k] = v101
+            work[656 + k] = given1
             work[672 + k] = given1
-            work[688 + k] = given1
-            work[704 + k] = -v4
-            work[720 + k] = -v2
-        for k in range(672, 688):
+            work[688 + k] = -v4
+            work[704 + k] = -v2
+        for k in range(656, 672):
             work[k] = math.sin(work[k])
-        for k in range(688, 704):
+        for k in range(672, 688):
             work[k] = math.cos(work[k])
-        for k in range(704, 720):
+        for k in range(688, 704):
             work[k] = _atan2(work[k], work[k + 16])
         for k in range(0, 16):
             T11 = work[0 + k]
@@ -1856,9 +1851,9 @@ def _in_tiles(T, q_free, q, status):
             v76 = work[608 + k]
             v77 = work[624 + k]
             v78 = work[640 + k]
-            s3 = work[672 + k]
-            c3 = work[688 + k]
-            angle17 = work[704 + k]
+            s3 = work[656 + k]
+            c3 = work[672 + k]
+            angle17 = work[688 + k]
             Z1 = d5 * (s3 * v5)
             D1 = N1 - Z1 * Z1
             w1 = math.sqrt(D1)
@@ -1976,133 +1971,133 @@ def _in_tiles(T, q_free, q, status):
             v92 = offset4 + angle17
             q4__p = v91 + (turn if v91 <= -half_turn else 0.0)
             q4__m = (turn if -v92 <= -half_turn else 0.0) - v92
-            v102 = q4__p < low4 or high4 < q4__p
-            v103 = q4__m < low4 or high4 < q4__m
+            v101 = q4__p < low4 or high4 < q4__p
+            v102 = q4__m < low4 or high4 < q4__m
             q3_ppp = v6 + (given1 + (w4 - w4))
             q4_ppp = v6 + q4__p
             q4_mpp = v6 + q4__m
             doubt1 = (
                 N1 <= doubt_limit_squared2 or (shortest4_reach <= V4 and V4 <= longest4_reach and
-                not (shortest4_apart < V4 and V4 < longest4_apart)) or v51 <= m2 or v27 <= m1 or v50
-                <= m2 or v49 <= m2 or v26 <= m1 or v48 <= m2 or abs(D1) <= reach_slack1 *
-                (reach_slack1 + 2.0 * abs(Z1)) or v25 <= m1
+                not (shortest4_apart < V4 and V4 < longest4_apart)) or abs(D1) <= reach_slack1 *
+                (reach_slack1 + 2.0 * abs(Z1)) or given1 < low3 or v51 <= m2 or v27 <= m1 or v50 <=
+                m2 or v49 <= m2 or v26 <= m1 or v48 <= m2 or high3 < given1 or v25 <= m1
             )
-            work[736 + k] = c1_pp
-            work[752 + k] = v12
-            work[768 + k] = v13
-            work[784 + k] = s1_pp
-            work[800 + k] = s1_mp
-            work[816 + k] = s1_mm
-            work[832 + k] = S2_pp
-            work[848 + k] = S2_mp
-            work[864 + k] = v22
-            work[880 + k] = v23
-            work[896 + k] = factor2_pp
-            work[912 + k] = factor2_pm
-            work[928 + k] = factor2_mm
-            work[944 + k] = X5_pp
-            work[960 + k] = X5_mp
-            work[976 + k] = X5_mm
-            work[992 + k] = Y5_pp
-            work[1008 + k] = v47
-            work[1024 + k] = Y5_mp
-            work[1040 + k] = Y5_mm
-            work[1056 + k] = v69
-            work[1072 + k] = v70
-            work[1088 + k] = v72
-            work[1104 + k] = v73
-            work[1120 + k] = v74
-            work[1136 + k] = v75
-            work[1152 + k] = v79
-            work[1168 + k] = v80
-            work[1184 + k] = v81
+            work[720 + k] = c1_pp
+            work[736 + k] = v12
+            work[752 + k] = v13
+            work[768 + k] = s1_pp
+            work[784 + k] = s1_mp
+            work[800 + k] = s1_mm
+            work[816 + k] = S2_pp
+            work[832 + k] = S2_mp
+            work[848 + k] = v22
+            work[864 + k] = v23
+            work[880 + k] = factor2_pp
+            work[896 + k] = factor2_pm
+            work[912 + k] = factor2_mm
+            work[928 + k] = X5_pp
+            work[944 + k] = X5_mp
+            work[960 + k] = X5_mm
+            work[976 + k] = Y5_pp
+            work[992 + k] = v47
+            work[1008 + k] = Y5_mp
+            work[1024 + k] = Y5_mm
+            work[1040 + k] = v69
+            work[1056 + k] = v70
+            work[1072 + k] = v72
+            work[1088 + k] = v73
+            work[1104 + k] = v74
+            work[1120 + k] = v75
+            work[1136 + k] = v79
+            work[1152 + k] = v80
+            work[1168 + k] = v81
+            work[1184 + k] = v101
             work[1200 + k] = v102
-            work[1216 + k] = v103
-            work[1232 + k] = q3_ppp
-            work[1248 + k] = q4_ppp
-            work[1264 + k] = q4_mpp
-            work[1280 + k] = doubt1
-            work[1296 + k] = Y5_pp
-            work[1312 + k] = -v47
-            work[1328 + k] = Y5_mp
-            work[1344 + k] = Y5_mm
-            work[1360 + k] = (
+            work[1216 + k] = q3_ppp
+            work[1232 + k] = q4_ppp
+            work[1248 + k] = q4_mpp
+            work[1264 + k] = doubt1
+            work[1280 + k] = Y5_pp
+            work[1296 + k] = -v47
+            work[1312 + k] = Y5_mp
+            work[1328 + k] = Y5_mm
+            work[1344 + k] = (
                 -(X5_pp * (c3 * v70 - factor2_pp * (S2_pp * v69 - v22 * (s3 * (c1_pp * T11 + s1_pp *
                 T21)))) + Y5_pp * (v3 * (s3 * v70) + factor2_pp * (v22 * (v76 - (c1_pp * v74 + s1_pp
                 * v75)) + S2_pp * (v79 + (c1_pp * v77 + s1_pp * v78)))))
             )
-            work[1376 + k] = v81
-            work[1392 + k] = (
+            work[1360 + k] = v81
+            work[1376 + k] = (
                 -(X5_mp * (c3 * v72 - factor2_pm * (v80 - v23 * (s3 * (s1_mp * T21 - v12 * T11)))) +
                 Y5_mp * (v3 * (s3 * v72) + factor2_pm * (S2_mp * (v79 + (v12 * v77 - s1_mp * v78)) -
                 v23 * (v76 + (s1_mp * v75 - v12 * v74)))))
             )
-            work[1408 + k] = (
+            work[1392 + k] = (
                 -(X5_mm * (c3 * v73 - factor2_mm * (-S2_pp * v69 - v22 * (s3 * (s1_mm * T21 - v13 *
                 T11)))) + Y5_mm * (v3 * (s3 * v73) + factor2_mm * (-S2_pp * (v79 + (v13 * v77 -
                 s1_mm * v78)) - v22 * (v76 + (s1_mm * v75 - v13 * v74)))))
             )
-            work[1424 + k] = s1_pp
-            work[1440 + k] = s1_pm
-            work[1456 + k] = s1_mp
-            work[1472 + k] = s1_mm
-            work[1488 + k] = S2_pp
-            work[1504 + k] = -S2_mp
-            work[1520 + k] = S2_mp
-            work[1536 + k] = -S2_pp
-            work[1552 + k] = math.sqrt(v48)
-            work[1568 + k] = math.sqrt(v49)
-            work[1584 + k] = math.sqrt(v50)
-            work[1600 + k] = math.sqrt(v51)
-            work[1616 + k] = -X5_pp
-            work[1632 + k] = -X5_pm
-            work[1648 + k] = -X5_mp
-            work[1664 + k] = -X5_mm
-            work[1680 + k] = (
+            work[1408 + k] = s1_pp
+            work[1424 + k] = s1_pm
+            work[1440 + k] = s1_mp
+            work[1456 + k] = s1_mm
+            work[1472 + k] = S2_pp
+            work[1488 + k] = -S2_mp
+            work[1504 + k] = S2_mp
+            work[1520 + k] = -S2_pp
+            work[1536 + k] = math.sqrt(v48)
+            work[1552 + k] = math.sqrt(v49)
+            work[1568 + k] = math.sqrt(v50)
+            work[1584 + k] = math.sqrt(v51)
+            work[1600 + k] = -X5_pp
+            work[1616 + k] = -X5_pm
+            work[1632 + k] = -X5_mp
+            work[1648 + k] = -X5_mm
+            work[1664 + k] = (
                 -(X5_pp * (c3 * v59 - factor2_pp * (S2_pp * v58 - v22 * (s3 * (c1_pp * T12 + s1_pp *
                 T22)))) + Y5_pp * (v3 * (s3 * v59) + factor2_pp * (v22 * (v65 - (c1_pp * v63 + s1_pp
                 * v64)) + S2_pp * (v68 + (c1_pp * v66 + s1_pp * v67)))))
             )
-            work[1696 + k] = (
+            work[1680 + k] = (
                 v47 * (v3 * (s3 * v60) + factor2_pm * (v23 * (v65 - (c1_pm * v63 + s1_pm * v64)) -
                 S2_mp * (v68 + (c1_pm * v66 + s1_pm * v67)))) - X5_pm * (c3 * v60 + factor2_pm *
                 (v82 + v23 * (s3 * (c1_pm * T12 + s1_pm * T22))))
             )
-            work[1712 + k] = (
+            work[1696 + k] = (
                 -(X5_mp * (c3 * v61 - factor2_pm * (v82 - v23 * (s3 * (s1_mp * T22 - v12 * T12)))) +
                 Y5_mp * (v3 * (s3 * v61) + factor2_pm * (S2_mp * (v68 + (v12 * v66 - s1_mp * v67)) -
                 v23 * (v65 + (s1_mp * v64 - v12 * v63)))))
             )
-            work[1728 + k] = (
+            work[1712 + k] = (
                 -(X5_mm * (c3 * v62 - factor2_mm * (-S2_pp * v58 - v22 * (s3 * (s1_mm * T22 - v13 *
                 T12)))) + Y5_mm * (v3 * (s3 * v62) + factor2_mm * (-S2_pp * (v68 + (v13 * v66 -
                 s1_mm * v67)) - v22 * (v65 + (s1_mm * v64 - v13 * v63)))))
             )
-            work[1744 + k] = c1_pp
-            work[1760 + k] = c1_pm
-            work[1776 + k] = -v12
-            work[1792 + k] = -v13
-            work[1808 + k] = -v22
+            work[1728 + k] = c1_pp
+            work[1744 + k] = c1_pm
+            work[1760 + k] = -v12
+            work[1776 + k] = -v13
+            work[1792 + k] = -v22
+            work[1808 + k] = -v23
             work[1824 + k] = -v23
-            work[1840 + k] = -v23
-            work[1856 + k] = -v22
-            work[1872 + k] = (
+            work[1840 + k] = -v22
+            work[1856 + k] = (
                 v5 * v41 - factor2_pp * (S2_pp * (c1_pp * v55 + s1_pp * v56 - v57) + v22 * (v54 +
                 (c1_pp * v52 + s1_pp * v53)))
             )
-            work[1888 + k] = (
+            work[1872 + k] = (
                 v5 * v42 - factor2_pm * (v23 * (v54 + (c1_pm * v52 + s1_pm * v53)) - S2_mp * (c1_pm
                 * v55 + s1_pm * v56 - v57))
             )
-            work[1904 + k] = (
+            work[1888 + k] = (
                 -(v5 * v43 + factor2_pm * (S2_mp * (v57 + (s1_mp * v56 - v12 * v55)) + v23 * (v54 +
                 (v12 * v52 - s1_mp * v53))))
             )
-            work[1920 + k] = (
+            work[1904 + k] = (
                 -(v5 * v44 + factor2_mm * (-S2_pp * (v57 + (s1_mm * v56 - v13 * v55)) + v22 * (v54 +
                 (v13 * v52 - s1_mm * v53))))
             )
-        for k in range(1296, 1616):
+        for k in range(1280, 1600):
             work[k] = _atan2(work[k], work[k + 320])
         for k in range(0, 16):
             T11 = work[0 + k]
@@ -2111,64 +2106,63 @@ def _in_tiles(T, q_free, q, status):
             v76 = work[608 + k]
             v77 = work[624 + k]
             v78 = work[640 + k]
-            v101 = work[656 + k] != 0.0
-            s3 = work[672 + k]
-            c3 = work[688 + k]
-            c1_pp = work[736 + k]
-            v12 = work[752 + k]
-            v13 = work[768 + k]
-            s1_pp = work[784 + k]
-            s1_mp = work[800 + k]
-            s1_mm = work[816 + k]
-            S2_pp = work[832 + k]
-            S2_mp = work[848 + k]
-            v22 = work[864 + k]
-            v23 = work[880 + k]
-            factor2_pp = work[896 + k]
-            factor2_pm = work[912 + k]
-            factor2_mm = work[928 + k]
-            X5_pp = work[944 + k]
-            X5_mp = work[960 + k]
-            X5_mm = work[976 + k]
-            Y5_pp = work[992 + k]
-            v47 = work[1008 + k]
-            Y5_mp = work[1024 + k]
-            Y5_mm = work[1040 + k]
-            v69 = work[1056 + k]
-            v70 = work[1072 + k]
-            v72 = work[1088 + k]
-            v73 = work[1104 + k]
-            v74 = work[1120 + k]
-            v75 = work[1136 + k]
-            v79 = work[1152 + k]
-            v80 = work[1168 + k]
-            v81 = work[1184 + k]
+            s3 = work[656 + k]
+            c3 = work[672 + k]
+            c1_pp = work[720 + k]
+            v12 = work[736 + k]
+            v13 = work[752 + k]
+            s1_pp = work[768 + k]
+            s1_mp = work[784 + k]
+            s1_mm = work[800 + k]
+            S2_pp = work[816 + k]
+            S2_mp = work[832 + k]
+            v22 = work[848 + k]
+            v23 = work[864 + k]
+            factor2_pp = work[880 + k]
+            factor2_pm = work[896 + k]
+            factor2_mm = work[912 + k]
+            X5_pp = work[928 + k]
+            X5_mp = work[944 + k]
+            X5_mm = work[960 + k]
+            Y5_pp = work[976 + k]
+            v47 = work[992 + k]
+            Y5_mp = work[1008 + k]
+            Y5_mm = work[1024 + k]
+            v69 = work[1040 + k]
+            v70 = work[1056 + k]
+            v72 = work[1072 + k]
+            v73 = work[1088 + k]
+            v74 = work[1104 + k]
+            v75 = work[1120 + k]
+            v79 = work[1136 + k]
+            v80 = work[1152 + k]
+            v81 = work[1168 + k]
+            v101 = work[1184 + k] != 0.0
             v102 = work[1200 + k] != 0.0
-            v103 = work[1216 + k] != 0.0
-            q3_ppp = work[1232 + k]
-            q4_ppp = work[1248 + k]
-            q4_mpp = work[1264 + k]
-            doubt1 = work[1280 + k] != 0.0
-            angle1 = work[1296 + k]
-            angle2 = work[1312 + k]
-            angle3 = work[1328 + k]
-            angle4 = work[1344 + k]
-            angle5 = work[1360 + k]
-            angle6 = work[1376 + k]
-            angle7 = work[1392 + k]
-            angle8 = work[1408 + k]
-            angle9 = work[1424 + k]
-            angle10 = work[1440 + k]
-            angle11 = work[1456 + k]
-            angle12 = work[1472 + k]
-            angle13 = work[1488 + k]
-            angle14 = work[1504 + k]
-            angle15 = work[1520 + k]
-            angle16 = work[1536 + k]
-            angle18 = work[1552 + k]
-            angle19 = work[1568 + k]
-            angle20 = work[1584 + k]
-            angle21 = work[1600 + k]
+            q3_ppp = work[1216 + k]
+            q4_ppp = work[1232 + k]
+            q4_mpp = work[1248 + k]
+            doubt1 = work[1264 + k] != 0.0
+            angle1 = work[1280 + k]
+            angle2 = work[1296 + k]
+            angle3 = work[1312 + k]
+            angle4 = work[1328 + k]
+            angle5 = work[1344 + k]
+            angle6 = work[1360 + k]
+            angle7 = work[1376 + k]
+            angle8 = work[1392 + k]
+            angle9 = work[1408 + k]
+            angle10 = work[1424 + k]
+            angle11 = work[1440 + k]
+            angle12 = work[1456 + k]
+            angle13 = work[1472 + k]
+            angle14 = work[1488 + k]
+            angle15 = work[1504 + k]
+            angle16 = work[1520 + k]
+            angle18 = work[1536 + k]
+            angle19 = work[1552 + k]
+            angle20 = work[1568 + k]
+            angle21 = work[1584 + k]
             q5_ppm = angle1 - math.copysign(half_turn, Y5_pp)
             q5_pmm = angle2 - math.copysign(half_turn, -v47)
             q5_mpm = angle3 - math.copysign(half_turn, Y5_mp)
@@ -2223,143 +2217,135 @@ def _in_tiles(T, q_free, q, status):
             q6_mpm = (turn if -v98 <= -half_turn else 0.0) - v98
             q6_mmp = v99 + (turn if v99 <= -half_turn else 0.0)
             q6_mmm = (turn if -v100 <= -half_turn else 0.0) - v100
-            v104 = (
-                v102 or v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
-            )
-            v105 = (
-                v102 or v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
-            )
-            v106 = (
-                v103 or v101 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
-            )
-            v107 = (
-                v103 or v101 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
-            )
+            v103 = v101 or q1_ppp < low1 or high1 < q1_ppp or q2_ppp < low2 or high2 < q2_ppp
+            v104 = v101 or q1_pmp < low1 or high1 < q1_pmp or q2_pmp < low2 or high2 < q2_pmp
+            v105 = v102 or q1_mpp < low1 or high1 < q1_mpp or q2_mpp < low2 or high2 < q2_mpp
+            v106 = v102 or q1_mmp < low1 or high1 < q1_mmp or q2_mmp < low2 or high2 < q2_mmp
             outside_ppp = (
-                angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v104 or angle1
+                angle5 < low7 or high7 < angle5 or q6_ppp < low6 or high6 < q6_ppp or v103 or angle1
                 < low5 or high5 < angle1
             )
             outside_ppm = (
-                q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v104 or q5_ppm
+                q7_ppm < low7 or high7 < q7_ppm or q6_ppm < low6 or high6 < q6_ppm or v103 or q5_ppm
                 < low5 or high5 < q5_ppm
             )
             outside_pmp = (
-                angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v105 or angle2
+                angle6 < low7 or high7 < angle6 or q6_pmp < low6 or high6 < q6_pmp or v104 or angle2
                 < low5 or high5 < angle2
             )
             outside_pmm = (
-                q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v105 or q5_pmm
+                q7_pmm < low7 or high7 < q7_pmm or q6_pmm < low6 or high6 < q6_pmm or v104 or q5_pmm
                 < low5 or high5 < q5_pmm
             )
             outside_mpp = (
-                angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v106 or angle3
+                angle7 < low7 or high7 < angle7 or q6_mpp < low6 or high6 < q6_mpp or v105 or angle3
                 < low5 or high5 < angle3
             )
             outside_mpm = (
-                q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v106 or q5_mpm
+                q7_mpm < low7 or high7 < q7_mpm or q6_mpm < low6 or high6 < q6_mpm or v105 or q5_mpm
                 < low5 or high5 < q5_mpm
             )
             outside_mmp = (
-                angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v107 or angle4
+                angle8 < low7 or high7 < angle8 or q6_mmp < low6 or high6 < q6_mmp or v106 or angle4
                 < low5 or high5 < angle4
             )
             outside_mmm = (
-                q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v107 or q5_mmm
+                q7_mmm < low7 or high7 < q7_mmm or q6_mmm < low6 or high6 < q6_mmm or v106 or q5_mmm
                 < low5 or high5 < q5_mmm
             )
-            _1936 = q1_ppp
+            _1920 = q1_ppp
+            work[1920 + k] = _1920
+            _1936 = q2_ppp
             work[1936 + k] = _1936
-            _1952 = q2_ppp
+            _1952 = q3_ppp
             work[1952 + k] = _1952
-            _1968 = q3_ppp
+            _1968 = q4_ppp
             work[1968 + k] = _1968
-            _1984 = q4_ppp
+            _1984 = angle1
             work[1984 + k] = _1984
-            _2000 = angle1
+            _2000 = q6_ppp
             work[2000 + k] = _2000
-            _2016 = q6_ppp
+            _2016 = angle5
             work[2016 + k] = _2016
-            _2032 = angle5
+            _2032 = q5_ppm
             work[2032 + k] = _2032
-            _2048 = q5_ppm
+            _2048 = q6_ppm
             work[2048 + k] = _2048
-            _2064 = q6_ppm
+            _2064 = q7_ppm
             work[2064 + k] = _2064
-            _2080 = q7_ppm
+            _2080 = q1_pmp
             work[2080 + k] = _2080
-            _2096 = q1_pmp
+            _2096 = q2_pmp
             work[2096 + k] = _2096
-            _2112 = q2_pmp
+            _2112 = angle2
             work[2112 + k] = _2112
-            _2128 = angle2
+            _2128 = q6_pmp
             work[2128 + k] = _2128
-            _2144 = q6_pmp
+            _2144 = angle6
             work[2144 + k] = _2144
-            _2160 = angle6
+            _2160 = q5_pmm
             work[2160 + k] = _2160
-            _2176 = q5_pmm
+            _2176 = q6_pmm
             work[2176 + k] = _2176
-            _2192 = q6_pmm
+            _2192 = q7_pmm
             work[2192 + k] = _2192
-            _2208 = q7_pmm
+            _2208 = q1_mpp
             work[2208 + k] = _2208
-            _2224 = q1_mpp
+            _2224 = q2_mpp
             work[2224 + k] = _2224
-            _2240 = q2_mpp
+            _2240 = q4_mpp
             work[2240 + k] = _2240
-            _2256 = q4_mpp
+            _2256 = angle3
             work[2256 + k] = _2256
-            _2272 = angle3
+            _2272 = q6_mpp
             work[2272 + k] = _2272
-            _2288 = q6_mpp
+            _2288 = angle7
             work[2288 + k] = _2288
-            _2304 = angle7
+            _2304 = q5_mpm
             work[2304 + k] = _2304
-            _2320 = q5_mpm
+            _2320 = q6_mpm
             work[2320 + k] = _2320
-            _2336 = q6_mpm
+            _2336 = q7_mpm
             work[2336 + k] = _2336
-            _2352 = q7_mpm
+            _2352 = q1_mmp
             work[2352 + k] = _2352
-            _2368 = q1_mmp
+            _2368 = q2_mmp
             work[2368 + k] = _2368
-            _2384 = q2_mmp
+            _2384 = angle4
             work[2384 + k] = _2384
-            _2400 = angle4
+            _2400 = q6_mmp
             work[2400 + k] = _2400
-            _2416 = q6_mmp
+            _2416 = angle8
             work[2416 + k] = _2416
-            _2432 = angle8
+            _2432 = q5_mmm
             work[2432 + k] = _2432
-            _2448 = q5_mmm
+            _2448 = q6_mmm
             work[2448 + k] = _2448
-            _2464 = q6_mmm
+            _2464 = q7_mmm
             work[2464 + k] = _2464
-            _2480 = q7_mmm
-            work[2480 + k] = _2480
+            work[2480 + k] = (
+                UNREACHABLE if _1920 != _1920 else (OUT_OF_LIMITS if outside_ppp else OK)
+            )
             work[2496 + k] = (
-                UNREACHABLE if _1936 != _1936 else (OUT_OF_LIMITS if outside_ppp else OK)
+                UNREACHABLE if _1920 != _1920 else (OUT_OF_LIMITS if outside_ppm else OK)
             )
             work[2512 + k] = (
-                UNREACHABLE if _1936 != _1936 else (OUT_OF_LIMITS if outside_ppm else OK)
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmp else OK)
             )
             work[2528 + k] = (
-                UNREACHABLE if _2096 != _2096 else (OUT_OF_LIMITS if outside_pmp else OK)
+                UNREACHABLE if _2080 != _2080 else (OUT_OF_LIMITS if outside_pmm else OK)
             )
             work[2544 + k] = (
-                UNREACHABLE if _2096 != _2096 else (OUT_OF_LIMITS if outside_pmm else OK)
+                UNREACHABLE if _2208 != _2208 else (OUT_OF_LIMITS if outside_mpp else OK)
             )
             work[2560 + k] = (
-                UNREACHABLE if _2224 != _2224 else (OUT_OF_LIMITS if outside_mpp else OK)
+                UNREACHABLE if _2208 != _2208 else (OUT_OF_LIMITS if outside_mpm else OK)
             )
             work[2576 + k] = (
-                UNREACHABLE if _2224 != _2224 else (OUT_OF_LIMITS if outside_mpm else OK)
+                UNREACHABLE if _2352 != _2352 else (OUT_OF_LIMITS if outside_mmp else OK)
             )
             work[2592 + k] = (
-                UNREACHABLE if _2368 != _2368 else (OUT_OF_LIMITS if outside_mmp else OK)
-            )
-            work[2608 + k] = (
-                UNREACHABLE if _2368 != _2368 else (OUT_OF_LIMITS if outside_mmm else OK)
+                UNREACHABLE if _2352 != _2352 else (OUT_OF_LIMITS if outside_mmm else OK)
             )
             work[272 + k] = 1.0 if doubt1 else work[272 + k]
         for k in range(first, first + count):

@@ -1067,17 +1067,15 @@ int kuka_iiwa14_arm_angle_ik(
 int kuka_iiwa14_arm_angle_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
-    double all[8][7], least = HUGE_VAL;
+    double all[8][7], found[7], least = HUGE_VAL;
     unsigned char status[8];
     int result = -KUKA_IIWA14_ARM_ANGLE_UNREACHABLE;
-    for (int i = 0; i < 7; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 7; i++)
-        if (!isfinite(q_seed[i]))
-            return -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
-    if (kuka_iiwa14_arm_angle_ik(T, free_joints, q_seed, all, status) < 0)
-        return -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = kuka_iiwa14_arm_angle_ik(T, free_joints, q_seed, all, status) >= 0;
+    for (int i = 0; i < 7; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS && result < 0)
             result = -KUKA_IIWA14_ARM_ANGLE_OUT_OF_LIMITS;
@@ -1092,10 +1090,11 @@ int kuka_iiwa14_arm_angle_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -KUKA_IIWA14_ARM_ANGLE_INVALID_POSE;
 }
 
 void kuka_iiwa14_arm_angle_ik_batch(

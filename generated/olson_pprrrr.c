@@ -939,17 +939,15 @@ int olson_pprrrr_ik(
 
 int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[4][6], least = HUGE_VAL;
+    double all[4][6], found[6], least = HUGE_VAL;
     unsigned char status[4];
     int result = -OLSON_PPRRRR_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -OLSON_PPRRRR_INVALID_POSE;
-    if (olson_pprrrr_ik(T, q_seed, all, status) < 0)
-        return -OLSON_PPRRRR_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = olson_pprrrr_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == OLSON_PPRRRR_OUT_OF_LIMITS && result < 0)
             result = -OLSON_PPRRRR_OUT_OF_LIMITS;
@@ -963,10 +961,11 @@ int olson_pprrrr_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -OLSON_PPRRRR_INVALID_POSE;
 }
 
 void olson_pprrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

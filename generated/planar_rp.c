@@ -730,17 +730,15 @@ int planar_rp_ik(const double T[16], const double *q_seed, double q[2][2], unsig
 
 int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2])
 {
-    double all[2][2], least = HUGE_VAL;
+    double all[2][2], found[2], least = HUGE_VAL;
     unsigned char status[2];
     int result = -PLANAR_RP_UNREACHABLE;
-    for (int i = 0; i < 2; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 2; i++)
-        if (!isfinite(q_seed[i]))
-            return -PLANAR_RP_INVALID_POSE;
-    if (planar_rp_ik(T, q_seed, all, status) < 0)
-        return -PLANAR_RP_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = planar_rp_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 2; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == PLANAR_RP_OUT_OF_LIMITS && result < 0)
             result = -PLANAR_RP_OUT_OF_LIMITS;
@@ -754,10 +752,11 @@ int planar_rp_ik_nearest(const double T[16], const double q_seed[2], double q[2]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -PLANAR_RP_INVALID_POSE;
 }
 
 void planar_rp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

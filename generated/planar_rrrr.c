@@ -520,17 +520,15 @@ int planar_rrrr_ik(
 
 int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[4])
 {
-    double all[1][4], least = HUGE_VAL;
+    double all[1][4], found[4], least = HUGE_VAL;
     unsigned char status[1];
     int result = -PLANAR_RRRR_UNREACHABLE;
-    for (int i = 0; i < 4; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 4; i++)
-        if (!isfinite(q_seed[i]))
-            return -PLANAR_RRRR_INVALID_POSE;
-    if (planar_rrrr_ik(T, q_seed, all, status) < 0)
-        return -PLANAR_RRRR_INVALID_POSE;
-    for (int row = 0; row < 1; row++) {
+    int valid = planar_rrrr_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 4; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 1 && valid; row++) {
         double distance = 0.0;
         if (status[row] == PLANAR_RRRR_OUT_OF_LIMITS && result < 0)
             result = -PLANAR_RRRR_OUT_OF_LIMITS;
@@ -544,10 +542,11 @@ int planar_rrrr_ik_nearest(const double T[16], const double q_seed[4], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -PLANAR_RRRR_INVALID_POSE;
 }
 
 void planar_rrrr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

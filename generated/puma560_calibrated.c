@@ -3583,17 +3583,15 @@ int puma560_calibrated_ik(
 
 int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[16][6], least = HUGE_VAL;
+    double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
     int result = -PUMA560_CALIBRATED_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -PUMA560_CALIBRATED_INVALID_POSE;
-    if (puma560_calibrated_ik(T, q_seed, all, status) < 0)
-        return -PUMA560_CALIBRATED_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = puma560_calibrated_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == PUMA560_CALIBRATED_OUT_OF_LIMITS && result < 0)
             result = -PUMA560_CALIBRATED_OUT_OF_LIMITS;
@@ -3607,10 +3605,11 @@ int puma560_calibrated_ik_nearest(const double T[16], const double q_seed[6], do
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -PUMA560_CALIBRATED_INVALID_POSE;
 }
 
 void puma560_calibrated_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

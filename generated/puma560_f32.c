@@ -849,17 +849,15 @@ int puma560_f32_ik(
 
 int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 {
-    float all[8][6], least = HUGE_VALF;
+    float all[8][6], found[6], least = HUGE_VALF;
     unsigned char status[8];
     int result = -PUMA560_F32_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -PUMA560_F32_INVALID_POSE;
-    if (puma560_f32_ik(T, q_seed, all, status) < 0)
-        return -PUMA560_F32_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = puma560_f32_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         float distance = 0.0f;
         if (status[row] == PUMA560_F32_OUT_OF_LIMITS && result < 0)
             result = -PUMA560_F32_OUT_OF_LIMITS;
@@ -873,10 +871,11 @@ int puma560_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -PUMA560_F32_INVALID_POSE;
 }
 
 void puma560_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)

@@ -1143,17 +1143,15 @@ int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsig
 
 int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[2][5], least = HUGE_VAL;
+    double all[2][5], found[5], least = HUGE_VAL;
     unsigned char status[2];
     int result = -RAIL_5DOF_UNREACHABLE;
-    for (int i = 0; i < 5; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 5; i++)
-        if (!isfinite(q_seed[i]))
-            return -RAIL_5DOF_INVALID_POSE;
-    if (rail_5dof_ik(T, q_seed, all, status) < 0)
-        return -RAIL_5DOF_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = rail_5dof_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 5; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == RAIL_5DOF_OUT_OF_LIMITS && result < 0)
             result = -RAIL_5DOF_OUT_OF_LIMITS;
@@ -1167,10 +1165,11 @@ int rail_5dof_ik_nearest(const double T[16], const double q_seed[5], double q[5]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -RAIL_5DOF_INVALID_POSE;
 }
 
 void rail_5dof_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

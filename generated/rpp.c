@@ -572,17 +572,15 @@ int rpp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned ch
 
 int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[2][3], least = HUGE_VAL;
+    double all[2][3], found[3], least = HUGE_VAL;
     unsigned char status[2];
     int result = -RPP_UNREACHABLE;
-    for (int i = 0; i < 3; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(q_seed[i]))
-            return -RPP_INVALID_POSE;
-    if (rpp_ik(T, q_seed, all, status) < 0)
-        return -RPP_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = rpp_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 3; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == RPP_OUT_OF_LIMITS && result < 0)
             result = -RPP_OUT_OF_LIMITS;
@@ -596,10 +594,11 @@ int rpp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -RPP_INVALID_POSE;
 }
 
 void rpp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

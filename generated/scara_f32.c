@@ -744,17 +744,15 @@ int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned
 
 int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
 {
-    float all[2][4], least = HUGE_VALF;
+    float all[2][4], found[4], least = HUGE_VALF;
     unsigned char status[2];
     int result = -SCARA_F32_UNREACHABLE;
-    for (int i = 0; i < 4; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 4; i++)
-        if (!isfinite(q_seed[i]))
-            return -SCARA_F32_INVALID_POSE;
-    if (scara_f32_ik(T, q_seed, all, status) < 0)
-        return -SCARA_F32_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = scara_f32_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 4; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         float distance = 0.0f;
         if (status[row] == SCARA_F32_OUT_OF_LIMITS && result < 0)
             result = -SCARA_F32_OUT_OF_LIMITS;
@@ -768,10 +766,11 @@ int scara_f32_ik_nearest(const float T[16], const float q_seed[4], float q[4])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -SCARA_F32_INVALID_POSE;
 }
 
 void scara_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)

@@ -608,17 +608,15 @@ int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsig
 
 int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[2][3], least = HUGE_VAL;
+    double all[2][3], found[3], least = HUGE_VAL;
     unsigned char status[2];
     int result = -SCARA_RRP_UNREACHABLE;
-    for (int i = 0; i < 3; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(q_seed[i]))
-            return -SCARA_RRP_INVALID_POSE;
-    if (scara_rrp_ik(T, q_seed, all, status) < 0)
-        return -SCARA_RRP_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = scara_rrp_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 3; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == SCARA_RRP_OUT_OF_LIMITS && result < 0)
             result = -SCARA_RRP_OUT_OF_LIMITS;
@@ -632,10 +630,11 @@ int scara_rrp_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -SCARA_RRP_INVALID_POSE;
 }
 
 void scara_rrp_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -770,17 +770,15 @@ int scara_wrist_ik(
 
 int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[4][6], least = HUGE_VAL;
+    double all[4][6], found[6], least = HUGE_VAL;
     unsigned char status[4];
     int result = -SCARA_WRIST_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -SCARA_WRIST_INVALID_POSE;
-    if (scara_wrist_ik(T, q_seed, all, status) < 0)
-        return -SCARA_WRIST_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = scara_wrist_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == SCARA_WRIST_OUT_OF_LIMITS && result < 0)
             result = -SCARA_WRIST_OUT_OF_LIMITS;
@@ -794,10 +792,11 @@ int scara_wrist_ik_nearest(const double T[16], const double q_seed[6], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -SCARA_WRIST_INVALID_POSE;
 }
 
 void scara_wrist_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -1363,17 +1363,15 @@ int scorbot_pointing_ik(
 int scorbot_pointing_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[5], double q[5])
 {
-    double all[4][5], least = HUGE_VAL;
+    double all[4][5], found[5], least = HUGE_VAL;
     unsigned char status[4];
     int result = -SCORBOT_POINTING_UNREACHABLE;
-    for (int i = 0; i < 5; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 5; i++)
-        if (!isfinite(q_seed[i]))
-            return -SCORBOT_POINTING_INVALID_POSE;
-    if (scorbot_pointing_ik(T, free_joints, q_seed, all, status) < 0)
-        return -SCORBOT_POINTING_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = scorbot_pointing_ik(T, free_joints, q_seed, all, status) >= 0;
+    for (int i = 0; i < 5; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == SCORBOT_POINTING_OUT_OF_LIMITS && result < 0)
             result = -SCORBOT_POINTING_OUT_OF_LIMITS;
@@ -1387,10 +1385,11 @@ int scorbot_pointing_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -SCORBOT_POINTING_INVALID_POSE;
 }
 
 void scorbot_pointing_ik_batch(

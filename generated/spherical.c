@@ -609,17 +609,15 @@ int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsig
 
 int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[4][3], least = HUGE_VAL;
+    double all[4][3], found[3], least = HUGE_VAL;
     unsigned char status[4];
     int result = -SPHERICAL_UNREACHABLE;
-    for (int i = 0; i < 3; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(q_seed[i]))
-            return -SPHERICAL_INVALID_POSE;
-    if (spherical_ik(T, q_seed, all, status) < 0)
-        return -SPHERICAL_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = spherical_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 3; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == SPHERICAL_OUT_OF_LIMITS && result < 0)
             result = -SPHERICAL_OUT_OF_LIMITS;
@@ -633,10 +631,11 @@ int spherical_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -SPHERICAL_INVALID_POSE;
 }
 
 void spherical_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

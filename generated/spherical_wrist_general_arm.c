@@ -1113,17 +1113,15 @@ int spherical_wrist_general_arm_ik(
 
 int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -SPHERICAL_WRIST_GENERAL_ARM_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
-    if (spherical_wrist_general_arm_ik(T, q_seed, all, status) < 0)
-        return -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = spherical_wrist_general_arm_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS && result < 0)
             result = -SPHERICAL_WRIST_GENERAL_ARM_OUT_OF_LIMITS;
@@ -1138,10 +1136,11 @@ int spherical_wrist_general_arm_ik_nearest(const double T[16], const double q_se
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -SPHERICAL_WRIST_GENERAL_ARM_INVALID_POSE;
 }
 
 void spherical_wrist_general_arm_ik_batch(

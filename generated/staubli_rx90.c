@@ -853,17 +853,15 @@ int staubli_rx90_ik(
 
 int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -STAUBLI_RX90_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -STAUBLI_RX90_INVALID_POSE;
-    if (staubli_rx90_ik(T, q_seed, all, status) < 0)
-        return -STAUBLI_RX90_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = staubli_rx90_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == STAUBLI_RX90_OUT_OF_LIMITS && result < 0)
             result = -STAUBLI_RX90_OUT_OF_LIMITS;
@@ -877,10 +875,11 @@ int staubli_rx90_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -STAUBLI_RX90_INVALID_POSE;
 }
 
 void staubli_rx90_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -1184,17 +1184,15 @@ int ur10e_ik(const double T[16], const double *q_seed, double q[8][6], unsigned 
 
 int ur10e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -UR10E_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -UR10E_INVALID_POSE;
-    if (ur10e_ik(T, q_seed, all, status) < 0)
-        return -UR10E_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = ur10e_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == UR10E_OUT_OF_LIMITS && result < 0)
             result = -UR10E_OUT_OF_LIMITS;
@@ -1208,10 +1206,11 @@ int ur10e_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -UR10E_INVALID_POSE;
 }
 
 void ur10e_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -1185,17 +1185,15 @@ int ur20_ik(const double T[16], const double *q_seed, double q[8][6], unsigned c
 
 int ur20_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -UR20_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -UR20_INVALID_POSE;
-    if (ur20_ik(T, q_seed, all, status) < 0)
-        return -UR20_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = ur20_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == UR20_OUT_OF_LIMITS && result < 0)
             result = -UR20_OUT_OF_LIMITS;
@@ -1209,10 +1207,11 @@ int ur20_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -UR20_INVALID_POSE;
 }
 
 void ur20_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -959,17 +959,15 @@ int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned c
 
 int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
 {
-    float all[8][6], least = HUGE_VALF;
+    float all[8][6], found[6], least = HUGE_VALF;
     unsigned char status[8];
     int result = -UR5_F32_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -UR5_F32_INVALID_POSE;
-    if (ur5_f32_ik(T, q_seed, all, status) < 0)
-        return -UR5_F32_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = ur5_f32_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         float distance = 0.0f;
         if (status[row] == UR5_F32_OUT_OF_LIMITS && result < 0)
             result = -UR5_F32_OUT_OF_LIMITS;
@@ -983,10 +981,11 @@ int ur5_f32_ik_nearest(const float T[16], const float q_seed[6], float q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -UR5_F32_INVALID_POSE;
 }
 
 void ur5_f32_ik_batch(size_t n, const float *T, float *q, unsigned char *status)

@@ -3594,17 +3594,15 @@ int welding_5r_ik(
 
 int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[16][5], least = HUGE_VAL;
+    double all[16][5], found[5], least = HUGE_VAL;
     unsigned char status[16];
     int result = -WELDING_5R_UNREACHABLE;
-    for (int i = 0; i < 5; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 5; i++)
-        if (!isfinite(q_seed[i]))
-            return -WELDING_5R_INVALID_POSE;
-    if (welding_5r_ik(T, q_seed, all, status) < 0)
-        return -WELDING_5R_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = welding_5r_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 5; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == WELDING_5R_OUT_OF_LIMITS && result < 0)
             result = -WELDING_5R_OUT_OF_LIMITS;
@@ -3618,10 +3616,11 @@ int welding_5r_ik_nearest(const double T[16], const double q_seed[5], double q[5
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -WELDING_5R_INVALID_POSE;
 }
 
 void welding_5r_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

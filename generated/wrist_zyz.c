@@ -630,17 +630,15 @@ int wrist_zyz_ik(const double T[16], const double *q_seed, double q[2][3], unsig
 
 int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3])
 {
-    double all[2][3], least = HUGE_VAL;
+    double all[2][3], found[3], least = HUGE_VAL;
     unsigned char status[2];
     int result = -WRIST_ZYZ_UNREACHABLE;
-    for (int i = 0; i < 3; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(q_seed[i]))
-            return -WRIST_ZYZ_INVALID_POSE;
-    if (wrist_zyz_ik(T, q_seed, all, status) < 0)
-        return -WRIST_ZYZ_INVALID_POSE;
-    for (int row = 0; row < 2; row++) {
+    int valid = wrist_zyz_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 3; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 2 && valid; row++) {
         double distance = 0.0;
         if (status[row] == WRIST_ZYZ_OUT_OF_LIMITS && result < 0)
             result = -WRIST_ZYZ_OUT_OF_LIMITS;
@@ -654,10 +652,11 @@ int wrist_zyz_ik_nearest(const double T[16], const double q_seed[3], double q[3]
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -WRIST_ZYZ_INVALID_POSE;
 }
 
 void wrist_zyz_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -1041,17 +1041,15 @@ int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned 
 
 int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
 {
-    double all[4][5], least = HUGE_VAL;
+    double all[4][5], found[5], least = HUGE_VAL;
     unsigned char status[4];
     int result = -XARM5_UNREACHABLE;
-    for (int i = 0; i < 5; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 5; i++)
-        if (!isfinite(q_seed[i]))
-            return -XARM5_INVALID_POSE;
-    if (xarm5_ik(T, q_seed, all, status) < 0)
-        return -XARM5_INVALID_POSE;
-    for (int row = 0; row < 4; row++) {
+    int valid = xarm5_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 5; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 4 && valid; row++) {
         double distance = 0.0;
         if (status[row] == XARM5_OUT_OF_LIMITS && result < 0)
             result = -XARM5_OUT_OF_LIMITS;
@@ -1065,10 +1063,11 @@ int xarm5_ik_nearest(const double T[16], const double q_seed[5], double q[5])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -XARM5_INVALID_POSE;
 }
 
 void xarm5_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -3649,17 +3649,15 @@ int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned
 
 int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[16][6], least = HUGE_VAL;
+    double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
     int result = -XARM6_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -XARM6_INVALID_POSE;
-    if (xarm6_ik(T, q_seed, all, status) < 0)
-        return -XARM6_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = xarm6_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == XARM6_OUT_OF_LIMITS && result < 0)
             result = -XARM6_OUT_OF_LIMITS;
@@ -3673,10 +3671,11 @@ int xarm6_ik_nearest(const double T[16], const double q_seed[6], double q[6])
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -XARM6_INVALID_POSE;
 }
 
 void xarm6_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

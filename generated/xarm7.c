@@ -3434,17 +3434,15 @@ int xarm7_ik(
 int xarm7_ik_nearest(
     const double T[16], const double free_joints[1], const double q_seed[7], double q[7])
 {
-    double all[16][7], least = HUGE_VAL;
+    double all[16][7], found[7], least = HUGE_VAL;
     unsigned char status[16];
     int result = -XARM7_UNREACHABLE;
-    for (int i = 0; i < 7; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 7; i++)
-        if (!isfinite(q_seed[i]))
-            return -XARM7_INVALID_POSE;
-    if (xarm7_ik(T, free_joints, q_seed, all, status) < 0)
-        return -XARM7_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = xarm7_ik(T, free_joints, q_seed, all, status) >= 0;
+    for (int i = 0; i < 7; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == XARM7_OUT_OF_LIMITS && result < 0)
             result = -XARM7_OUT_OF_LIMITS;
@@ -3458,10 +3456,11 @@ int xarm7_ik_nearest(
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -XARM7_INVALID_POSE;
 }
 
 void xarm7_ik_batch(

@@ -1125,17 +1125,15 @@ int yaskawa_gp7_ik(
 
 int yaskawa_gp7_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[8][6], least = HUGE_VAL;
+    double all[8][6], found[6], least = HUGE_VAL;
     unsigned char status[8];
     int result = -YASKAWA_GP7_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -YASKAWA_GP7_INVALID_POSE;
-    if (yaskawa_gp7_ik(T, q_seed, all, status) < 0)
-        return -YASKAWA_GP7_INVALID_POSE;
-    for (int row = 0; row < 8; row++) {
+    int valid = yaskawa_gp7_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 8 && valid; row++) {
         double distance = 0.0;
         if (status[row] == YASKAWA_GP7_OUT_OF_LIMITS && result < 0)
             result = -YASKAWA_GP7_OUT_OF_LIMITS;
@@ -1149,10 +1147,11 @@ int yaskawa_gp7_ik_nearest(const double T[16], const double q_seed[6], double q[
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -YASKAWA_GP7_INVALID_POSE;
 }
 
 void yaskawa_gp7_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

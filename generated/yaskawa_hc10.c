@@ -3935,17 +3935,15 @@ int yaskawa_hc10_ik(
 
 int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q[6])
 {
-    double all[16][6], least = HUGE_VAL;
+    double all[16][6], found[6], least = HUGE_VAL;
     unsigned char status[16];
     int result = -YASKAWA_HC10_UNREACHABLE;
-    for (int i = 0; i < 6; i++)
-        q[i] = NAN;
-    for (int i = 0; i < 6; i++)
-        if (!isfinite(q_seed[i]))
-            return -YASKAWA_HC10_INVALID_POSE;
-    if (yaskawa_hc10_ik(T, q_seed, all, status) < 0)
-        return -YASKAWA_HC10_INVALID_POSE;
-    for (int row = 0; row < 16; row++) {
+    int valid = yaskawa_hc10_ik(T, q_seed, all, status) >= 0;
+    for (int i = 0; i < 6; i++) {
+        found[i] = NAN;
+        valid &= isfinite(q_seed[i]) != 0;
+    }
+    for (int row = 0; row < 16 && valid; row++) {
         double distance = 0.0;
         if (status[row] == YASKAWA_HC10_OUT_OF_LIMITS && result < 0)
             result = -YASKAWA_HC10_OUT_OF_LIMITS;
@@ -3959,10 +3957,11 @@ int yaskawa_hc10_ik_nearest(const double T[16], const double q_seed[6], double q
         if (distance < least || result < 0) {
             least = distance;
             result = status[row];
-            take(all[row], q);
+            take(all[row], found);
         }
     }
-    return result;
+    take(found, q);
+    return valid ? result : -YASKAWA_HC10_INVALID_POSE;
 }
 
 void yaskawa_hc10_ik_batch(size_t n, const double *T, double *q, unsigned char *status)

@@ -62,6 +62,13 @@ class Solver:
         zeros = np.zeros(made(self.name).module.chain.dof)
         return in_c(self.name).ik(T, zeros if seed is None else seed, *given)
 
+    def batch(self, T: FloatArray, free: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
+        """All rows of many poses and their statuses."""
+        if self.language == "Python":
+            q, status = in_python(self.name).ik_batch(T, free)
+            return q, status
+        return in_c(self.name).batch(T, free)
+
     def nearest(
         self, T: FloatArray, seed: FloatArray, free: FloatArray | None = None
     ) -> tuple[int, FloatArray]:

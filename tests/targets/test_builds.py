@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import shutil
 from functools import cache
 from itertools import product
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 
 from dhgen.program.interpret import interpret
-from dhgen.status import HELD
+from dhgen.status import HELD, Status
 from dhgen.targets.layout import WIDTH
 from dhgen.verify.native import FAST_FLAGS, NATIVE, Build
 from tests.targets.made import ROBOTS, apart, given, in_c, made, poses_of, residual, robot, turning
@@ -141,3 +142,15 @@ def test_lines_fit_on_a_page(suffix: str) -> None:
     for path in (ROBOTS.parent / "generated").glob(f"*{suffix}"):
         long = [line for line in path.read_text().splitlines() if len(line) > WIDTH]
         assert not long, (path.name, long[0])
+
+
+@pytest.mark.parametrize("name", ["ur5", "kuka_iiwa14"])
+def test_the_nearest_row_may_take_the_place_of_the_seed(name: str) -> None:
+    """As in a loop that follows a motion, `ik_nearest(T, q, q)`; what is given may stand there."""
+    q = np.random.default_rng(9).uniform(-1.5, 1.5, made(name).module.chain.dof)
+    free = [q[joint - 1 : joint] for joint in made(name).module.chain.free]
+    arrays = [poses_of(name, q[None])[0], *free, q, q]
+    expected = q.copy()
+    function = in_c(name).library[f"{name}_ik_nearest"]
+    assert function(*(each.ctypes.data_as(ctypes.c_void_p) for each in arrays)) == Status.OK
+    np.testing.assert_allclose(q, expected, rtol=0, atol=1e-9)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.targets.calling import FREE_JOINT, LANGUAGES, OUT_OF_LIMITS, Solver
+from tests.targets.calling import FREE_JOINT, LANGUAGES, OK, OUT_OF_LIMITS, Solver
 from tests.targets.made import poses_of, residual, robot
 
 WRIST, RAIL = "hard_stops", "short_rail"
@@ -89,3 +89,35 @@ def test_what_no_value_keeps_is_beyond_the_limits(language: str) -> None:
         (row,) = rows[status == OUT_OF_LIMITS]
         assert row[0] == pytest.approx(6.5)
         assert turned(row[3] - values[3]) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(
+    ("name", "given", "inside"),
+    [
+        ("given_turns", 7.0, 7.0 - TURN),
+        ("given_turns", -3.4, -3.4),
+        ("given_turns", 40.0, 40.0 - 6 * TURN),
+        ("given_short", 0.3 + TURN, 0.3),
+        ("given_short", -3.4, TURN - 3.4),
+    ],
+)
+def test_given_values_are_moved_into_limits(
+    name: str, given: float, inside: float, language: str
+) -> None:
+    """By whole turns, where they are beyond them; a batch does the same."""
+    T = poses_of(name, np.array([[inside, 0.4, 0.5]]))[0]
+    rows, status = Solver(name, language).all(T, free=np.array([given]))
+    assert status.tolist() == [OK, OK]
+    np.testing.assert_allclose(rows[:, 0], inside, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(rows[0], [inside, 0.4, 0.5], rtol=0, atol=1e-12)
+    together, kinds = Solver(name, language).batch(T[None], np.array([[given]]))
+    np.testing.assert_allclose(together[0], rows, rtol=0, atol=1e-12)
+    assert kinds[0].tolist() == [OK, OK]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_given_values_that_no_turn_brings_inside(language: str) -> None:
+    T = poses_of("given_short", np.array([[3.05, 0.4, 0.5]]))[0]
+    _, status = Solver("given_short", language).all(T, free=np.array([3.05]))
+    assert status.tolist() == [OUT_OF_LIMITS, OUT_OF_LIMITS]

@@ -1,6 +1,6 @@
 """Limits of joints in a program: angles moved by whole turns into them, and what is outside.
 
-An angle comes in (-pi, pi]. Limits that are wider than this cost nothing.
+An angle comes in (-pi, pi], unless it is given. Limits that are wider than this cost nothing.
 """
 
 from __future__ import annotations
@@ -48,8 +48,7 @@ class Limiting:
         if limits is None or (limits.turns and limits.low <= -math.pi and limits.high >= math.pi):
             return value
         builder = self._builder
-        low = builder.constant(f"low{joint}", limits.low, "", role=LimitEnd(joint, "low"))
-        high = builder.constant(f"high{joint}", limits.high, "", role=LimitEnd(joint, "high"))
+        low, high = self._ends(joint, limits)
         moved = value
         if limits.turns:
             turn = whole_turn(builder)
@@ -60,10 +59,22 @@ class Limiting:
             for _ in range(_turns(math.pi - limits.high) if limits.low < -math.pi else 0):
                 long = builder.select(builder.apply("less", high, moved), turn, zero)
                 moved = builder.sub(moved, long)
-        below, above = builder.apply("less", moved, low), builder.apply("less", high, moved)
-        outside = builder.apply("or", below, above)
+        outside = self._beyond(moved, low, high)
         self._outside.append(outside)
         return builder.select(outside, value, moved)
+
+    def beyond(self, joint: int, value: Node, limits: Limits) -> Node:
+        """Whether a value that is given, which may be any number of turns away, is outside."""
+        return self._beyond(value, *self._ends(joint, limits))
+
+    def _ends(self, joint: int, limits: Limits) -> tuple[Node, Node]:
+        low = self._builder.constant(f"low{joint}", limits.low, "", role=LimitEnd(joint, "low"))
+        high = self._builder.constant(f"high{joint}", limits.high, "", role=LimitEnd(joint, "high"))
+        return low, high
+
+    def _beyond(self, value: Node, low: Node, high: Node) -> Node:
+        apply = self._builder.apply
+        return apply("or", apply("less", value, low), apply("less", high, value))
 
     def outside(self) -> Node | None:
         """Whether any joint is outside; None without limits. False where values are NaN."""

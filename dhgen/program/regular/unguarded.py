@@ -97,10 +97,7 @@ class Unguarded:
             self._take(statement)
         joints = [self._arithmetic.angle(self._value(o)) for o in self._program.outputs]
         limiting = Limiting(builder)
-        joints = [
-            limiting.limited(place + 1, node, limits)
-            for place, (node, limits) in enumerate(zip(joints, self._limits, strict=True))
-        ]
+        joints = [self._limited(limiting, place + 1, node) for place, node in enumerate(joints)]
         ended = self._endings.ended(joints)
         results = {f"q{place + 1}": node for place, node in enumerate(ended)}
         outside = limiting.outside()
@@ -116,6 +113,16 @@ class Unguarded:
             outside=None if outside is None else outputs[len(joints)],
             doubts=outputs[count:],
         )
+
+    def _limited(self, limiting: Limiting, joint: int, value: Node) -> Node:
+        """A joint's value inside its limits; one that is given beyond them is left to the other."""
+        limits = self._limits[joint - 1]
+        match self._program.outputs[joint - 1]:
+            case Joint(role="free") if limits is not None:
+                self._doubts.append(limiting.beyond(joint, value, limits))
+                return value
+            case _:
+                return limiting.limited(joint, value, limits)
 
     def _widened(self, limit: Tolerance, value: float) -> Node:
         """Near to where a joint is free a pose is doubtful, too.
