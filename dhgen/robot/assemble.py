@@ -67,6 +67,7 @@ class _Assembly:
             numerical=file.numerical,
             length_unit=units.length,
             float32=file.float32,
+            taken=tuple(dict.fromkeys(self.cells.taken)),
             notices=self.report.notices,
             doubts=tuple(self.report.doubts),
         )

@@ -29,6 +29,7 @@ from dhgen.robot.lengths import Length
 from dhgen.robot.names import RESERVED
 from dhgen.robot.simplify import canonical
 from dhgen.robot.source import quoted
+from dhgen.robot.taken import Taken, taken
 from dhgen.robot.tokens import CellError, UnknownNameError, circle_through
 from dhgen.robot.units import SaidUnits
 from dhgen.robot.used import UsedNames
@@ -54,6 +55,7 @@ class Cells:
         self.units = SaidUnits(self.value)
         self.used = UsedNames()
         self.lengths: list[Length] = []
+        self.taken: list[Taken] = []
 
     def announce(self, parameters: Mapping[str, str]) -> None:
         """Which parameters there will be, for the messages about cells that use them too early."""
@@ -200,6 +202,7 @@ class Cells:
     def _snapped(self, path: Path, text: str, value: float, exact: Expression) -> Expression:
         if notice := snap_notice(value, self.value(exact), exact):
             self.report.notice(path, f"{quoted(text.strip())} {notice}")
+            self.taken.append(taken(path, text.strip(), _variable(text), exact))
         return exact
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from dhgen.errors import Diagnostic
     from dhgen.robot.expression import Expression
+    from dhgen.robot.taken import Taken
     from dhgen.robot.task import Task
 
 
@@ -132,6 +133,7 @@ class Robot:
         numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
         float32: Whether C in single precision is wanted besides.
+        taken: The cells that are taken as exact values next to their own.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
         doubts: What may be why the arm's solvers do not pass, if they do not.
     """
@@ -149,6 +151,7 @@ class Robot:
     numerical: bool = False
     length_unit: str = "m"
     float32: bool = False
+    taken: tuple[Taken, ...] = ()
     notices: tuple[Diagnostic, ...] = ()
     doubts: tuple[Diagnostic, ...] = ()
 

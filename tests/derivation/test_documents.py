@@ -202,6 +202,19 @@ def test_a_parameter_s_cosine_is_called_its_own_and_no_sine_is_listed_for_nothin
     assert "an angle in" not in text
 
 
+def test_cells_that_are_taken_as_exact_are_said() -> None:
+    rows = "theta: q - 1.57079632679, a: 1e-9, alpha: 1.5707963268", "theta: -q, a: 0.4", "d: q"
+    text = made_of(*rows, tool="{xyz: [0, 0.2, -1e-10]}", task="position")
+    told = (
+        r"theta of joint 1 as $q - \pi/2$ in place of q - 1.57079632679, a of joint 1 as $0$ in "
+        r"place of 1e-9, alpha of joint 1 as $\pi/2$ in place of 1.5707963268 and entry 3 of xyz "
+        "of tool as $0$ in place of -1e-10."
+    )
+    assert f"\nCells within 1e-9 of an exact value are taken as it: {told}\n" in text
+    exact = made_of("theta: q, a: 0.4", "theta: q, a: 0.3, alpha: 90 deg", task="[x, y]")
+    assert "are taken as it" not in exact
+
+
 def test_a_point_of_the_base_has_the_letter_of_its_coordinates() -> None:
     text = document("franka_panda")
     assert "w_{2x} & = " in text

@@ -305,6 +305,19 @@ def test_lengths_next_to_nothing_are_zero() -> None:
     ]
 
 
+def test_what_is_taken_as_exact_is_kept_with_its_place() -> None:
+    base = "[[1, 0, 0, 0], [0, 0, -0.9999999999, 1e-10], [0, 1, 0, 0], [0, 0, 0, 1]]"
+    rows = "theta: 3.14159265359 - q", "theta: q + 1e-10", "theta: q, a: 0.4"
+    loaded = robot(table(*rows, base=base))
+    found = {(cell.place, cell.text, cell.exact) for cell in loaded.taken}
+    assert found == {
+        ("theta of joint 1", "3.14159265359 - q", "-q + pi"),
+        ("theta of joint 2", "q + 1e-10", "q"),
+        ("entry 2,3 of matrix of base", "-0.9999999999", "-1"),
+        ("entry 2,4 of matrix of base", "1e-10", "0"),
+    }
+
+
 def test_limits_have_the_unit_of_their_joint() -> None:
     assert row("theta: q, limits: [-160 deg, pi]").limits == pytest.approx(
         (math.radians(-160), math.pi)

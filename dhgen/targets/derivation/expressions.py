@@ -20,7 +20,7 @@ _FUNCTIONS = frozenset({"sin", "cos", "sqrt"})
 
 def expression_symbol(expression: Expression) -> Symbol:
     """An expression as one symbol, laid out as a cell has it."""
-    return _symbol(to_text(expression))
+    return text_symbol(to_text(expression))
 
 
 def variable_symbol(number: int, sign: int, offset: Expression) -> Symbol:
@@ -34,7 +34,7 @@ def variable_symbol(number: int, sign: int, offset: Expression) -> Symbol:
     sign_text, body = ("-", added[1:]) if added.startswith("-") else ("+", added)
     if sign_text == "-" and re.search(r" [+-] ", body):
         sign_text, body = "+", f"({added})"
-    inner = _symbol(body)
+    inner = text_symbol(body)
     plain_sign = "−" if sign_text == "-" else "+"
     return Symbol(f"{latex} {sign_text} {inner.latex}", f"{text} {plain_sign} {inner.text}")
 
@@ -48,7 +48,8 @@ def limit_symbol(value: float, kind: JointKind) -> Symbol:
     return Symbol(number + (r"^\circ" if degree else ""), plain + ("°" if degree else ""))
 
 
-def _symbol(text: str) -> Symbol:
+def text_symbol(text: str) -> Symbol:
+    """What a cell says as one symbol."""
     latex, plain = [], []
     for match in _TOKENS.finditer(text):
         radicand, name, power, star, dash, other = match.groups()
@@ -56,6 +57,8 @@ def _symbol(text: str) -> Symbol:
             pair = rf"\sqrt{{{radicand}}}", f"√{radicand}"
         elif name == "pi":
             pair = r"\pi", "π"
+        elif name == "q":  # of whichever joint
+            pair = "q", "q"
         elif name in _FUNCTIONS:
             pair = rf"\{name}" if name != "sqrt" else r"\operatorname{sqrt}", name
         elif name:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from dhgen.method import Method
 from dhgen.robot.robot import DhTable, JointKind
 from dhgen.robot.task import TaskKind
-from dhgen.targets.derivation.blocks import Given, Heading, Paragraph, paragraph, say
+from dhgen.targets.derivation.blocks import Given, Heading, Paragraph, joined, paragraph, say
+from dhgen.targets.derivation.expressions import text_symbol
 from dhgen.targets.derivation.frames import frame_sentences
 from dhgen.targets.derivation.parameters import constant_blocks
 from dhgen.targets.derivation.tables import axes_blocks, table_blocks
@@ -45,9 +46,28 @@ def robot_section(story: Story) -> list[Block]:
     return [
         Heading(2, say("The robot")),
         *(table_blocks(story) if isinstance(geometry, DhTable) else axes_blocks(story)),
+        *_taken(story),
         *constant_blocks(story),
         *(Paragraph(prose) for prose in frame_sentences(story)),
     ]
+
+
+def _taken(story: Story) -> list[Block]:
+    """The cells that say a little other than the table."""
+    cells = story.robot.taken
+    if not cells:
+        return []
+    each = [
+        say(
+            "{} as {} in place of {}",
+            Given(cell.place),
+            text_symbol(cell.exact),
+            Given(cell.text),
+        )
+        for cell in cells
+    ]
+    text = "Cells within 1e-9 of an exact value are taken as it: {}."
+    return [paragraph(text, joined(each))]
 
 
 def _kinds(kinds: list[JointKind]) -> str:
