@@ -54,7 +54,7 @@ void abb_irb120_jacobian(const double q[6], double J[36]);
 int abb_irb120_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns ABB_IRB120_OK or ABB_IRB120_FREE_JOINT, or, with NaN in q,
  * minus ABB_IRB120_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

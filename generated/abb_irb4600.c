@@ -240,24 +240,24 @@ static const double
     a3 = 0.175, /* z of axis 4 [m] */
     d4 = 1.27, /* x of axis 5 [m] */
     d6 = 0.135, /* x of the home pose [m] */
-    free_limit1 = 3.3449999999999996e-12, /* a length that fixes no angle [m] */
+    free_limit1 = 3.2000238089839356e-12, /* a length that fixes no angle [m] */
     longest3 = 5.650130854134036, /* square of the longest reach [m^2] */
     shortest3 = 0.03496914586596454, /* square of the shortest reach [m^2] */
-    longest3_reach = 5.650130854135626, /* the longest, with what rounding adds [m^2] */
-    shortest3_reach = 0.034969145865839435, /* the shortest, with what rounding adds [m^2] */
-    longest3_apart = 5.650130854133877, /* the longest, where branches merge [m^2] */
-    shortest3_apart = 0.03496914586597705, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.1189024999999999e-23, /* square of a length that fixes no angle [m^2] */
+    longest3_reach = 5.650130854135559, /* the longest, with what rounding adds [m^2] */
+    shortest3_reach = 0.03496914586584486, /* the shortest, with what rounding adds [m^2] */
+    longest3_apart = 5.650130854133884, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 0.034969145865976506, /* the shortest, where branches merge [m^2] */
+    free_limit_squared2 = 1.0240152378064055e-23, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 2.7813, /* 2 * d4 * a2 [m^2] */
     k2 = 0.38325, /* 2 * a3 * a2 [m^2] */
     k3 = 2.84255, /* a2^2 + (a3^2 + d4^2) [m^2] */
     k4 = 0.1268631397825131, /* 1 / (k1^2 + k2^2) [m^-4] */
     /* square of a length that fixes no angle [m^2] */
-    doubt_limit_squared2 = 1.1189024999999999e-05,
+    doubt_limit_squared2 = 1.0240152378064055e-05,
     half_turn = 3.141592653589793, /* pi [rad] */
     turn1 = 1.4338633792358526, /* a constant angle [rad] */
-    m1 = 1.1189024999999996e-05, /* doubt_limit1^2 [m^2] */
+    m1 = 1.0240152378064055e-05, /* doubt_limit1^2 [m^2] */
     m9 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m3 = 0.4566210045662101, m4 = 0.20296803652968054, m5 = 0.3863646734914285,
@@ -875,7 +875,7 @@ static double half_way(const double x[6], const double q[6], double half[6])
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.299, 0.299, 0.299, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.3125, 0.3125, 0.3125, 1.0, 1.0, 1.0 };
 /* What a step of one means for each joint; none where the caller gives the value. */
 static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 

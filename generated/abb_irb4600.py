@@ -108,20 +108,20 @@ a2 = 1.095  # z of axis 3 [m]
 a3 = 0.175  # z of axis 4 [m]
 d4 = 1.27  # x of axis 5 [m]
 d6 = 0.135  # x of the home pose [m]
-free_limit1 = 3.3449999999999996e-12  # a length that fixes no angle [m]
+free_limit1 = 3.2000238089839356e-12  # a length that fixes no angle [m]
 longest3 = 5.650130854134036  # square of the longest reach [m^2]
 shortest3 = 0.03496914586596454  # square of the shortest reach [m^2]
-longest3_reach = 5.650130854135626  # the longest, with what rounding adds [m^2]
-shortest3_reach = 0.034969145865839435  # the shortest, with what rounding adds [m^2]
-longest3_apart = 5.650130854133877  # the longest, where branches merge [m^2]
-shortest3_apart = 0.03496914586597705  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.1189024999999999e-23  # square of a length that fixes no angle [m^2]
+longest3_reach = 5.650130854135559  # the longest, with what rounding adds [m^2]
+shortest3_reach = 0.03496914586584486  # the shortest, with what rounding adds [m^2]
+longest3_apart = 5.650130854133884  # the longest, where branches merge [m^2]
+shortest3_apart = 0.034969145865976506  # the shortest, where branches merge [m^2]
+free_limit_squared2 = 1.0240152378064055e-23  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 2.7813  # 2 * d4 * a2 [m^2]
 k2 = 0.38325  # 2 * a3 * a2 [m^2]
 k3 = 2.84255  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.1268631397825131  # 1 / (k1^2 + k2^2) [m^-4]
-doubt_limit_squared2 = 1.1189024999999999e-05  # square of a length that fixes no angle [m^2]
+doubt_limit_squared2 = 1.0240152378064055e-05  # square of a length that fixes no angle [m^2]
 half_turn = 3.141592653589793  # pi [rad]
 turn1 = 1.4338633792358526  # a constant angle [rad]
 low2 = -1.5707963277948966
@@ -130,7 +130,7 @@ low3 = -3.141592654589793
 high3 = 1.3089969399957473
 low5 = -2.181661565992912
 high5 = 2.0943951033931953
-m1 = 1.1189024999999996e-05  # doubt_limit1^2 [m^2]
+m1 = 1.0240152378064055e-05  # doubt_limit1^2 [m^2]
 m3 = 0.4566210045662101  # a coefficient of X1_2
 m4 = 0.20296803652968054  # a coefficient of X1_2
 m5 = 0.3863646734914285  # a coefficient of c23
@@ -371,7 +371,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "abb_irb4600 b1c9c0c62bce82bd"
+_KEY = "abb_irb4600 43784dcc4906e07b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -771,7 +771,7 @@ def _choose(pose, seed, q, status):
 # What a step of one means for each joint: 1 rad or the arm's size, nothing if the caller gives it.
 _PACE = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 # What the entries of a miss count, first the translation's: lengths in arm sizes.
-_MISS_WEIGHT = np.array([0.299, 0.299, 0.299, 1.0, 1.0, 1.0])
+_MISS_WEIGHT = np.array([0.3125, 0.3125, 0.3125, 1.0, 1.0, 1.0])
 
 
 @_inner

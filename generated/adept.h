@@ -52,7 +52,7 @@ void adept_jacobian(const double q[3], double J[18]);
  * not finite where it may be needed. */
 int adept_ik(const double T[16], const double *q_seed, double q[1][3], unsigned char status[1]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns ADEPT_OK or ADEPT_FREE_JOINT, or, with NaN in q,
  * minus ADEPT_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -55,7 +55,7 @@ void adept_cobra600_jacobian(const double q[4], double J[24]);
 int adept_cobra600_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns ADEPT_COBRA600_OK or ADEPT_COBRA600_FREE_JOINT, or, with NaN in q,
  * minus ADEPT_COBRA600_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

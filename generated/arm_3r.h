@@ -52,7 +52,7 @@ void arm_3r_jacobian(const double q[3], double J[18]);
  * not finite where it may be needed. */
 int arm_3r_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns ARM_3R_OK or ARM_3R_FREE_JOINT, or, with NaN in q,
  * minus ARM_3R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

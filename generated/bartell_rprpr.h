@@ -55,7 +55,7 @@ void bartell_rprpr_jacobian(const double q[5], double J[30]);
 int bartell_rprpr_ik(
     const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns BARTELL_RPRPR_OK or BARTELL_RPRPR_FREE_JOINT, or, with NaN in q,
  * minus BARTELL_RPRPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

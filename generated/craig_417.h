@@ -53,7 +53,7 @@ void craig_417_jacobian(const double q[4], double J[24]);
  * not finite where it may be needed. */
 int craig_417_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns CRAIG_417_OK or CRAIG_417_FREE_JOINT, or, with NaN in q,
  * minus CRAIG_417_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -54,7 +54,7 @@ void cylindrical_jacobian(const double q[3], double J[18]);
 int cylindrical_ik(
     const double T[16], const double *q_seed, double q[1][3], unsigned char status[1]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns CYLINDRICAL_OK or CYLINDRICAL_FREE_JOINT, or, with NaN in q,
  * minus CYLINDRICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -52,7 +52,7 @@ void epson_t3_jacobian(const double q[4], double J[24]);
  * not finite where it may be needed. */
 int epson_t3_ik(const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns EPSON_T3_OK or EPSON_T3_FREE_JOINT, or, with NaN in q,
  * minus EPSON_T3_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -55,7 +55,7 @@ void fanuc_crx10ia_jacobian(const double q[6], double J[36]);
 int fanuc_crx10ia_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns FANUC_CRX10IA_OK or FANUC_CRX10IA_FREE_JOINT, or, with NaN in q,
  * minus FANUC_CRX10IA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

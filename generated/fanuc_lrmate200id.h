@@ -55,7 +55,7 @@ void fanuc_lrmate200id_jacobian(const double q[6], double J[36]);
 int fanuc_lrmate200id_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns FANUC_LRMATE200ID_OK or FANUC_LRMATE200ID_FREE_JOINT, or, with NaN in q,
  * minus FANUC_LRMATE200ID_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a

@@ -55,7 +55,7 @@ void fanuc_m710ic50_jacobian(const double q[6], double J[36]);
 int fanuc_m710ic50_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns FANUC_M710IC50_OK or FANUC_M710IC50_FREE_JOINT, or, with NaN in q,
  * minus FANUC_M710IC50_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

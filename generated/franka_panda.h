@@ -57,7 +57,7 @@ int franka_panda_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[8][7],
     unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns FRANKA_PANDA_OK or FRANKA_PANDA_FREE_JOINT, or, with NaN in q,
  * minus FRANKA_PANDA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -54,7 +54,7 @@ void general_5r_jacobian(const double q[5], double J[30]);
 int general_5r_ik(
     const double T[16], const double *q_seed, double q[16][5], unsigned char status[16]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns GENERAL_5R_OK or GENERAL_5R_FREE_JOINT, or, with NaN in q,
  * minus GENERAL_5R_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

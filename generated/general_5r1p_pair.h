@@ -55,7 +55,7 @@ void general_5r1p_pair_jacobian(const double q[6], double J[36]);
 int general_5r1p_pair_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns GENERAL_5R1P_PAIR_OK or GENERAL_5R1P_PAIR_FREE_JOINT, or, with NaN in q,
  * minus GENERAL_5R1P_PAIR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a

@@ -55,7 +55,7 @@ void general_rpprrr_jacobian(const double q[6], double J[36]);
 int general_rpprrr_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns GENERAL_RPPRRR_OK or GENERAL_RPPRRR_FREE_JOINT, or, with NaN in q,
  * minus GENERAL_RPPRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

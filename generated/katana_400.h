@@ -54,7 +54,7 @@ void katana_400_jacobian(const double q[5], double J[30]);
 int katana_400_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns KATANA_400_OK or KATANA_400_FREE_JOINT, or, with NaN in q,
  * minus KATANA_400_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

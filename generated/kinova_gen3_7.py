@@ -375,7 +375,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "kinova_gen3_7 05c10dddd5a4feff"
+_KEY = "kinova_gen3_7 d3ba6ce38be74116"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -958,13 +958,6 @@ def _kinova_gen3_7_turn(T, c, s):
         x, y = T[4 * i], T[4 * i + 1]
         T[4 * i] = x * c + y * s
         T[4 * i + 1] = y * c - x * s
-
-
-@_inner
-def _kinova_gen3_7_slide(T, d):
-    """T Tz, in place."""
-    for i in range(3):
-        T[4 * i + 3] += T[4 * i + 2] * d
 
 
 @_inner

@@ -55,7 +55,7 @@ void kinova_j2s6s300_jacobian(const double q[6], double J[36]);
 int kinova_j2s6s300_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns KINOVA_J2S6S300_OK or KINOVA_J2S6S300_FREE_JOINT, or, with NaN in q,
  * minus KINOVA_J2S6S300_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -54,7 +54,7 @@ void kuka_kr40pa_jacobian(const double q[4], double J[24]);
 int kuka_kr40pa_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns KUKA_KR40PA_OK or KUKA_KR40PA_FREE_JOINT, or, with NaN in q,
  * minus KUKA_KR40PA_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -54,7 +54,7 @@ void kuka_youbot_jacobian(const double q[5], double J[30]);
 int kuka_youbot_ik(
     const double T[16], const double *q_seed, double q[4][5], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns KUKA_YOUBOT_OK or KUKA_YOUBOT_FREE_JOINT, or, with NaN in q,
  * minus KUKA_YOUBOT_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -55,7 +55,7 @@ void olson_pprrrr_jacobian(const double q[6], double J[36]);
 int olson_pprrrr_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns OLSON_PPRRRR_OK or OLSON_PPRRRR_FREE_JOINT, or, with NaN in q,
  * minus OLSON_PPRRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

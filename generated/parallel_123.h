@@ -55,7 +55,7 @@ void parallel_123_jacobian(const double q[6], double J[36]);
 int parallel_123_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns PARALLEL_123_OK or PARALLEL_123_FREE_JOINT, or, with NaN in q,
  * minus PARALLEL_123_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -53,7 +53,7 @@ void planar_pr_jacobian(const double q[2], double J[12]);
  * not finite where it may be needed. */
 int planar_pr_ik(const double T[16], const double *q_seed, double q[2][2], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns PLANAR_PR_OK or PLANAR_PR_FREE_JOINT, or, with NaN in q,
  * minus PLANAR_PR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

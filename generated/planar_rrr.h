@@ -54,7 +54,7 @@ void planar_rrr_jacobian(const double q[3], double J[18]);
 int planar_rrr_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns PLANAR_RRR_OK or PLANAR_RRR_FREE_JOINT, or, with NaN in q,
  * minus PLANAR_RRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

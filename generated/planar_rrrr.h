@@ -54,7 +54,7 @@ void planar_rrrr_jacobian(const double q[4], double J[24]);
 int planar_rrrr_ik(
     const double T[16], const double *q_seed, double q[1][4], unsigned char status[1]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns PLANAR_RRRR_OK or PLANAR_RRRR_FREE_JOINT, or, with NaN in q,
  * minus PLANAR_RRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

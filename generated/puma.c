@@ -236,25 +236,26 @@ static const double
     L2 = 0.4318, /* z of axis 3 [m] */
     D3 = 0.15005, /* x of axis 4 [m] */
     D4 = 0.4318, /* z of axis 5 [m] */
-    free_limit_squared2 = 1.0274863225e-24, /* square of a length that fixes no angle [m^2] */
+    free_limit_squared2 = 3.57281304106196e-24, /* square of a length that fixes no angle [m^2] */
     longest3 = 0.7458049600000001, /* square of the longest reach [m^2] */
     shortest3 = 0.0, /* square of the shortest reach [m^2] */
-    longest3_reach = 0.7458049600001752, /* the longest, with what rounding adds [m^2] */
+    longest3_reach = 0.7458049600003266, /* the longest, with what rounding adds [m^2] */
     shortest3_reach = 0.0, /* the shortest, with what rounding adds [m^2] */
-    longest3_apart = 0.7458049599999826, /* the longest, where branches merge [m^2] */
-    shortest3_apart = 1.0274863225e-28, /* the shortest, where branches merge [m^2] */
+    longest3_apart = 0.7458049599999674, /* the longest, where branches merge [m^2] */
+    shortest3_apart = 3.5728130410619605e-28, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.8636, /* L2 + D4 [m] */
     k2 = 0.022515002499999996, /* D3^2 [m^2] */
-    k3 = 3.041963650001027e-14, /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
-    k4 = 3.041963650000102e-15, /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
+    k3 = 5.6724560659962443e-14, /* reach_slack1 * (2 * D3 + reach_slack1) [m^2] */
+    k4 = 5.672456065993029e-15, /* merge_slack1 * (2 * D3 + merge_slack1) [m^2] */
     k5 = 0.37290248000000004, /* 2 * D4 * L2 [m^2] */
     k6 = 2.681666262986505, /* 1 / k5 [m^-2] */
     f1 = 0.8636, /* L2 + D4 [m] */
     g1 = 0.8636, /* L2 + D4 [m] */
-    doubt_limit_squared2 = 1.0274863225e-06, /* square of a length that fixes no angle [m^2] */
+    /* square of a length that fixes no angle [m^2] */
+    doubt_limit_squared2 = 3.5728130410619597e-06,
     half_turn = 3.141592653589793, /* pi [rad] */
-    m2 = 1.055728142924574e-12, /* doubt_limit_squared2^2 [m^4] */
+    m2 = 1.2764993026382408e-11, /* doubt_limit_squared2^2 [m^4] */
     m5 = 1e-06; /* doubt_limit^2 */
 /* coefficients */
 static const double m1 = 1.1579434923575729, m3 = 3.105217997900075, m4 = 2.3158869847151458;
@@ -717,7 +718,7 @@ static double half_way(const double x[6], const double q[6], double half[6])
 }
 
 /* What the entries of a miss count: lengths in arm sizes. */
-static const double weights[6] = { 0.9865, 0.9865, 0.9865, 1.0, 1.0, 1.0 };
+static const double weights[6] = { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 };
 /* What a step of one means for each joint; none where the caller gives the value. */
 static const double pace[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 

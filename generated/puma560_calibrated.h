@@ -55,7 +55,7 @@ void puma560_calibrated_jacobian(const double q[6], double J[36]);
 int puma560_calibrated_ik(
     const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns PUMA560_CALIBRATED_OK or PUMA560_CALIBRATED_FREE_JOINT, or, with NaN in q,
  * minus PUMA560_CALIBRATED_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a

@@ -53,7 +53,7 @@ void puma560_f32_jacobian(const float q[6], float J[36]);
 int puma560_f32_ik(
     const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns PUMA560_F32_OK or PUMA560_F32_FREE_JOINT, or, with NaN in q,
  * minus PUMA560_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

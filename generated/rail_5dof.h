@@ -53,7 +53,7 @@ void rail_5dof_jacobian(const double q[5], double J[30]);
  * not finite where it may be needed. */
 int rail_5dof_ik(const double T[16], const double *q_seed, double q[2][5], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns RAIL_5DOF_OK or RAIL_5DOF_FREE_JOINT, or, with NaN in q,
  * minus RAIL_5DOF_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

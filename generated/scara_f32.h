@@ -52,7 +52,7 @@ void scara_f32_jacobian(const float q[4], float J[24]);
  * not finite where it may be needed. */
 int scara_f32_ik(const float T[16], const float *q_seed, float q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SCARA_F32_OK or SCARA_F32_FREE_JOINT, or, with NaN in q,
  * minus SCARA_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

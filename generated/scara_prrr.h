@@ -54,7 +54,7 @@ void scara_prrr_jacobian(const double q[4], double J[24]);
 int scara_prrr_ik(
     const double T[16], const double *q_seed, double q[2][4], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SCARA_PRRR_OK or SCARA_PRRR_FREE_JOINT, or, with NaN in q,
  * minus SCARA_PRRR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

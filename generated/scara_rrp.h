@@ -53,7 +53,7 @@ void scara_rrp_jacobian(const double q[3], double J[18]);
  * not finite where it may be needed. */
 int scara_rrp_ik(const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SCARA_RRP_OK or SCARA_RRP_FREE_JOINT, or, with NaN in q,
  * minus SCARA_RRP_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -54,7 +54,7 @@ void scara_wrist_jacobian(const double q[6], double J[36]);
 int scara_wrist_ik(
     const double T[16], const double *q_seed, double q[4][6], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SCARA_WRIST_OK or SCARA_WRIST_FREE_JOINT, or, with NaN in q,
  * minus SCARA_WRIST_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

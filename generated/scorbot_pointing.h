@@ -57,7 +57,7 @@ int scorbot_pointing_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[4][5],
     unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SCORBOT_POINTING_OK or SCORBOT_POINTING_FREE_JOINT, or, with NaN in q,
  * minus SCORBOT_POINTING_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

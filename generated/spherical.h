@@ -53,7 +53,7 @@ void spherical_jacobian(const double q[3], double J[18]);
  * not finite where it may be needed. */
 int spherical_ik(const double T[16], const double *q_seed, double q[4][3], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SPHERICAL_OK or SPHERICAL_FREE_JOINT, or, with NaN in q,
  * minus SPHERICAL_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -56,7 +56,7 @@ void spherical_wrist_all_offsets_jacobian(const double q[6], double J[36]);
 int spherical_wrist_all_offsets_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns SPHERICAL_WRIST_ALL_OFFSETS_OK or SPHERICAL_WRIST_ALL_OFFSETS_FREE_JOINT, or, with NaN in
  * q,

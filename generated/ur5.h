@@ -52,7 +52,7 @@ void ur5_jacobian(const double q[6], double J[36]);
  * not finite where it may be needed. */
 int ur5_ik(const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns UR5_OK or UR5_FREE_JOINT, or, with NaN in q,
  * minus UR5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -52,7 +52,7 @@ void ur5_f32_jacobian(const float q[6], float J[36]);
  * not finite where it may be needed. */
 int ur5_f32_ik(const float T[16], const float *q_seed, float q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns UR5_F32_OK or UR5_F32_FREE_JOINT, or, with NaN in q,
  * minus UR5_F32_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

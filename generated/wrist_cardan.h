@@ -55,7 +55,7 @@ void wrist_cardan_jacobian(const double q[3], double J[18]);
 int wrist_cardan_ik(
     const double T[16], const double *q_seed, double q[2][3], unsigned char status[2]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns WRIST_CARDAN_OK or WRIST_CARDAN_FREE_JOINT, or, with NaN in q,
  * minus WRIST_CARDAN_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -52,7 +52,7 @@ void xarm5_jacobian(const double q[5], double J[30]);
  * not finite where it may be needed. */
 int xarm5_ik(const double T[16], const double *q_seed, double q[4][5], unsigned char status[4]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns XARM5_OK or XARM5_FREE_JOINT, or, with NaN in q,
  * minus XARM5_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -31,8 +31,8 @@ static const int solved[6] = { 0, 1, 2, 3, 4, 5 };
 static const int turning[6] = { 1, 1, 1, 1, 1, 1 };
 static const double unit[6] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 static const double measure[6] = {
-    0.8347245409015025, 0.8347245409015025, 0.8347245409015025, 0.8347245409015025,
-    0.8347245409015025, 0.8347245409015025,
+    0.8699535839283513, 0.8699535839283513, 0.8699535839283513, 0.8699535839283513,
+    0.8699535839283513, 0.8699535839283513,
 };
 /* Rows of the translation that count. */
 static const int coordinate[3] = { 0, 1, 2 };
@@ -66,7 +66,7 @@ static void look(struct descent *d, const double u[6])
     xarm6_jacobian(d->q, J);
     for (int i = 0; i < 3; i++) {
         const int row = coordinate[i];
-        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.198;
+        d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / 1.149486614543747;
         for (int j = 0; j < 6; j++)
             d->A[i][j] = measure[j] * J[6 * row + solved[j]];
     }

@@ -52,7 +52,7 @@ void xarm6_jacobian(const double q[6], double J[36]);
  * not finite where it may be needed. */
 int xarm6_ik(const double T[16], const double *q_seed, double q[16][6], unsigned char status[16]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns XARM6_OK or XARM6_FREE_JOINT, or, with NaN in q,
  * minus XARM6_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

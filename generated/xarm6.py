@@ -329,7 +329,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm6 7c1b16d37bcc9f59"
+_KEY = "xarm6 4bc8b18fdb08cd9b"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -392,8 +392,8 @@ _SOLVED = np.array([0, 1, 2, 3, 4, 5])
 _TURNING = np.array([True, True, True, True, True, True])
 _UNIT = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0])
 _MEASURE = np.array([
-    0.8347245409015025, 0.8347245409015025, 0.8347245409015025, 0.8347245409015025,
-    0.8347245409015025, 0.8347245409015025,
+    0.8699535839283513, 0.8699535839283513, 0.8699535839283513, 0.8699535839283513,
+    0.8699535839283513, 0.8699535839283513,
 ])
 
 
@@ -424,9 +424,9 @@ def _look(T, q, u, e, A):
         A[2, j] = _MEASURE[j] * J[2, column]
         for i in range(3):
             A[3 + i, j] = J[3 + i, column]
-    e[0] = (T[0, 3] - P[0, 3]) / 1.198
-    e[1] = (T[1, 3] - P[1, 3]) / 1.198
-    e[2] = (T[2, 3] - P[2, 3]) / 1.198
+    e[0] = (T[0, 3] - P[0, 3]) / 1.149486614543747
+    e[1] = (T[1, 3] - P[1, 3]) / 1.149486614543747
+    e[2] = (T[2, 3] - P[2, 3]) / 1.149486614543747
     R = np.zeros((3, 3))
     for i in range(3):
         for j in range(3):

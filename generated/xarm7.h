@@ -55,7 +55,7 @@ int xarm7_ik(
     const double T[16], const double free_joints[1], const double *q_seed, double q[16][7],
     unsigned char status[16]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns XARM7_OK or XARM7_FREE_JOINT, or, with NaN in q,
  * minus XARM7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

@@ -362,7 +362,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "xarm7 1c36fd5bd67b2608"
+_KEY = "xarm7 aba4776021be50ab"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -905,13 +905,6 @@ def _xarm7_turn(T, c, s):
         x, y = T[4 * i], T[4 * i + 1]
         T[4 * i] = x * c + y * s
         T[4 * i + 1] = y * c - x * s
-
-
-@_inner
-def _xarm7_slide(T, d):
-    """T Tz, in place."""
-    for i in range(3):
-        T[4 * i + 3] += T[4 * i + 2] * d
 
 
 @_inner

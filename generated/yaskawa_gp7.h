@@ -54,7 +54,7 @@ void yaskawa_gp7_jacobian(const double q[6], double J[36]);
 int yaskawa_gp7_ik(
     const double T[16], const double *q_seed, double q[8][6], unsigned char status[8]);
 
-/* The solution nearest to q_seed, with angles moved by whole turns into their limits; q may be
+/* The solution nearest to q_seed, with angles moved by whole turns into their limits. q may be
  * q_seed.
  * Returns YASKAWA_GP7_OK or YASKAWA_GP7_FREE_JOINT, or, with NaN in q,
  * minus YASKAWA_GP7_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed

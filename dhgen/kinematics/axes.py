@@ -8,7 +8,7 @@ hide that an axis meets another, or lies level with it, seen along a slanting di
 
 from __future__ import annotations
 
-from functools import partial
+import math
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -16,7 +16,6 @@ from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Tur
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
-from dhgen.kinematics.numeric import matrix_of
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.robot.angles import SNAP
 from dhgen.robot.expression import ZERO
@@ -24,7 +23,7 @@ from dhgen.robot.robot import Frame, JointKind
 from dhgen.robot.surds import Surd, square_root, surd
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Mapping
 
     from sympy.polys.rings import PolyRing
 
@@ -52,13 +51,13 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
         ChainJoint(number, joint.kind, sign, 0.0, joint.limits)
         for number, (joint, sign) in enumerate(zip(reference.axes, signs, strict=True), 1)
     )
-    size = arm_size([each.value for each in constants if each.is_length], joints)
     values = {each.name: each.value for each in constants}
-    vanish = partial(_vanishing, values, SNAP * size)
-    steps = _steps([identity(ring), *frames, home], normal, vanish)
+    steps = _steps([identity(ring), *frames, home], normal, values)
     if steps is None:
         return None
     *links, last = steps
+    # wherever the arm stands in its frame, and that in the caller's
+    lengths = [_distance(step, values) for step in (*steps[1:], tool)]
     return Chain(
         name=robot.name,
         joints=joints,
@@ -69,7 +68,7 @@ def exact_axes(robot: Robot, reference: ReferenceAxes) -> Chain | None:
         ring=ring,
         task=robot.task,
         free=robot.free,
-        size=size,
+        size=arm_size(lengths, joints),
         arm_angle=robot.arm_angle,
     )
 
@@ -134,36 +133,45 @@ def _frames(
 
 
 def _steps(
-    frames: list[Transform], normal: NormalForm, vanish: Callable[[Transform], list[bool]]
+    frames: list[Transform], normal: NormalForm, values: Mapping[str, float]
 ) -> list[Transform] | None:
     """From each frame to the next, or None where a coordinate is zero that letters do not show."""
     steps = [
-        _settled(compose(inverse(before, normal), after, normal), vanish)
+        _settled(compose(inverse(before, normal), after, normal), values)
         for before, after in pairwise(frames)
     ]
-    hidden = any(any(vanish(inverse(step, normal))) for step in steps)
+    backward = (inverse(step, normal).translation for step in steps)
+    hidden = any(_cancels(entry, values) for translation in backward for entry in translation)
     return None if hidden else steps
 
 
-def _vanishing(values: Mapping[str, float], least: float, step: Transform) -> list[bool]:
-    """Which coordinates are zero in numbers, though not in letters."""
-    numbers = matrix_of(step, values)[:3, 3]
-    return [
-        bool(entry) and abs(number) <= least
-        for entry, number in zip(step.translation, numbers, strict=True)
-    ]
+def _settled(step: Transform, values: Mapping[str, float]) -> Transform:
+    """Coordinates that agree, but for what floating point left in the file, agree.
 
-
-def _settled(step: Transform, vanish: Callable[[Transform], list[bool]]) -> Transform:
-    """Coordinates that are zero, but for what floating point left in the file, are zero.
-
-    So are differences of lengths that happen to agree: what coincides is what solves an arm.
+    So do lengths that happen to: what coincides is what solves an arm.
     """
-    kept = (
-        entry.ring.zero if vanishes else entry
-        for entry, vanishes in zip(step.translation, vanish(step), strict=True)
-    )
+    kept = (entry.ring.zero if _cancels(entry, values) else entry for entry in step.translation)
     return Transform(step.rotation, tuple(kept))
+
+
+def _cancels(entry: Polynomial, values: Mapping[str, float]) -> bool:
+    """Whether the terms of a coordinate add up to zero in numbers, though not in letters."""
+    terms = _terms(entry, values)
+    return len(terms) > 1 and abs(math.fsum(terms)) <= SNAP * max(map(abs, terms))
+
+
+def _distance(step: Transform, values: Mapping[str, float]) -> float:
+    return math.hypot(*(math.fsum(_terms(entry, values)) for entry in step.translation))
+
+
+def _terms(entry: Polynomial, values: Mapping[str, float]) -> list[float]:
+    names = [symbol.name for symbol in entry.ring.symbols]
+    return [
+        int(factor.numerator)
+        / int(factor.denominator)
+        * math.prod(values[name] ** power for name, power in zip(names, powers, strict=True))
+        for powers, factor in entry.terms()
+    ]
 
 
 def _links(

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.robot.angles import SNAP
 from dhgen.robot.expression import ZERO, Binary, Call, Negate, Number, Pi, evaluate
 from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind
 
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
     Vector = NDArray[np.float64]
 
-SNAP = 1e-9  # twists and lengths nearer than this to an exact value are exact
 ROUNDING = 1e-12  # of the entries of a rotation
 DIGITS = 14  # of lengths: those behind are rounding
 
@@ -57,8 +57,9 @@ def table_of_axes(robot: Robot, reference: ReferenceAxes) -> tuple[Robot, DhTabl
     directions = [_unit([evaluate(c, values) for c in axis.direction]) for axis in axes]
     points = [np.array([evaluate(c, values) for c in axis.point]) for axis in axes]
     home = _matrix(reference.home, values)
-    reach = sum(np.linalg.norm(point) for point in points) + np.linalg.norm(home[:3, 3])
-    size = float(reach) or 1.0
+    turning = [at for axis, at in zip(axes, points, strict=True) if axis.kind is JointKind.REVOLUTE]
+    apart = [np.linalg.norm(b - a) for a, b in pairwise([*turning, home[:3, 3]])]
+    size = float(sum(apart)) or 1.0
     start = _start_frame(directions[0], points[0] * (axes[0].kind is JointKind.REVOLUTE))
     frame, passages = start, [_NONE]
     for axis, direction, point in zip(axes[1:], directions[1:], points[1:], strict=True):

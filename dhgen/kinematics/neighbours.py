@@ -32,8 +32,9 @@ class Triple:
         joints: Their numbers.
         tilt: The larger angle between neighbours, 0 when all are parallel [rad].
         miss: The largest of the distances between neighbours and between the two feet on the
-            middle axis, 0 when all meet in one point [length]; infinite for parallel neighbours
-            and where a slide is between them, which takes such a point apart.
+            middle axis, 0 when all meet in one point [length]; infinite for parallel neighbours,
+            and where a slide is between them, which takes such a point apart unless it is along
+            the one axis beyond it.
     """
 
     joints: tuple[int, int, int]

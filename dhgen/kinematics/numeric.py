@@ -11,8 +11,6 @@ from dhgen.kinematics.chain import Chain, Fixed, Turn
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from numpy.typing import NDArray
 
     from dhgen.kinematics.transform import Transform
@@ -90,17 +88,16 @@ def numeric_arm(chain: Chain) -> NumericArm:
     """The numeric arm of a chain."""
     values = {constant.name: constant.value for constant in chain.constants}
     elements = tuple(
-        matrix_of(element.transform, values)
+        _matrix(element.transform, values)
         if isinstance(element, Fixed)
         else (element.joint, isinstance(element, Turn))
         for link in chain.links
         for element in link
     )
-    return NumericArm(chain, matrix_of(chain.base, values), matrix_of(chain.tool, values), elements)
+    return NumericArm(chain, _matrix(chain.base, values), _matrix(chain.tool, values), elements)
 
 
-def matrix_of(transform: Transform, values: Mapping[str, float]) -> Array:
-    """A transform (4, 4) in numbers, from those of its constants by their names."""
+def _matrix(transform: Transform, values: dict[str, float]) -> Array:
     matrix = np.eye(4)
     for row in range(3):
         for column in range(4):

@@ -129,10 +129,10 @@ def crowded_axes(chain: Chain) -> list[str]:
     for pair in pairwise(turning):
         first, second = (number - 1 for number in pair)
         z, between = directions[first], points[second] - points[first]
-        if second == first + 1 and np.linalg.norm(np.cross(z, directions[second])) < SAME_LINE:
-            parallel.append(pair)
+        if np.linalg.norm(np.cross(z, directions[second])) < SAME_LINE:
+            parallel.append(pair)  # slides between turn no axis, but move it aside
             apart = float(np.linalg.norm(np.cross(z, between)))
-            if apart < SAME_LINE * chain.size:
+            if second == first + 1 and apart < SAME_LINE * chain.size:
                 same[pair] = apart if apart > ROUNDING * chain.size else 0.0
     meeting = [t.joints for t in axis_triples(chain) if t.miss < EXACT * chain.size]
     lines = _runs(list(same))

@@ -29,8 +29,7 @@ if TYPE_CHECKING:
 
     from dhgen.general.kernel import GeneralKernel
     from dhgen.numerical.kernel import NumericalKernel
-    from dhgen.program.reserved import Reserved
-from dhgen.program.role import Role
+    from dhgen.program.role import Role
 
 Operator = Literal[
     "add",

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from dhgen.kinematics.axes import exact_axes
 from dhgen.kinematics.build import build_chain
-from dhgen.kinematics.chain import parallel_groups
+from dhgen.kinematics.chain import Fixed, parallel_groups
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import ReferenceAxes
 from dhgen.survey.oracle.arm import arm_size
@@ -146,6 +146,35 @@ def test_coordinates_that_agree_by_value_are_one() -> None:
         home="{xyz: [0.1, 0, M - 0.1]}",
     )
     assert not any(build_chain(arm).tool.translation)
+
+
+@pytest.mark.parametrize("slant", ["0, 1, 0", "0.3, 1, 0.2"])
+def test_the_size_of_an_arm_is_not_where_it_stands(slant: str) -> None:
+    def size(x: float, y: float, base: str) -> float:
+        arm = axes(
+            f"type: revolute, direction: [0, 0, 1], point: [{x}, {y}, 0]",
+            f"type: revolute, direction: [{slant}], point: [{x + 0.1}, {y}, 0.4]",
+            f"type: revolute, direction: [{slant}], point: [{x + 0.5}, {y}, 0.4]",
+            home=f"{{xyz: [{x + 0.9}, {y}, 0.4]}}",
+            base=base,
+        )
+        return build_chain(arm).size
+
+    here = size(0.0, 0.0, "{}")
+    assert 1.0 < here < 3.0
+    assert size(10.0, 20.0, "{xyz: [1000, 0, 0]}") == pytest.approx(here, rel=1e-9)
+
+
+def test_an_offset_that_is_written_is_kept() -> None:
+    """However small: the file's own zero is what its cells are taken as."""
+    arm = axes(
+        "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]",
+        "type: revolute, direction: [0, 1, 0], point: [1.2e-9, 0, 0.4]",
+        home="{xyz: [0.8, 0, 0.4]}",
+    )
+    assert 1.2e-9 in {each.value for each in build_chain(arm).constants}
+    parts = [part for link in build_chain(arm).links for part in link]
+    assert any(part.transform.translation[0] for part in parts if isinstance(part, Fixed))
 
 
 def test_small_turns_leave_rotations_rotations() -> None:

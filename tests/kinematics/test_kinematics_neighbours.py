@@ -44,7 +44,7 @@ def test_only_revolute_joints_that_are_not_given() -> None:
     assert joints == [(4, 5, 6), (5, 6, 7)]
 
 
-def test_slides_turn_no_axis_and_take_points_apart() -> None:
+def test_slides_turn_no_axis_and_points_across_them_are_not_told() -> None:
     (triple,) = axis_triples(build_chain(robot("scara")))  # RRPR
     assert triple.joints == (1, 2, 4)
     assert triple.tilt == pytest.approx(0, abs=1e-15)

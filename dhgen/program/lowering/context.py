@@ -11,7 +11,6 @@ from dhgen.paul.branches import branch_words
 from dhgen.paul.step import Kind
 from dhgen.program.building.builder import Builder
 from dhgen.program.lowering.angles import Angles
-from dhgen.program.lowering.checks import Checks
 from dhgen.program.lowering.polynomials import PolynomialLowering
 from dhgen.program.lowering.scales import Scales
 from dhgen.program.lowering.target import Target

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
-    from dhgen.program.reserved import Reserved
-from dhgen.program.tolerances import Tolerances
+    from dhgen.program.tolerances import Tolerances
 
 
 def lower(

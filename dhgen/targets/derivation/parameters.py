@@ -48,7 +48,10 @@ def constant_blocks(story: Story) -> list[Block]:
 
 
 def _written(chain: Chain) -> list[Constant]:
-    """The constants without the sines that occur nowhere: of some angles only the cosine does."""
+    """The constants that occur.
+
+    Of some angles only the cosine does; and of coordinates that agree, only their difference did.
+    """
     fixed = [part.transform for link in chain.links for part in link if isinstance(part, Fixed)]
     places = {
         place
@@ -57,7 +60,11 @@ def _written(chain: Chain) -> list[Constant]:
         for place in used_places(transform.entry(row, column))
     }
     used = {chain.ring.symbols[place].name for place in places}
-    return [each for each in chain.constants if each.cosine is None or each.name in used]
+    return [
+        each
+        for each in chain.constants
+        if each.name in used or each.parameter or not (each.cosine or each.is_length)
+    ]
 
 
 def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:

@@ -80,9 +80,10 @@ def _partner(kernel: GeneralKernel, name: str, place: int) -> str:
 def python_spelling(kernel: GeneralKernel) -> PythonSpelling:
     """What Python writes for an arm."""
     slides, given = kernel.loop.slides, bool(kernel.given)
+    held = any(each.slides for link in kernel.links for each, _ in link.rest)
     return PythonSpelling(
         slides=repr(slides),
-        knows_slides=bool(slides) or given,
+        knows_slides=bool(slides) or held,
         sine_of_start=_unless_slide("q[i]", "math.sin(q[i])", slides),
         circular_gap=_unless_slide("gap", f"min(gap, {2 * pi!r} - gap)", slides),
         free_type="float64[::1], " if given else "",
