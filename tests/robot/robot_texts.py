@@ -58,3 +58,9 @@ def marked(diagnostic: Diagnostic) -> str:
     """The text above the caret."""
     start = diagnostic.column - 1
     return diagnostic.source[start : start + diagnostic.width]
+
+
+def told_of_cells(text: str) -> list[str]:
+    """The messages about a file, in which not every cell that is tried uses the parameters."""
+    messages = [notice.message for notice in robot(text).notices]
+    return [message for message in messages if not message.startswith("no cell uses")]

@@ -24,6 +24,7 @@ from tests.robot.robot_texts import (
     robot,
     row,
     table,
+    told_of_cells,
 )
 
 TURN = "type: revolute, direction: [0, 0, 1], point: [0, 0, 0]"
@@ -283,12 +284,6 @@ def test_angles_that_mean_something_else_are_told(cell: str, alpha: str, message
     assert marked(notice) == cell
 
 
-def told_of_cells(text: str) -> list[str]:
-    """The messages about a file, in which not every cell that is tried uses the parameters."""
-    messages = [notice.message for notice in robot(text).notices]
-    return [message for message in messages if not message.startswith("no cell uses")]
-
-
 @pytest.mark.parametrize("cell", ["0.3", "0.5236", "1.5", "w"])
 def test_other_angles_are_left_alone(cell: str) -> None:
     text = table(f"theta: q, alpha: {cell}", parameters="{w: 0.7}")
@@ -316,165 +311,6 @@ def test_what_is_taken_as_exact_is_kept_with_its_place() -> None:
         ("entry 2,3 of matrix of base", "-0.9999999999", "-1"),
         ("entry 2,4 of matrix of base", "1e-10", "0"),
     }
-
-
-def test_limits_have_the_unit_of_their_joint() -> None:
-    assert row("theta: q, limits: [-160 deg, pi]").limits == pytest.approx(
-        (math.radians(-160), math.pi)
-    )
-    assert row("d: q, limits: [0, 2*l]", parameters="{l: 0.25}").limits == (0.0, 0.5)
-    assert row("theta: q").limits is None
-
-
-def test_degrees() -> None:
-    joint = row("theta: q + 90, alpha: -45.5, limits: [-180, pi]", units="{angle: deg}")
-    assert to_text(joint.theta) == "pi/2"
-    assert to_text(joint.alpha) == "-45.5*(pi/180)"
-    assert joint.limits == pytest.approx((-math.pi, math.pi))
-
-
-@pytest.mark.parametrize("cell", ["30", "30 deg", "pi/6", "w", "v", "2*v/2", "60*sin(pi/6)"])
-def test_in_a_file_of_degrees_what_speaks_of_pi_is_in_radians(cell: str) -> None:
-    joint = row(f"theta: q, alpha: {cell}", units="{angle: deg}", parameters="{w: 30, v: pi/6}")
-    assert to_text(joint.alpha) == "pi/6"
-
-
-def test_degrees_leave_lengths_alone() -> None:
-    joint = row("d: q + 90, a: 45, limits: [0, 100]", units="{length: mm, angle: deg}")
-    assert (to_text(joint.d), to_text(joint.a), joint.limits) == ("90", "45", (0.0, 100.0))
-
-
-def test_an_angle_under_a_name_is_no_length_either() -> None:
-    told = "'{}' is an angle, but a length belongs here: leave out deg, or take its sin or cos"
-    assert mistake(table("theta: q, a: w", parameters="{v: 30 deg, w: -v}")) == told.format("w")
-    assert mistake(table("theta: q", tool="{xyz: [0, 0, 5 deg]}")) == told.format("5 deg")
-    slide = f"{SLIDE}, limits: [-1, -(5 deg)]"
-    assert mistake(axes(slide)) == told.format("-(5 deg)")
-
-
-@pytest.mark.parametrize(
-    "cell", ["2*sin(30 deg)", "l*(30 deg)", "l*w", "0.1*(30 deg)", "l*w/(360 deg)", "cos(w)"]
-)
-def test_a_length_may_be_that_of_an_arc_or_come_from_a_ratio_of_angles(cell: str) -> None:
-    named = "{l: 0.1, w: 30 deg}"
-    joint = row(f"d: q, a: {cell}, limits: [0, {cell}]", parameters=named)
-    assert joint.limits
-    assert joint.limits[1] > 0
-
-
-def test_a_slip_in_degrees_is_told_in_degrees() -> None:
-    loaded = robot(table("theta: q, alpha: 90.01", units="{angle: deg}"))
-    assert [notice.message for notice in loaded.notices] == [
-        "'90.01' is 1.0e-02 away from 90: write 90 if that is meant"
-    ]
-
-
-def test_radians_in_a_file_of_degrees_are_told() -> None:
-    loaded = robot(table("theta: q, alpha: -1.5708", units="{angle: deg}"))
-    assert [notice.message for notice in loaded.notices] == [
-        "'-1.5708' is -1.5708 degrees: write -90 if -pi/2 is meant"
-    ]
-    for cell in ("1.5", "1.5708 deg"):
-        assert not robot(table(f"theta: q, alpha: {cell}", units="{angle: deg}")).notices
-    assert robot(table("theta: q, alpha: 3.14", units="{angle: deg}")).notices
-
-
-def test_degrees_in_a_file_of_radians_are_told() -> None:
-    loaded = robot(table("theta: q, alpha: 90"))
-    assert [notice.message for notice in loaded.notices] == [
-        "'90' is 14.3 turns: write 90 deg if degrees are meant"
-    ]
-    assert not robot(table("theta: q, alpha: 90 deg, limits: [-7, 7]")).notices
-
-
-@pytest.mark.parametrize(
-    ("joint", "told"),
-    [
-        ("theta: q + 90 + pi", "the offset of 'q + 90 + pi' has 90 in rad"),
-        ("theta: q, alpha: 2*(pi - w/2)", "'2*(pi - w/2)' has w/2 in rad"),
-        ("theta: q, limits: [0, 90 + 45 deg]", "'90 + 45 deg' has 90 in rad"),
-    ],
-)
-def test_a_plain_number_beside_pi_is_told_in_a_file_of_degrees(joint: str, told: str) -> None:
-    (message,) = told_of_cells(table(joint, parameters="{w: 90}", units="{angle: deg}"))
-    meant = "w/2*deg" if "w" in joint else "90 deg"
-    beside = ", as it is next to pi or deg: write"
-    assert message == f"{told}{beside} {meant} if degrees are meant"
-
-
-@pytest.mark.parametrize("unit", ["rad", "deg"])
-def test_degrees_that_sin_and_cos_do_not_take_are_told(unit: str) -> None:
-    cells = "a: 0.4*cos(30), d: sin(tilt - 60)"
-    text = table(f"theta: q, {cells}", parameters="{tilt: 15}", units=f"{{angle: {unit}}}")
-    assert told_of_cells(text) == [
-        "'cos(30)' takes rad: write cos(30 deg) if degrees are meant",
-        "'sin(tilt - 60)' takes rad: write sin((tilt - 60)*deg) if degrees are meant",
-    ]
-    fine = "theta: q, a: sin(w) + cos(30 deg), d: cos(0)*sqrt(90)"
-    text = table(fine, parameters="{w: pi/7}", units=f"{{angle: {unit}}}")
-    assert not told_of_cells(text)
-    assert bool(told_of_cells(table("theta: q, a: sin(1.5)", units=f"{{angle: {unit}}}"))) == (
-        unit == "deg"
-    )
-
-
-def test_a_plain_number_beside_pi_is_told_in_a_file_of_radians_if_it_is_many_turns() -> None:
-    (notice,) = robot(table("theta: q + pi - 90")).notices
-    told = "the offset of 'q + pi - 90' is 13.8 turns: write 90 deg if degrees are meant"
-    assert notice.message == told
-    assert not robot(table("theta: q + pi - 0.02, limits: [-pi - 1, pi + 1]")).notices
-
-
-@pytest.mark.parametrize("cell", ["90*pi/200", "pi/2 - 3 deg", "v - pi/5 + 0", "w + 30*sin(pi/6)"])
-def test_what_is_multiplied_with_pi_or_adds_angles_is_no_mixture(cell: str) -> None:
-    named = "{w: 41, v: 40 deg}"
-    text = table(f"theta: q, alpha: {cell}", parameters=named, units="{angle: deg}")
-    assert not told_of_cells(text)
-
-
-@pytest.mark.parametrize(
-    ("limits", "message"),
-    [
-        ("[-170, 170]", "'-170' is 27.1 turns: write -170 deg if degrees are meant"),
-        ("[0, w]", "'w' is 25.5 turns: write 160 deg if degrees are meant"),
-    ],
-)
-def test_limits_of_many_turns_are_told_once_a_joint(limits: str, message: str) -> None:
-    text = table(f"theta: q, limits: {limits}", parameters="{w: 160}")
-    assert told_of_cells(text) == [message]
-
-
-@pytest.mark.parametrize(
-    ("limits", "message"),
-    [
-        ("[-3.14, 3.14]", "'-3.14' is -3.14 degrees: write -180 if -pi is meant"),
-        ("[0, 3.1416]", "'3.1416' is 3.1416 degrees: write 180 if pi is meant"),
-        ("[-90, w]", "'w' is 1.571 degrees: write 90 if pi/2 is meant"),
-    ],
-)
-def test_limits_of_degrees_that_look_like_radians_are_told_once_a_joint(
-    limits: str, message: str
-) -> None:
-    text = table(f"theta: q, limits: {limits}", parameters="{w: 1.571}", units="{angle: deg}")
-    assert told_of_cells(text) == [message]
-
-
-@pytest.mark.parametrize(
-    ("joint", "unit"),
-    [
-        ("theta: q, limits: [-1080 deg, 6*pi]", "rad"),
-        ("theta: q, limits: [-w, w]", "rad"),
-        ("theta: q, limits: [-1.5708, 12.566]", "rad"),  # limits may be rounded
-        ("theta: q, limits: [-1080, 1080]", "deg"),
-        ("theta: q, limits: [-3.14 deg, 3]", "deg"),
-        ("theta: q, limits: [-1.5, 3.2]", "deg"),
-        ("d: q, limits: [-3.14, 3.14]", "deg"),
-        ("d: q, limits: [-170, 170]", "rad"),
-    ],
-)
-def test_limits_of_turns_that_are_meant_are_left_alone(joint: str, unit: str) -> None:
-    text = table(joint, parameters="{w: 1080 deg}", units=f"{{angle: {unit}}}")
-    assert not told_of_cells(text)
 
 
 def test_axes() -> None:

@@ -1,0 +1,71 @@
+"""The command as tests call it: as a process of its own, and in folders of theirs."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+Run = Callable[..., subprocess.CompletedProcess[str]]
+
+ROOT = Path(__file__).resolve().parents[2]
+PLANAR = ROOT / "robots" / "planar_rr.yaml"
+FILES = ["dhgen_native.py", "dhgen_pose.c", "dhgen_pose.h", "dhgen_pose.py"] + [
+    f"planar_rr.{end}" for end in ("c", "h", "md", "py")
+]
+WRONG = """\
+name: wrong
+title: wrong
+source: made up
+convention: standard
+joints:
+  - {theta: q, d: x, a: 0, alpha: 0}
+task: pose
+"""
+UNSOLVABLE = """\
+name: redundant
+title: A planar arm with a joint to spare
+source: made up
+convention: standard
+joints:
+  - {theta: q, d: 0, a: 0.4, alpha: 0}
+  - {theta: q, d: 0, a: 0.3, alpha: 0}
+  - {theta: q, d: 0, a: 0.2, alpha: 0}
+  - {theta: q, d: 0, a: 0.1, alpha: 0}
+task: pose
+"""
+
+
+def dhgen(*words: str | Path, folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a folder, as a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "dhgen", *map(str, words)],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(ROOT)} | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir() if path.is_file())
+
+
+def copy(written: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(written, tmp_path / "copy"))
+
+
+def in_shell(command: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Runs the command as a shell does that closes streams."""
+    return subprocess.run(
+        ["/bin/sh", "-c", f"{sys.executable} -m dhgen {command}"],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )

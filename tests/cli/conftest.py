@@ -1,0 +1,47 @@
+"""The command in this process, and a folder in which it was run."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from typing import TYPE_CHECKING
+
+import numba
+import pytest
+
+from dhgen.cli import main
+from tests.cli.commands import PLANAR, dhgen
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from tests.cli.commands import Run
+
+
+@pytest.fixture
+def run(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> Run:
+    """The command in a folder, in this process; some poses are verified, in plain Python."""
+
+    def done(*words: str | Path, folder: Path) -> subprocess.CompletedProcess[str]:
+        monkeypatch.chdir(folder)
+        code = main(list(map(str, words)))
+        return subprocess.CompletedProcess(words, code, *capfd.readouterr())
+
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    monkeypatch.setattr("dhgen.verify.verify.COUNT", 20)
+    return done
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder in which `dhgen robots/planar_rr.yaml` was run."""
+    folder = tmp_path_factory.mktemp("written")
+    (folder / "robots").mkdir()
+    shutil.copy(PLANAR, folder / "robots")
+    done = dhgen("robots/planar_rr.yaml", folder=folder)
+    assert (done.returncode, done.stderr) == (0, "")
+    # five sorts of 150, and 15 each at the stretched arm and beside it
+    assert "verified on 780 poses" in done.stdout
+    assert "wrote generated/planar_rr.py" in done.stdout
+    assert "\x1b" not in done.stdout
+    return folder

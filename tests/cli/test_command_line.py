@@ -1,0 +1,160 @@
+"""What is written behind the command: words, paths, streams, help."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from dhgen.cli import main
+from tests.cli.commands import (
+    FILES,
+    PLANAR,
+    ROOT,
+    WRONG,
+    Run,
+    dhgen,
+    in_shell,
+    names,
+)
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@pytest.mark.parametrize("words", [[""], ["explain", ""], ["survey", ""], ["--out", "", "x"]])
+def test_an_empty_text_is_no_path(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(words)
+    assert stopped.value.code == 2
+    assert "a path can't be empty" in capsys.readouterr().err
+
+
+def test_a_compiler_that_builds_nothing_is_not_the_file_s_fault(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "broken"
+    broken.write_text("#!/bin/sh\necho cannot find ld >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("CC", str(broken))
+    done = run(PLANAR, folder=tmp_path)
+    told = f"the C compiler {broken} can't build anything here:\ncannot find ld\nfix it, or set"
+    assert (done.returncode, done.stderr) == (1, f"{told} $CC to another compiler\n")
+    assert not (tmp_path / "generated").exists()
+
+
+def test_without_a_path_the_compiler_finds_its_linker(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("PATH")
+    monkeypatch.delenv("CC", raising=False)
+    done = run(PLANAR, folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Python and C agree" in done.stdout
+
+
+def test_links_that_lead_in_a_circle(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "loop").symlink_to("loop")
+    for words in (["loop"], ["--check", "loop"], ["explain", "loop"]):
+        done = run(*words, folder=tmp_path)
+        told = "loop: the file can't be read: Too many levels of symbolic links\n"
+        assert (done.returncode, done.stderr) == (2, told)
+    done = run("--check", PLANAR, "--out", "loop", folder=tmp_path)
+    assert done.returncode == 1
+    assert "loop/planar_rr.c: can't be read (Too many levels of symbolic links)" in done.stderr
+
+
+@pytest.mark.parametrize("closed", ["2>&-", "<&- >&- 2>&-"])
+def test_streams_that_are_closed_change_nothing_but_what_is_told(
+    closed: str, tmp_path: Path
+) -> None:
+    """As services and cron jobs may start it."""
+    (tmp_path / "wrong.yaml").write_text(WRONG)
+    for words, code in (f"--out x {PLANAR}", 0), ("explain wrong.yaml", 2):
+        done = in_shell(f"{words} {closed}", tmp_path)
+        assert (done.returncode, done.stderr) == (code, "")
+        assert (not done.stdout) == (code == 2 or closed != "2>&-")
+    assert names(tmp_path / "x") == FILES
+    done = in_shell(f"explain {PLANAR} {closed}", tmp_path)
+    assert (done.returncode, not done.stdout) == ((0, False) if closed == "2>&-" else (2, True))
+
+
+@pytest.mark.parametrize("verb", ["explain", "survey"])
+def test_what_is_only_printed_needs_somewhere_to_print(verb: str, tmp_path: Path) -> None:
+    done = in_shell(f"{verb} {PLANAR} >&-", tmp_path)
+    told = "dhgen: standard output is closed: there is nothing to print to\n"
+    assert (done.returncode, done.stderr) == (2, told)
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [
+        ("explan", "explain"),
+        ("survy", "survey"),
+        ("check", "--check"),
+        ("version", "--version"),
+    ],
+)
+def test_a_misspelt_verb(word: str, meant: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([word, str(PLANAR)]) == 2
+    expected = f"dhgen: no file '{word}'; did you mean 'dhgen {meant}'?\n"
+    assert capsys.readouterr() == ("", expected)
+
+
+def test_no_such_file(tmp_path: Path) -> None:
+    done = dhgen("none.yaml", folder=tmp_path)
+    assert done.returncode == 2
+    assert "none.yaml" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("words", [[], ["--chekc", "a.yaml"], ["explain"]])
+def test_a_mistake_on_the_command_line_is_exit_2(words: list[str], tmp_path: Path) -> None:
+    done = dhgen(*words, folder=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr.startswith("usage: dhgen")
+
+
+def test_a_number_of_poses_that_is_none(capsys: pytest.CaptureFixture[str]) -> None:
+    for word in ("x", "0", "-3", "1.5"):
+        with pytest.raises(SystemExit, match="2"):
+            main(["survey", str(PLANAR), "--poses", word])
+        wanted = f"--poses: must be a whole number above zero, not '{word}'\n"
+        assert capsys.readouterr().err.endswith(wanted)
+
+
+@pytest.mark.parametrize(
+    ("option", "told"), [("--help", "exit codes: 0 done"), ("--version", "dhgen ")]
+)
+def test_help_and_version_need_no_sympy(option: str, told: str, tmp_path: Path) -> None:
+    done = dhgen(option, folder=tmp_path, PYTHONPROFILEIMPORTTIME="1")
+    assert done.returncode == 0
+    assert told in done.stdout
+    assert "argparse" in done.stderr
+    assert "sympy" not in done.stderr
+
+
+@pytest.mark.parametrize("option", [[], ["--alternatives"], ["--program"]])
+def test_explain(run: Run, option: list[str], tmp_path: Path) -> None:
+    done = run("explain", PLANAR, *option, folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert {"θ₂", "theta2"} & set(re.split(r"[\s:,;.$]", done.stdout))
+    assert names(tmp_path) == []
+
+
+def test_a_reader_who_has_seen_enough(tmp_path: Path) -> None:
+    """`dhgen explain x.yaml | head -1` ends without a traceback."""
+    command = f"{sys.executable} -m dhgen explain {PLANAR} | head -1"
+    done = subprocess.run(
+        ["/bin/sh", "-c", command],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr
