@@ -16,6 +16,7 @@ from dhgen.kinematics.chain import Chain, ChainJoint, Element, Fixed, Slide, Tur
 from dhgen.kinematics.constants import ConstantTable
 from dhgen.kinematics.frames import read_frame
 from dhgen.kinematics.normal import NormalForm, normal_form
+from dhgen.kinematics.ring import terms_in_numbers
 from dhgen.kinematics.transform import Transform, compose, identity, inverse
 from dhgen.robot.angles import SNAP
 from dhgen.robot.expression import ZERO
@@ -156,22 +157,12 @@ def _settled(step: Transform, values: Mapping[str, float]) -> Transform:
 
 def _cancels(entry: Polynomial, values: Mapping[str, float]) -> bool:
     """Whether the terms of a coordinate add up to zero in numbers, though not in letters."""
-    terms = _terms(entry, values)
+    terms = terms_in_numbers(entry, values)
     return len(terms) > 1 and abs(math.fsum(terms)) <= SNAP * max(map(abs, terms))
 
 
 def _distance(step: Transform, values: Mapping[str, float]) -> float:
-    return math.hypot(*(math.fsum(_terms(entry, values)) for entry in step.translation))
-
-
-def _terms(entry: Polynomial, values: Mapping[str, float]) -> list[float]:
-    names = [symbol.name for symbol in entry.ring.symbols]
-    return [
-        int(factor.numerator)
-        / int(factor.denominator)
-        * math.prod(values[name] ** power for name, power in zip(names, powers, strict=True))
-        for powers, factor in entry.terms()
-    ]
+    return math.hypot(*(math.fsum(terms_in_numbers(entry, values)) for entry in step.translation))
 
 
 def _links(

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.robot.angles import SNAP
-from dhgen.robot.expression import ZERO, Binary, Call, Negate, Number, Pi, evaluate
+from dhgen.robot.angles import SNAP, exact_angle, near_cosine, twelfths
+from dhgen.robot.expression import ZERO, Negate, Number, evaluate
 from dhgen.robot.robot import Convention, DhRow, DhTable, Frame, JointKind
 
 if TYPE_CHECKING:
@@ -135,10 +135,8 @@ def _row(axis: AxisJoint, before: _Passage, after: _Passage, size: float) -> DhR
 
 
 def _angle(value: float) -> Expression:
-    steps = round(value / (math.pi / 12.0))
-    if abs(value - steps * math.pi / 12.0) < SNAP:
-        return Binary("*", Number(Fraction(steps, 12)), Pi()) if steps else ZERO
-    return _number(value)
+    k = twelfths(value)
+    return _number(value) if k is None else exact_angle(k)
 
 
 def _length(value: float, size: float) -> Expression:
@@ -147,10 +145,7 @@ def _length(value: float, size: float) -> Expression:
 
 def _cosine(value: float, within: float) -> Expression:
     """An entry of a rotation, exact where it is the cosine of an exact angle."""
-    steps = round(math.acos(max(-1.0, min(1.0, value))) / (math.pi / 12.0))
-    if abs(value - math.cos(steps * math.pi / 12.0)) > within:
-        return _number(value)
-    return Call("cos", Binary("*", Number(Fraction(steps, 12)), Pi()))
+    return near_cosine(value, within) or _number(value)
 
 
 def _number(value: float) -> Expression:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.chain import Chain, Fixed, Turn
+from dhgen.kinematics.ring import terms_in_numbers
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -101,11 +102,5 @@ def _matrix(transform: Transform, values: dict[str, float]) -> Array:
     matrix = np.eye(4)
     for row in range(3):
         for column in range(4):
-            entry = transform.entry(row, column)
-            names = [symbol.name for symbol in entry.ring.symbols]
-            matrix[row, column] = sum(
-                float(int(c.numerator) / int(c.denominator))
-                * float(np.prod([values[n] ** e for n, e in zip(names, m, strict=True) if e]))
-                for m, c in entry.terms()
-            )
+            matrix[row, column] = sum(terms_in_numbers(transform.entry(row, column), values))
     return matrix

@@ -89,11 +89,17 @@ def _made(ring: PolyRing, terms: Mapping[tuple[int, ...], object]) -> Polynomial
 
 def constant_value(algebra: Algebra, polynomial: Polynomial) -> float:
     """A polynomial of lengths and twists with the arm's own numbers."""
-    values = {algebra.index[c.name]: c.value for c in algebra.chain.constants}
-    total = 0.0
-    for monomial, coefficient in polynomial.terms():
-        part = int(coefficient.numerator) / int(coefficient.denominator)
-        for place, exponent in enumerate(monomial):
-            part *= values[place] ** exponent if exponent else 1.0
-        total += part
-    return total
+    values = {c.name: c.value for c in algebra.chain.constants}
+    return sum(terms_in_numbers(polynomial, values), 0.0)
+
+
+def terms_in_numbers(polynomial: Polynomial, values: Mapping[str, float]) -> list[float]:
+    """The terms of a polynomial, one by one, from the values of its generators by their names."""
+    names = [symbol.name for symbol in polynomial.ring.symbols]
+    terms: list[float] = []
+    for powers, factor in polynomial.terms():
+        term = int(factor.numerator) / int(factor.denominator)
+        for name, power in zip(names, powers, strict=True):
+            term *= values[name] ** power if power else 1.0
+        terms.append(term)
+    return terms

@@ -16,6 +16,7 @@ from dhgen.robot.expression import (
     Negate,
     Number,
     Pi,
+    evaluate,
     to_text,
 )
 from dhgen.robot.simplify import number
@@ -72,6 +73,12 @@ def exact_cosine(k: int) -> Expression:
     quadrant, rest = divmod(abs(k) % 24, 12)
     value = _COSINES[rest] if rest <= 6 else -_COSINES[12 - rest]
     return (-value if quadrant else value).expression()
+
+
+def near_cosine(value: float, within: float = SNAP) -> Expression | None:
+    """The cosine of a multiple of pi/12 that a number is, within so much; None otherwise."""
+    exact = exact_cosine(round(math.acos(max(-1.0, min(1.0, value))) / _TWELFTH))
+    return exact if abs(value - evaluate(exact, {})) <= within else None
 
 
 def cosine(angle: Expression, value: float) -> Expression:

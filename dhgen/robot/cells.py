@@ -12,7 +12,7 @@ from dhgen.robot.angles import (
     LARGEST_LENGTH,
     SNAP,
     exact_angle,
-    exact_cosine,
+    near_cosine,
     slip_notice,
     snap_notice,
     twelfths,
@@ -216,7 +216,4 @@ def _exact_ratio(expression: Expression, value: float) -> Expression | None:
     """The exact number that an entry of a rotation is; None where there is none."""
     if not abs(value) <= 1 + SNAP:
         return None
-    k = round(math.acos(max(-1.0, min(1.0, value))) / (math.pi / 12))
-    exact = exact_cosine(k)
-    near = abs(value - evaluate(exact, {})) <= SNAP
-    return exact if near else canonical(expression)
+    return near_cosine(value) or canonical(expression)
