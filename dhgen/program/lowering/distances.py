@@ -15,6 +15,7 @@ from mpmath import mp, mpf
 
 from dhgen.kinematics.ring import divided, split, used_places
 from dhgen.program.lowering.roots import Reach
+from dhgen.program.lowering.scales import Extremes
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
@@ -22,14 +23,6 @@ if TYPE_CHECKING:
     from dhgen.program.lowering.context import Lowering
 
 DIGITS = 40  # before numbers are rounded: the same on every machine
-
-
-@dataclass(frozen=True, slots=True)
-class Extremes:
-    """The longest and the shortest distance that two links allow [file's unit]."""
-
-    longest: float
-    shortest: float
 
 
 @dataclass(frozen=True, slots=True)

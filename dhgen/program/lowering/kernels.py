@@ -17,7 +17,7 @@ from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
 from dhgen.program.ir import Failure
-from dhgen.program.lowering.distances import Extremes, extremes_of, reached, squared_distance
+from dhgen.program.lowering.distances import extremes_of, reached, squared_distance
 from dhgen.program.lowering.quartic import lower_circle
 from dhgen.program.lowering.roots import (
     NearlyFree,
@@ -36,6 +36,7 @@ from dhgen.program.lowering.roots import (
     signed_root,
     vanishes,
 )
+from dhgen.program.lowering.scales import Extremes
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.tolerance_constants import tolerance_constant
@@ -12,8 +13,15 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
-    from dhgen.program.lowering.distances import Extremes
     from dhgen.program.tolerances import Tolerances
+
+
+@dataclass(frozen=True, slots=True)
+class Extremes:
+    """The longest and the shortest distance that two links allow [file's unit]."""
+
+    longest: float
+    shortest: float
 
 
 class Scales:
