@@ -20,7 +20,7 @@ from benchmarks.options import parser, show
 from benchmarks.report import table
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.program.lowering.lower import lower
 from dhgen.robot.load import load
 from dhgen.targets.derivation.story import Story

@@ -9,7 +9,7 @@ from itertools import product
 import pytest
 
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.paul.step import Kind
 from dhgen.program.lowering.lower import lower
 from dhgen.targets.derivation import (

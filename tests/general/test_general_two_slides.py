@@ -16,7 +16,7 @@ from dhgen.general.four_turns import DEGREE, FourTurns
 from dhgen.general.reference import solve
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.robot.load import load
 from dhgen.status import Status

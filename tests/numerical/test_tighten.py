@@ -11,7 +11,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import NumericalKernel, numerical_kernel
 from dhgen.numerical.tighten import tighten
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
 from dhgen.program.tolerances import TOLERANCES

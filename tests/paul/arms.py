@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derivation import Derivation, derive
+from dhgen.paul.derive import derive
 from dhgen.paul.forms import FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import Equation, Origin, Pool, build_pool
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.derivation import Derivation
     from dhgen.paul.forms import Form
     from dhgen.paul.step import EquationType, Step
     from dhgen.robot.robot import Robot

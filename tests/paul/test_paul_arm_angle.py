@@ -10,7 +10,7 @@ import pytest
 from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.paul.mobility import open_from_the_start, surplus
 from dhgen.paul.redundant import redundant
 from dhgen.paul.step import Kind

@@ -6,7 +6,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.choices import GENERAL, Choice, choices_text
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.paul.mobility import Surplus, crowded_axes
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
@@ -201,7 +201,7 @@ def test_any_joint_of_a_skew_arm_leaves_a_general_one() -> None:
 
 def test_twenty_joints_are_refused_without_their_products(monkeypatch: pytest.MonkeyPatch) -> None:
     """Multiplied out they fill any memory."""
-    monkeypatch.setattr("dhgen.paul.derivation.build_problem", None)
+    monkeypatch.setattr("dhgen.paul.derive.build_problem", None)
     lines = refused(*(SKEW * 5))
     assert lines[1].startswith("list 14 of them under `free`")
     assert "  only some of the 38760 sets of 14 joints were tried" in lines

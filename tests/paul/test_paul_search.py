@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
 
 from dhgen.kinematics.build import build_chain
-from dhgen.paul.derivation import Derivation, derive
+from dhgen.paul.derive import derive
 from dhgen.paul.forms import unknown_name
 from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.knowledge import initial_knowledge
@@ -22,6 +23,9 @@ from dhgen.robot.load import load
 from tests.kinematics.values import algebra_of, table
 from tests.paul.arms import all_steps, derivation
 from tests.robots.cases import NAMES, robot
+
+if TYPE_CHECKING:
+    from dhgen.paul.derivation import Derivation
 
 ROOT = Path(__file__).parents[2]
 SLIDE_BEFORE_THE_LAST = """

@@ -6,7 +6,7 @@ import numpy as np
 
 from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.paul.derivation import derive
+from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
 from tests.kinematics.values import table
