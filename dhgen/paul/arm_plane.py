@@ -2,28 +2,28 @@
 
 The line from shoulder to wrist and the side of it on which the elbow stands are known from the pose
 and the arm angle; from frame 3, which the shoulder turns, both are seen by the elbow's angle alone.
-So A_1 A_2 A_3 = B is known in its nine rotation entries, and the shoulder is a wrist of its own,
-with B_m = (A_1 ... A_m)^-1 B for Paul's U_m: B_m (A_{k+1} ... A_3)^-1 = A_{m+1} ... A_k.
+So A_1 A_2 A_3 is known in its nine rotation entries.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dhgen.errors import UnsolvedError
-from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
+from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.arm_angle import is_planar, reference_axis, triangle
 from dhgen.kinematics.chain import Turn
 from dhgen.kinematics.neighbours import EXACT
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import constant_value
-from dhgen.kinematics.transform import Transform, compose, dot
-from dhgen.paul.pool import Equation, Origin, merged, moving_parts, right_inverse
+from dhgen.kinematics.transform import dot
+from dhgen.paul.mixed_forms import right_inverse
+from dhgen.paul.moving import moving_parts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import Pool
+    from dhgen.kinematics.transform import Transform
     from dhgen.paul.problem import Problem
 
     Array = NDArray[np.float64]
@@ -84,38 +84,13 @@ class ArmPlane:
         return AngleSum(((SHOULDER + 1, 1),))
 
 
-def with_arm_plane(pool: Pool) -> Pool:
-    """The pool with the equations of the shoulder.
+def arm_plane(problem: Problem) -> ArmPlane:
+    """What is seen of the arm's plane.
 
     Raises:
         UnsolvedError: No frame has its origin in the shoulder, or in the wrist.
     """
-    problem = pool.problem
-    plane = _Builder(problem).plane()
-    equations = list(pool.equations)
-    for k in range(SHOULDER, 0, -1):
-        for m in range(k):
-            left = shoulder_side(problem, m, k)
-            right = problem.spans.product(m, k)
-            for row in range(3):
-                for column in range(3):
-                    origin = Origin(m, k, SHOULDER, row + 1, column + 1, shoulder=True)
-                    a, b = left.entry(row, column), right.entry(row, column)
-                    equations.append(Equation(origin, (origin,), a, b, b - a))
-    usable = (equation for equation in equations if equation.difference)
-    return replace(pool, equations=merged(usable), plane=plane)
-
-
-def shoulder_side(problem: Problem, m: int, k: int) -> Transform:
-    """(A_1 ... A_m)^-1 B (A_{k+1} ... A_3)^-1, without a translation."""
-    algebra = problem.algebra
-    nowhere = (algebra.ring.zero,) * 3
-    total = Transform(
-        tuple(tuple(algebra.generator(name) for name in row) for row in SHOULDER_NAMES), nowhere
-    )
-    before, after = (problem.spans.inverse(*ends).rotation for ends in ((0, m), (k, SHOULDER)))
-    total = compose(Transform(before, nowhere), total, algebra.normal)
-    return compose(total, Transform(after, nowhere), algebra.normal)
+    return _Builder(problem).plane()
 
 
 class _Builder:

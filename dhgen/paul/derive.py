@@ -9,7 +9,6 @@ from dhgen.general.arm import general_kernel, is_better_polished
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.arm_angle import demand_arm_angle
 from dhgen.numerical.kernel import numerical_kernel
-from dhgen.paul.arm_plane import with_arm_plane
 from dhgen.paul.choices import good_choices
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.inverse_forms import with_inverse_forms
@@ -20,6 +19,7 @@ from dhgen.paul.redundant import redundant
 from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
 from dhgen.paul.second import with_second_equations
+from dhgen.paul.shoulder_forms import with_arm_plane
 from dhgen.paul.types import CLOSED, QUARTIC
 
 if TYPE_CHECKING:

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.equation import Equation
     from dhgen.paul.knowledge import Knowledge
-    from dhgen.paul.pool import Equation, Pool
+    from dhgen.paul.pool import Pool
 
 MOST_UNKNOWNS = 2
 

@@ -12,16 +12,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POINT_NAMES, POSE_NAMES
 from dhgen.kinematics.transform import Transform, dot
-from dhgen.paul.pool import (
-    BasePoint,
-    Equation,
-    Origin,
-    Pool,
-    may_help,
-    merged,
-    moving_parts,
-    right_inverse,
-)
+from dhgen.paul.equation import Equation, Origin, merged
+from dhgen.paul.mixed_forms import right_inverse
+from dhgen.paul.moving import may_help, moving_parts
+from dhgen.paul.pool import BasePoint, Pool
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -79,7 +73,7 @@ class _View:
                 left, right = self.column(m, k)
                 for row, (a, b) in enumerate(zip(left, right, strict=True), start=1):
                     origin = Origin(m, k, self._dof, row, 4, inverse=True)
-                    found.append(Equation(origin, (origin,), a, b, b - a))
+                    found.append(Equation.at(origin, a, b))
                 if not moving:
                     found += self._squared_length(m, k, right)
         return [e for e in found if e.difference and self._is_short(e.left)]
@@ -126,15 +120,15 @@ class _View:
 
     def _squared_length(self, m: int, k: int, right: Vector) -> list[Equation]:
         """|v - o|^2 with o the origin of frame k in the tool."""
-        origin = Origin(m, k, self._dof, 0, 4, inverse=True)
-        if not may_help(self._problem, origin):
+        if not may_help(self._problem, m, k):
             return []
+        origin = Origin(m, k, self._dof, 0, 4, inverse=True)
         normal = self._algebra.normal
         seen = self._seen_from_tool(self._reached(m))
         o = right_inverse(self._problem, k).translation
         first = dot(seen, seen, normal) + dot(o, o, normal) - 2 * dot(seen, o, normal)
         second = dot(right, right, normal)
-        return [Equation(origin, (origin,), first, second, second - first)]
+        return [Equation.at(origin, first, second)]
 
     def _is_short(self, left: Polynomial) -> bool:
         return len(moving_parts(self._algebra, (left,))) <= MOST_JOINTS

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.algebra import POSE_PLACES
+from dhgen.kinematics.algebra import POSE_NAMES, POSE_PLACES
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import Spans
 from dhgen.kinematics.transform import Transform, identity
@@ -146,3 +146,15 @@ def _target(
     rows = tuple(tuple(full[f"t{i}{j}"] for j in (1, 2, 3)) for i in (1, 2, 3))
     origin = tuple(full[f"t{i}4"] for i in (1, 2, 3))
     return Transform(rows, origin), frozenset(independent)
+
+
+class Withheld:
+    """Which pose entries the task does not give."""
+
+    def __init__(self, problem: Problem) -> None:
+        index = problem.algebra.index
+        self._places = [index[name] for name in POSE_NAMES if name not in problem.known]
+
+    def __call__(self, polynomial: Polynomial) -> bool:
+        """Whether a polynomial holds one of them."""
+        return any(monomial[place] for monomial in polynomial for place in self._places)

@@ -24,9 +24,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.equation import Equation, Line
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
-    from dhgen.paul.pool import Equation, Line, Pool
+    from dhgen.paul.pool import Pool
     from dhgen.paul.step import EquationType, Step
 
     Values = NDArray[np.float64]

@@ -14,18 +14,11 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.kinematics.transform import compose
+from dhgen.paul.equation import MOMENT, Equation, Origin, merged
 from dhgen.paul.forms import FormReader, substitute
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.pool import (
-    MOMENT,
-    Equation,
-    Origin,
-    Pool,
-    Withheld,
-    merged,
-    mixed_forms,
-    right_inverse,
-)
+from dhgen.paul.mixed_forms import mixed_forms, right_inverse
+from dhgen.paul.problem import Withheld
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind, View
 from dhgen.paul.types.angle import Angle
@@ -38,7 +31,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
-    from dhgen.paul.pool import Vector
+    from dhgen.paul.pool import Pool, Vector
     from dhgen.paul.problem import Problem
     from dhgen.paul.step import Step
 
@@ -130,7 +123,7 @@ def _moments(problem: Problem) -> Iterator[Equation]:
         for row, (left, right) in enumerate(zip(*sides, strict=True), start=1):
             origin = Origin(form.m, form.k, dof, row, MOMENT)
             if left != right and not withheld(right - left):
-                yield Equation(origin, (origin,), left, right, right - left)
+                yield Equation.at(origin, left, right)
 
 
 def moment(frame: Transform, algebra: Algebra) -> Vector:

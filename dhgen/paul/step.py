@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, Protocol
 
-from dhgen.paul.pool import common_origins
+from dhgen.paul.equation import common_origins
 from dhgen.paul.witness import RANDOM_LENGTHS
 
 if TYPE_CHECKING:
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.normal import NormalForm
+    from dhgen.paul.equation import Origin
     from dhgen.paul.forms import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
-    from dhgen.paul.pool import Origin
     from dhgen.paul.witness import Witnesses
 
 

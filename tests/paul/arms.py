@@ -10,9 +10,10 @@ import numpy as np
 
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
+from dhgen.paul.equation import Equation, Origin
 from dhgen.paul.forms import FormReader
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.pool import Equation, Origin, Pool, build_pool
+from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
 from dhgen.paul.step import View
 from dhgen.paul.witness import build_witnesses

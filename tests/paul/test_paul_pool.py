@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from dhgen.paul.pool import Origin, common_origins
+from dhgen.paul.equation import Origin, common_origins
 from tests.paul.arms import all_steps, assert_zero, derivation, random_values
 from tests.robots.cases import NAMES
 

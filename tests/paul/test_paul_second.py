@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.paul.pool import MOMENT
+from dhgen.paul.equation import MOMENT
 from dhgen.paul.second import across
 from dhgen.paul.witness import build_witnesses
 from dhgen.paul.zeros import outlasts

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.pool import MOMENT
+from dhgen.paul.equation import MOMENT
 from dhgen.targets.derivation.formula import Element, Formula, Symbol
 from dhgen.targets.derivation.matrices import left_name
 from dhgen.targets.derivation.style import LATEX, PLAIN, show
 
 if TYPE_CHECKING:
-    from dhgen.paul.pool import Origin
+    from dhgen.paul.equation import Origin
 
 
 def element_of(origin: Origin) -> Formula:

@@ -24,7 +24,7 @@ from dhgen.targets.derivation.words import many
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import Origin
+    from dhgen.paul.equation import Origin
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.matrices import Form

@@ -12,16 +12,18 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import Transform, compose, translation
-from dhgen.paul.arm_plane import SHOULDER, shoulder_side
+from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.inverse_forms import inverted_column
-from dhgen.paul.pool import right_inverse
+from dhgen.paul.mixed_forms import right_inverse
+from dhgen.paul.shoulder_forms import shoulder_side
 from dhgen.targets.derivation.formula import times
 from dhgen.targets.derivation.names import inverse, link, product_of, shoulder_target, target
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.pool import Matrix, Pool
+    from dhgen.paul.equation import Matrix
+    from dhgen.paul.pool import Pool
     from dhgen.targets.derivation.formula import Formula
 
 

@@ -10,8 +10,8 @@ from dhgen.targets.derivation.matrices import form_of, sides
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
+    from dhgen.paul.equation import Origin
     from dhgen.paul.forms import Form
-    from dhgen.paul.pool import Origin
     from dhgen.paul.step import Step
 
 

@@ -17,8 +17,8 @@ from dhgen.targets.derivation.types.angle_pair import is_direct
 from dhgen.targets.derivation.words import many, numeral
 
 if TYPE_CHECKING:
+    from dhgen.paul.equation import Origin
     from dhgen.paul.forms import Form
-    from dhgen.paul.pool import Origin
     from dhgen.paul.step import Step
     from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.formula import Relation

@@ -10,7 +10,7 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.pool import right_inverse
+from dhgen.paul.mixed_forms import right_inverse
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind
 from dhgen.targets.derivation.formula import ONE
@@ -25,8 +25,9 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
+    from dhgen.paul.equation import Matrix
     from dhgen.paul.knowledge import Knowledge
-    from dhgen.paul.pool import Matrix, Point
+    from dhgen.paul.pool import Point
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.paul.pool import MOMENT
+from dhgen.paul.equation import MOMENT
 from dhgen.paul.second import across
 from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.elements import element_of
