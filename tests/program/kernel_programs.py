@@ -20,7 +20,7 @@ from dhgen.paul.step import Kind, Step
 from dhgen.program.interpret import Rows, interpret
 from dhgen.program.lowering.checks import Checks
 from dhgen.program.lowering.context import Lowering
-from dhgen.program.lowering.kernels import KERNELS
+from dhgen.program.lowering.types import KERNELS
 from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
 from tests.derivation.stories import ROBOTS

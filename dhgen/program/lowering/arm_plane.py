@@ -17,7 +17,7 @@ from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.program.building.tolerance_constants import tolerance_constant
 from dhgen.program.lowering.forward import Walk
-from dhgen.program.lowering.roots import is_short
+from dhgen.program.lowering.short import is_short
 from dhgen.program.lowering.vectors import chosen, cross, inner, length, minus, plus, scaled
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Tolerance

@@ -12,7 +12,7 @@ from dhgen.program.lowering.arm_plane import lower_shoulder
 from dhgen.program.lowering.checks import Checks, checks_needed
 from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.final_check import check_rows
-from dhgen.program.lowering.kernels import KERNELS
+from dhgen.program.lowering.types import KERNELS
 from dhgen.program.lowering.whole import whole_program
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.tolerances import TOLERANCES

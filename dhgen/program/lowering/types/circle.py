@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.program.ir import Failure
-from dhgen.program.lowering.roots import is_short, letters
+from dhgen.program.lowering.letters import letters
+from dhgen.program.lowering.short import is_short
 
 if TYPE_CHECKING:
     from dhgen.paul.step import Step

@@ -1,0 +1,145 @@
+"""Type 2: an angle."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.program.lowering.distances import Distance, extremes_of, reached, squared_distance
+from dhgen.program.lowering.finish import NearlyFree, finish, finish_direction, finish_nearly_free
+from dhgen.program.lowering.letters import named, remember
+from dhgen.program.lowering.roots import Reach, keep_one, over, reach_of, signed_root
+from dhgen.program.lowering.short import is_nearly_short, is_short, is_short_square
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from dhgen.paul.step import Step
+    from dhgen.program.building.graph import Node
+    from dhgen.program.lowering.context import Lowering
+
+
+def lower_angle(context: Lowering, step: Step) -> None:
+    """Type 2: X s + Y c = Z."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    factors = step.coefficient("X"), step.coefficient("Y")
+    x = builder.name(context.lower(factors[0]), f"X{angle.suffix}")
+    y = builder.name(context.lower(factors[1]), f"Y{angle.suffix}")
+    degree = context.scales.degree(*factors)
+    if not step.coefficient("Z"):
+        _lower_homogeneous(context, step, (x, y), degree)
+        return
+    square = builder.name(builder.add(builder.square(x), builder.square(y)), f"N{angle.suffix}")
+    fixed = context.are_constant(*factors)
+    free = None if fixed else is_short_square(context, square, degree, angle)
+    distance = squared_distance(context, step.coefficient("Z")) if fixed else None
+    if distance is None:
+        z, reach = _by_value(context, step, square, degree)
+    else:
+        z, reach = _by_distance(context, step, distance)
+    if free is not None and context.mends_roots:
+        short = is_nearly_short(context, square, degree, angle)
+        context.short.append(short)
+        # then both signs may be anything, and steps tell
+        reach = replace(reach, clear=builder.apply("or", reach.clear, short))
+    root = signed_root(context, angle.suffix, reach, free)
+    safe = square
+    if free is not None:
+        # where the root is left out (X Z, Y Z) is to be a unit vector all the same
+        merged = builder.mul(builder.apply("sqrt", square), builder.absolute(z))
+        safe = builder.select(reach.apart, square, merged)
+        safe = builder.select(free, builder.integer(1), safe)
+    builder.hint(safe, f"divisor{angle.suffix}")
+    inverse = builder.hint(builder.div(builder.integer(1), safe), f"inverse{angle.suffix}")
+    sine = builder.add(builder.mul(x, z), builder.mul(y, root))
+    cosine = builder.sub(builder.mul(y, z), builder.mul(x, root))
+    direction = builder.mul(cosine, inverse), builder.mul(sine, inverse)
+    small = free is not None and not context.are_constant(step.coefficient("Z"))
+    if free is not None and small and len(angle.terms) == 1 and context.may_be_lost:
+        equation = NearlyFree((x, y, z), root, square, degree)
+        finish_nearly_free(context, angle, direction, equation, free)
+    else:
+        finish(context, angle, *direction, free)
+    remember(context, step, angle, z, root)
+
+
+def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple[Node, Reach]:
+    """Z, and D = X^2 + Y^2 - Z^2."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
+    discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
+    twice = builder.mul(builder.integer(2), builder.absolute(z))
+    reach, merge, blur = (
+        builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
+        for delta in context.scales.distances(degree)
+    )
+    return z, reach_of(context, discriminant, (reach, merge, blur))
+
+
+def _by_distance(context: Lowering, step: Step, distance: Distance) -> tuple[Node, Reach]:
+    """The same for Z = k |v|^2 + C: D = k^2 (H - |v|^2) (|v|^2 - L)."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    square = builder.name(distance.square, f"V{angle.suffix}")
+    factor = _ratio(context, distance.factor)
+    z = builder.add(builder.mul(factor, square), context.lower(distance.rest))
+    builder.name(z, f"Z{angle.suffix}")
+    ends = extremes_of(context, distance, step.coefficient("X"), step.coefficient("Y"))
+    reach = reached(context, square, ends, angle.suffix)
+    scaled = builder.mul(_ratio(context, distance.factor**2), reach.discriminant)
+    return z, replace(reach, discriminant=scaled)
+
+
+def _ratio(context: Lowering, value: Fraction) -> Node:
+    builder = context.builder
+    return builder.div(builder.integer(value.numerator), builder.integer(value.denominator))
+
+
+def _lower_homogeneous(
+    context: Lowering, step: Step, vector: tuple[Node, Node], degree: int
+) -> None:
+    """Type 2 with Z = 0: the angle of a vector or its opposite, always solvable."""
+    (angle,) = step.unknowns
+    assert isinstance(angle, AngleSum)
+    builder = context.builder
+    x, y = vector if step.second is None else _lengthened(context, vector, step.second, degree)
+    square = builder.add(builder.square(x), builder.square(y))
+    length = builder.name(builder.apply("sqrt", square), f"w{angle.suffix}")
+    free = is_short(context, length, degree, f"free{angle.suffix}")
+    if context.mends_roots:
+        context.short.append(is_nearly_short(context, square, degree, angle))
+    sign = context.new_sign()
+    keep_one(context, sign, free)
+    factor = over(context, sign, length, free, angle.suffix)
+    direction = builder.neg(builder.mul(x, factor)), builder.mul(y, factor)
+    if degree == 0 and len(angle.terms) == 1 and context.may_be_lost:
+        finish_direction(context, angle, direction, length, free)
+    else:
+        finish(context, angle, *direction, free)
+    if step.second is None:
+        root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
+        remember(context, step, angle, builder.integer(0), root)
+
+
+def _lengthened(
+    context: Lowering, vector: tuple[Node, Node], second: Step, degree: int
+) -> tuple[Node, Node]:
+    """(X, Y) and the same of a second equation, turned to the same side: short only with both."""
+    builder = context.builder
+    (angle,) = second.unknowns
+    assert isinstance(angle, AngleSum)
+    x, y = vector
+    u, v = (
+        builder.hint(context.lower(second.coefficient(name)), named(f"{name}2", angle.suffix))
+        for name in "XY"
+    )
+    power = degree - context.scales.degree(*(second.coefficient(name) for name in "XY"))
+    along = builder.add(builder.mul(x, u), builder.mul(y, v))
+    weight = builder.apply("copysign", context.scales.weight(power), along)
+    return builder.add(x, builder.mul(weight, u)), builder.add(y, builder.mul(weight, v))

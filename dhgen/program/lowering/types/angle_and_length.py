@@ -1,0 +1,46 @@
+"""Type 5: an angle and a length."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.paul.forms import Length
+from dhgen.program.lowering.finish import finish
+from dhgen.program.lowering.letters import letters, named
+from dhgen.program.lowering.roots import reach_of, signed_root
+
+if TYPE_CHECKING:
+    from dhgen.paul.step import Step
+    from dhgen.program.lowering.context import Lowering
+
+
+def lower_angle_and_length(context: Lowering, step: Step) -> None:
+    """Type 5: a quadratic in r, then the angle.
+
+    Its discriminant b^2 - a c is written a - (V x W)^2, which loses nothing where it is small.
+    """
+    angle, unknown = step.unknowns
+    assert isinstance(angle, AngleSum)
+    assert isinstance(unknown, Length)
+    builder = context.builder
+    x1, y1, z1, x2, y2, z2 = letters(context, step, "X1 Y1 Z1 X2 Y2 Z2")
+    quotients = builder.div(y1, x1), builder.div(z1, x1), builder.div(y2, x2), builder.div(z2, x2)
+    for letter, node in zip(("V1", "W1", "V2", "W2"), quotients, strict=True):
+        builder.hint(node, named(letter, angle.suffix))
+    v1, w1, v2, w2 = quotients
+    a = builder.add(builder.square(w1), builder.square(w2))
+    b = builder.name(builder.add(builder.mul(v1, w1), builder.mul(v2, w2)), f"B{unknown.joint}")
+    off = builder.sub(builder.mul(v1, w2), builder.mul(v2, w1))
+    discriminant = builder.name(builder.sub(a, builder.square(off)), f"D{unknown.joint}")
+    reach, merge, blur = (
+        builder.mul(builder.mul(builder.integer(2), a), delta)
+        for delta in context.scales.distances(0)
+    )
+    within = reach_of(context, discriminant, (reach, merge, blur))
+    root = signed_root(context, angle.suffix, within)
+    r = builder.name(builder.div(builder.sub(root, b), a), unknown.name)
+    context.angles.solved_slide(unknown.name, r)
+    sine = builder.add(v1, builder.mul(w1, r))
+    cosine = builder.add(v2, builder.mul(w2, r))
+    finish(context, angle, cosine, sine)

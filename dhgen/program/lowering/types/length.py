@@ -1,0 +1,34 @@
+"""Type 1: a length."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.paul.forms import Length
+from dhgen.program.ir import Failure
+from dhgen.program.lowering.letters import letters
+from dhgen.program.lowering.short import is_short, is_within_reach, vanishes
+
+if TYPE_CHECKING:
+    from dhgen.paul.step import Step
+    from dhgen.program.lowering.context import Lowering
+
+
+def lower_length(context: Lowering, step: Step) -> None:
+    """Type 1: r = Y / X; where X may vanish, the seed's r if Y vanishes too."""
+    (unknown,) = step.unknowns
+    assert isinstance(unknown, Length)
+    builder = context.builder
+    y, x = letters(context, step, "Y X")
+    if context.are_constant(step.coefficient("X")):
+        context.angles.solved_slide(unknown.name, builder.div(y, x))
+        return
+    degree = context.scales.degree(step.coefficient("X"))
+    free = is_short(context, builder.absolute(x), degree, f"free{unknown.joint}")
+    near = vanishes(context, y, step.coefficient("Y"))
+    within = is_within_reach(context, y, x)
+    builder.guard(builder.select(free, near, within), Failure.REACH)
+    safe = builder.hint(builder.select(free, builder.integer(1), x), f"divisor{unknown.joint}")
+    seed = context.angles.chosen_slide(unknown.joint, free)
+    length = builder.select(free, seed, builder.div(y, safe))
+    context.angles.solved_slide(unknown.name, length)
