@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.robot.schema import FRAME_FORM, MAX_JOINTS, ExpectedError
+from dhgen.robot.schema import FRAME_FORM, MAX_JOINTS
 from dhgen.robot.source import quoted
 from dhgen.robot.syntax import blank_told
+from dhgen.robot.values import ExpectedError
 
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
