@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.program.regular.flatten import flatten
@@ -20,14 +21,12 @@ from dhgen.targets.module import regular_solver
 from dhgen.targets.numerical.emit import c_both_sides, c_search, c_seeking, c_tightening, c_tools
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.solver.parts import Parts
+from dhgen.targets.solver.parts import Parts, Writers, parts_of
 from dhgen.targets.templates import named, render
-from dhgen.targets.walk import parted, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
-    from dhgen.targets.solver.module import Module
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,35 +81,23 @@ def c_solver(module: SolverModule, common: Common) -> CSolver:
         prototypes=c_prototypes(module),
         calls=calls,
         bodies=bodies_of(module, C(), _assignments, entry_lines),
-        parts=_parts(module, common, calls),
+        parts=parts_of(module, common, _writers(calls)),
         regular=regular_values(module, *flats) if flats else None,
         arctangent=CArctangent(),
     )
 
 
-def _parts(module: SolverModule, common: Common, calls: CCalls) -> Parts:
-    solver, of = module.solver, common.module
-    tightened, roots = solver.tightened, parted(solver)
-    return Parts(
-        all_joints=_all_joints(module, of),
-        tightening="" if tightened is None else c_tightening(tightened, of),
-        both_sides="" if roots is None else c_both_sides(roots, solver.turning, of, calls),
-        seeking="" if tightened is None else c_seeking(tightened, common, calls),
+def _writers(calls: CCalls) -> Writers:
+    return Writers(
+        tools=c_tools,
+        search=c_search,
+        general=c_source,
+        general_rows=c_rows,
+        tightening=c_tightening,
+        both_sides=partial(c_both_sides, calls=calls),
+        seeking=partial(c_seeking, calls=calls),
+        between="\n",
     )
-
-
-def _all_joints(module: SolverModule, of: Module) -> str:
-    """The function that solves all joints at once, where there is one."""
-    whole = whole_arm(module.solver)
-    if whole is None:
-        return ""
-    parts = [c_tools(whole.descent, of)]
-    if whole.general is None:
-        parts.append(c_search(whole.descent, of))
-    else:
-        parts.append(c_source(whole.general, module.name))
-        parts.append(c_rows(whole.general, module.chain, module.name))
-    return "\n".join(parts)
 
 
 def _assignments(array: str, entries: list[str], columns: int) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
@@ -33,15 +34,13 @@ from dhgen.targets.python_texts import (
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
-from dhgen.targets.solver.parts import Parts
+from dhgen.targets.solver.parts import Parts, Writers, parts_of
 from dhgen.targets.templates import named, render
-from dhgen.targets.walk import parted, whole_arm
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Program
     from dhgen.targets.module import SolverModule
     from dhgen.targets.solver.common import Common
-    from dhgen.targets.solver.module import Module
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +89,7 @@ def python_solver(module: SolverModule, common: Common) -> PythonSolver:
         pose=python_pose(module),
         calls=calls,
         bodies=bodies_of(module, Python(), _assignments, _entries),
-        parts=_parts(module, common, calls),
+        parts=parts_of(module, common, _writers(calls)),
         regular=None if flat is None else regular_values(module, flat),
         arctangent=python_arctangent(module.solver),
     )
@@ -100,29 +99,17 @@ def _text(common: Common, solver: PythonSolver) -> str:
     return render("python/solver.py.jinja", **named(common), **named(solver))
 
 
-def _parts(module: SolverModule, common: Common, calls: PythonCalls) -> Parts:
-    solver, of = module.solver, common.module
-    tightened, roots = solver.tightened, parted(solver)
-    return Parts(
-        all_joints=_all_joints(module, of),
-        tightening="" if tightened is None else python_tightening(tightened, of),
-        both_sides="" if roots is None else python_both_sides(roots, solver.turning, of, calls),
-        seeking="" if tightened is None else python_seeking(tightened, common, calls),
+def _writers(calls: PythonCalls) -> Writers:
+    return Writers(
+        tools=python_tools,
+        search=python_search,
+        general=python_source,
+        general_rows=python_rows,
+        tightening=python_tightening,
+        both_sides=partial(python_both_sides, calls=calls),
+        seeking=partial(python_seeking, calls=calls),
+        between="\n\n",
     )
-
-
-def _all_joints(module: SolverModule, of: Module) -> str:
-    """The function that solves all joints at once, where there is one."""
-    whole = whole_arm(module.solver)
-    if whole is None:
-        return ""
-    parts = [python_tools(whole.descent, of)]
-    if whole.general is None:
-        parts.append(python_search(whole.descent, of))
-    else:
-        parts.append(python_source(whole.general, module.name))
-        parts.append(python_rows(whole.general, module.chain, module.name))
-    return "\n\n".join(parts)
 
 
 def _entries(program: Program) -> list[str]:
