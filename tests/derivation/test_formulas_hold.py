@@ -14,17 +14,17 @@ import pytest
 from dhgen.program.interpret import interpret
 from dhgen.survey.oracle.arm_angle import given_values
 from dhgen.survey.oracle.forward import forward, jacobian
-from dhgen.targets.derivation.blocks import Display, Paragraph
 from dhgen.targets.derivation.document import document_blocks
-from dhgen.targets.derivation.formula import Formula, Listing, Relation, Symbol
-from dhgen.targets.derivation.forward_section import forward_section
-from dhgen.targets.derivation.inverse_section import inverse_beginning
-from dhgen.targets.derivation.jacobian import jacobian_blocks
-from dhgen.targets.derivation.joints_section import joint_values
-from dhgen.targets.derivation.lines import broken
-from dhgen.targets.derivation.plain import box
+from dhgen.targets.derivation.sections.forward import forward_section
+from dhgen.targets.derivation.sections.inverse import inverse_beginning
+from dhgen.targets.derivation.sections.jacobian import jacobian_blocks
+from dhgen.targets.derivation.sections.joints import joint_values
 from dhgen.targets.derivation.steps import step_blocks
-from dhgen.targets.derivation.style import PLAIN
+from dhgen.targets.derivation.text.blocks import Display, Paragraph
+from dhgen.targets.derivation.text.formula import Formula, Listing, Relation, Symbol
+from dhgen.targets.derivation.text.lines import broken
+from dhgen.targets.derivation.text.plain import box
+from dhgen.targets.derivation.text.style import PLAIN
 from tests.derivation.stories import NAMES, OWN, WHOLE, story
 from tests.derivation.values import Letters, evaluate, indexed, letters_of
 

@@ -10,8 +10,9 @@ import numpy as np
 from dhgen.kinematics.arm_angle import triangle
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.targets.derivation.expressions import expression_symbol
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.notation.expressions import expression_symbol
+from dhgen.targets.derivation.sections.tables import sign_and_offset
+from dhgen.targets.derivation.text.formula import (
     Call,
     Element,
     Matrix,
@@ -25,7 +26,6 @@ from dhgen.targets.derivation.formula import (
     Sum,
     Symbol,
 )
-from dhgen.targets.derivation.tables import sign_and_offset
 from tests.kinematics.values import matrix
 from tests.kinematics.values import number as value_of
 
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.chain import Chain
-    from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.formula import Formula
 
 Value = Any  # a number or a matrix
 Letters = dict[str, Value]

@@ -2,6 +2,9 @@
 
 `derivation_document` writes Markdown for GitHub, `derivation_terminal` the same as plain text,
 `derivation_summary` a dozen lines, `alternatives_text` the routes that were not taken.
+
+All of them draw on a `Story`: `sections` say what stands around the steps, `types` what a step of
+each equation type says, in letters from `notation`; `text` prints what they make.
 """
 
 from __future__ import annotations
@@ -11,10 +14,10 @@ from typing import TYPE_CHECKING
 from dhgen.targets.comments import plain_path
 from dhgen.targets.derivation.alternatives import alternatives_text
 from dhgen.targets.derivation.document import document_blocks, singular_places
-from dhgen.targets.derivation.markdown import markdown
-from dhgen.targets.derivation.plain import plain
 from dhgen.targets.derivation.story import Story
 from dhgen.targets.derivation.summary import summary_text
+from dhgen.targets.derivation.text.markdown import markdown
+from dhgen.targets.derivation.text.plain import plain
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:

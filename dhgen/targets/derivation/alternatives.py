@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.elements import element_of
-from dhgen.targets.derivation.names import unknown_symbol
-from dhgen.targets.derivation.style import PLAIN, show
-from dhgen.targets.derivation.words import counted
+from dhgen.targets.derivation.notation.elements import element_of
+from dhgen.targets.derivation.notation.names import unknown_symbol
+from dhgen.targets.derivation.text.style import PLAIN, show
+from dhgen.targets.derivation.text.words import counted
 
 if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation

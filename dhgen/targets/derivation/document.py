@@ -5,24 +5,24 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.kernel import GeneralKernel
-from dhgen.targets.derivation.closing_sections import (
+from dhgen.targets.derivation.sections.closing import (
     cost_section,
     singular_section,
     solutions_section,
 )
-from dhgen.targets.derivation.documents import cited_documents
-from dhgen.targets.derivation.forward_section import forward_in_short, forward_section
-from dhgen.targets.derivation.general_section import general_section
-from dhgen.targets.derivation.inverse_section import inverse_beginning
-from dhgen.targets.derivation.joints_section import joint_values
-from dhgen.targets.derivation.numerical_section import numerical_section
-from dhgen.targets.derivation.robot_section import opening, robot_section
+from dhgen.targets.derivation.sections.documents import cited_documents
+from dhgen.targets.derivation.sections.forward import forward_in_short, forward_section
+from dhgen.targets.derivation.sections.general import general_section
+from dhgen.targets.derivation.sections.inverse import inverse_beginning
+from dhgen.targets.derivation.sections.joints import joint_values
+from dhgen.targets.derivation.sections.numerical import numerical_section
+from dhgen.targets.derivation.sections.robot import opening, robot_section
 from dhgen.targets.derivation.steps import step_blocks
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.blocks import Block
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.blocks import Block
 
 
 def document_blocks(story: Story) -> list[Block]:

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 from dhgen.paul.forms import Length
 from dhgen.paul.step import Kind
 from dhgen.program.ir import Guard
-from dhgen.targets.derivation.blocks import joined, say
-from dhgen.targets.derivation.formula import ONE, ZERO, equal, minus
-from dhgen.targets.derivation.names import joint_symbol, single, theta
+from dhgen.targets.derivation.notation.names import joint_symbol, single, theta
+from dhgen.targets.derivation.text.blocks import joined, say
+from dhgen.targets.derivation.text.formula import ONE, ZERO, equal, minus
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.blocks import Prose
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.blocks import Prose
 
 
 def merged_effect(context: StepContext) -> Prose:

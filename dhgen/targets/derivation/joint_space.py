@@ -12,20 +12,20 @@ from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
 from dhgen.paul.witness import build_witnesses
 from dhgen.program.ir import Failure, Guard
-from dhgen.targets.derivation.blocks import Given, say
 from dhgen.targets.derivation.effects import open_joints
-from dhgen.targets.derivation.formula import ZERO, Symbol, equal
-from dhgen.targets.derivation.names import single, theta
-from dhgen.targets.derivation.style import PLAIN, show
-from dhgen.targets.derivation.walk import leads_negative
+from dhgen.targets.derivation.notation.names import single, theta
+from dhgen.targets.derivation.text.blocks import Given, say
+from dhgen.targets.derivation.text.formula import ZERO, Symbol, equal
+from dhgen.targets.derivation.text.style import PLAIN, show
+from dhgen.targets.derivation.text.walk import leads_negative
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.targets.derivation.blocks import Prose
-    from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.blocks import Prose
+    from dhgen.targets.derivation.text.formula import Formula
 
 LONGEST = 3  # terms of a condition in joint angles
 SAME = 1e-9  # how near two values on the witnesses are when they are equal

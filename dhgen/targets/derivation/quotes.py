@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.matrices import form_of, sides
+from dhgen.targets.derivation.notation.matrices import form_of, sides
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial

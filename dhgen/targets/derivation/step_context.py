@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.formula import equal, number, times
-from dhgen.targets.derivation.lines import width
-from dhgen.targets.derivation.names import letter, unknown_symbol
-from dhgen.targets.derivation.walk import occurs
+from dhgen.targets.derivation.notation.names import letter, unknown_symbol
+from dhgen.targets.derivation.text.formula import equal, number, times
+from dhgen.targets.derivation.text.lines import width
+from dhgen.targets.derivation.text.walk import occurs
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
-    from dhgen.targets.derivation.blocks import Block, Prose
-    from dhgen.targets.derivation.formula import Formula, Relation, Symbol
     from dhgen.targets.derivation.quotes import Quote
     from dhgen.targets.derivation.story import Remembered, Story
+    from dhgen.targets.derivation.text.blocks import Block, Prose
+    from dhgen.targets.derivation.text.formula import Formula, Relation, Symbol
 
 SHORT = 14  # visible characters of a value that may stand in a line of text
 

@@ -6,24 +6,24 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.blocks import Given, Paragraph, display, joined, paragraph, say
-from dhgen.targets.derivation.elements import element_of
-from dhgen.targets.derivation.formula import Formula, Listing, equal
-from dhgen.targets.derivation.matrices import known_matrix
-from dhgen.targets.derivation.names import cosine, sine, unknown_symbol
+from dhgen.targets.derivation.notation.elements import element_of
+from dhgen.targets.derivation.notation.matrices import known_matrix
+from dhgen.targets.derivation.notation.names import cosine, sine, unknown_symbol
 from dhgen.targets.derivation.step_context import StepContext
+from dhgen.targets.derivation.text.blocks import Given, Paragraph, display, joined, paragraph, say
+from dhgen.targets.derivation.text.formula import Formula, Listing, equal
+from dhgen.targets.derivation.text.words import many, numeral
 from dhgen.targets.derivation.types import PRINTERS
 from dhgen.targets.derivation.types.angle_pair import is_direct
-from dhgen.targets.derivation.words import many, numeral
 
 if TYPE_CHECKING:
     from dhgen.paul.equation import Origin
     from dhgen.paul.forms import Form
     from dhgen.paul.step import Step
-    from dhgen.targets.derivation.blocks import Block, Prose
-    from dhgen.targets.derivation.formula import Relation
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.blocks import Block, Prose
+    from dhgen.targets.derivation.text.formula import Relation
 
 
 SQUARED = ", the squared length of column 4"  # behind its symbol, which comes last

@@ -13,13 +13,13 @@ from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import right_inverse
 from dhgen.paul.search import learn
 from dhgen.paul.step import Kind
-from dhgen.targets.derivation.formula import ONE
 from dhgen.targets.derivation.geometry import wrist_joints
-from dhgen.targets.derivation.matrices import form_of
-from dhgen.targets.derivation.names import branch_sign, joint_index, letter, symbols
-from dhgen.targets.derivation.polynomial import Alphabet, Writer, alphabet
+from dhgen.targets.derivation.notation.matrices import form_of
+from dhgen.targets.derivation.notation.names import branch_sign, joint_index, letter, symbols
+from dhgen.targets.derivation.notation.polynomial import Alphabet, Writer, alphabet
 from dhgen.targets.derivation.quotes import quotes_of
-from dhgen.targets.derivation.walk import leads_negative
+from dhgen.targets.derivation.text.formula import ONE
+from dhgen.targets.derivation.text.walk import leads_negative
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
     from dhgen.robot.robot import Robot
-    from dhgen.targets.derivation.formula import Formula, Symbol
-    from dhgen.targets.derivation.matrices import Form
+    from dhgen.targets.derivation.notation.matrices import Form
     from dhgen.targets.derivation.quotes import Quote
+    from dhgen.targets.derivation.text.formula import Formula, Symbol
 
 
 @dataclass(frozen=True, slots=True)

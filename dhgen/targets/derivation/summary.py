@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.general.kernel import GeneralKernel
 from dhgen.paul.refusal import missed_structure
-from dhgen.targets.derivation.blocks import Prose
-from dhgen.targets.derivation.general_loop import joint_symbol
-from dhgen.targets.derivation.names import unknown_symbol
-from dhgen.targets.derivation.plain import words
+from dhgen.targets.derivation.notation.names import unknown_symbol
+from dhgen.targets.derivation.sections.general_loop import joint_symbol
 from dhgen.targets.derivation.steps import quoted
-from dhgen.targets.derivation.style import PLAIN, show
-from dhgen.targets.derivation.words import counted
+from dhgen.targets.derivation.text.blocks import Prose
+from dhgen.targets.derivation.text.plain import words
+from dhgen.targets.derivation.text.style import PLAIN, show
+from dhgen.targets.derivation.text.words import counted
 
 if TYPE_CHECKING:
     from dhgen.numerical.kernel import NumericalKernel

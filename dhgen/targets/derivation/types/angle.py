@@ -5,9 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
-from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect, merged_effect
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.joint_space import (
+    condition_in_joints,
+    meaning_of_free,
+    meaning_of_root,
+    other_combination,
+)
+from dhgen.targets.derivation.notation.names import cosine, sine, theta
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import (
     ONE,
     ZERO,
     Formula,
@@ -24,20 +32,12 @@ from dhgen.targets.derivation.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.joint_space import (
-    condition_in_joints,
-    meaning_of_free,
-    meaning_of_root,
-    other_combination,
-)
-from dhgen.targets.derivation.names import cosine, sine, theta
-from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.types.second import ADDED, Second
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.blocks import Block
     from dhgen.targets.derivation.step_context import StepContext
     from dhgen.targets.derivation.story import Remembered
+    from dhgen.targets.derivation.text.blocks import Block
 
 X, Y, Z = type_letter("X"), type_letter("Y"), type_letter("Z")
 SQUARES = add(square(X), square(Y))

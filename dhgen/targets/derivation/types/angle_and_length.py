@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import merged_effect
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta, unknown_symbol
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import (
     ONE,
     ZERO,
     add,
@@ -20,12 +22,10 @@ from dhgen.targets.derivation.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.names import cosine, letter, sine, theta, unknown_symbol
-from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.formula import Formula
 
 V1, W1, V2, W2 = (type_letter(name) for name in ("V1", "W1", "V2", "W2"))
 A, B, C, D = (letter(name, name) for name in "ABCD")

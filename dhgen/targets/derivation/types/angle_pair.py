@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.ring import constant_value
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
-from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.joint_space import point_name
+from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import (
     ONE,
     ZERO,
     Call,
@@ -23,14 +26,11 @@ from dhgen.targets.derivation.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.joint_space import point_name
-from dhgen.targets.derivation.names import cosine, letter, sine, theta
-from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.blocks import Block, Prose
 
 X1, Y1, Z1, X2, Y2, Z2 = (type_letter(name) for name in ("X1", "Y1", "Z1", "X2", "Y2", "Z2"))
 DELTA = letter(r"\Delta", "Δ")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.formula import ZERO, equal, over, times
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import ZERO, equal, over, times
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.blocks import Block
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.blocks import Block
 
 X, Y = type_letter("X"), type_letter("Y")
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.blocks import Given, display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.formula import ZERO, add, atan2, equal, over, root, square, times
-from dhgen.targets.derivation.names import cosine, sine, theta, unknown_symbol
+from dhgen.targets.derivation.notation.names import cosine, sine, theta, unknown_symbol
 from dhgen.targets.derivation.step_context import Singularity, StepText
+from dhgen.targets.derivation.text.blocks import Given, display, paragraph, say
+from dhgen.targets.derivation.text.formula import ZERO, add, atan2, equal, over, root, square, times
 
 if TYPE_CHECKING:
-    from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.formula import Formula
 
 
 def print_polar(context: StepContext) -> StepText:

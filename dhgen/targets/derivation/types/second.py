@@ -7,9 +7,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.paul.equation import MOMENT
 from dhgen.paul.second import across
-from dhgen.targets.derivation.blocks import display, paragraph, say
-from dhgen.targets.derivation.elements import element_of
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.joint_space import unsigned
+from dhgen.targets.derivation.notation.elements import element_of
+from dhgen.targets.derivation.notation.names import cosine, sine, theta
+from dhgen.targets.derivation.step_context import type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import (
     ZERO,
     Call,
     Symbol,
@@ -17,16 +20,13 @@ from dhgen.targets.derivation.formula import (
     equal,
     times,
 )
-from dhgen.targets.derivation.joint_space import unsigned
-from dhgen.targets.derivation.names import cosine, sine, theta
-from dhgen.targets.derivation.step_context import type_letter
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.step import Step
-    from dhgen.targets.derivation.blocks import Block
-    from dhgen.targets.derivation.formula import Formula
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.blocks import Block
+    from dhgen.targets.derivation.text.formula import Formula
 
 PRIMED = {name: Symbol(f"{name}'", f"{name}'") for name in "XY"}
 ADDED = {name: Symbol(rf"\hat {name}", f"{name}^") for name in "XY"}

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import merged_effect
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.notation.names import letter
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import (
     ZERO,
     add,
     equal,
@@ -18,8 +20,6 @@ from dhgen.targets.derivation.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.names import letter
-from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import StepContext

@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.ring import constant_value, primitive
-from dhgen.targets.derivation.blocks import display, paragraph, say
 from dhgen.targets.derivation.effects import free_effect, merged_effect
-from dhgen.targets.derivation.formula import (
+from dhgen.targets.derivation.joint_space import unsigned
+from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
+from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
+from dhgen.targets.derivation.text.blocks import display, paragraph, say
+from dhgen.targets.derivation.text.formula import (
     ZERO,
     Formula,
     add,
@@ -24,14 +27,11 @@ from dhgen.targets.derivation.formula import (
     subtract,
     times,
 )
-from dhgen.targets.derivation.joint_space import unsigned
-from dhgen.targets.derivation.names import cosine, letter, sine, theta
-from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 
 if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.targets.derivation.blocks import Block, Prose
     from dhgen.targets.derivation.step_context import StepContext
+    from dhgen.targets.derivation.text.blocks import Block, Prose
 
 X, Y, Z1, Z2 = (type_letter(name) for name in ("X", "Y", "Z1", "Z2"))
 K, W = letter("K", "K"), letter("W", "W")

@@ -1,0 +1,1 @@
+"""How an arm is written: its letters, cells, polynomials and matrices as formulas."""

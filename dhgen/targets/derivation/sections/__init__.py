@@ -1,0 +1,1 @@
+"""The sections of a document, each from the story of a derivation."""

@@ -1,0 +1,111 @@
+"""The last sections: the tree, singular configurations, the cost."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.program.count import count_operations
+from dhgen.program.regular.regular import regular
+from dhgen.targets.derivation.sections.tree import tree_text
+from dhgen.targets.derivation.text.blocks import Drawing, Heading, Table, paragraph, say
+from dhgen.targets.walk import finds_roots
+
+if TYPE_CHECKING:
+    from dhgen.program.count import OperationCount
+    from dhgen.targets.derivation.step_context import Singularity
+    from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.blocks import Block, Prose
+
+
+def solutions_section(story: Story) -> list[Block]:
+    """The tree, and what becomes of branches that have no solution."""
+    rows = story.program.rows
+    blocks: list[Block] = [Heading(2, say("The solutions")), Drawing(tree_text(story))]
+    if rows > 1:
+        blocks.append(
+            paragraph(
+                "A branch ends where a square root has a negative argument; its rows are empty and "
+                "the other rows keep their places."
+            )
+        )
+    return blocks
+
+
+def singular_section(found: list[Singularity]) -> list[Block]:
+    """One line for every place where a step gives other than its usual number of values."""
+    blocks: list[Block] = [Heading(2, say("Singular configurations"))]
+    if not found:
+        return [
+            *blocks,
+            paragraph("None: no step degenerates, and no two solutions meet."),
+        ]
+    header = tuple(say(word) for word in ("step", "condition", "in joint angles", "then"))
+    rows = tuple(
+        (
+            say(str(each.step)),
+            say("{}", each.condition),
+            say("—") if each.joints is None else say("{}", each.joints),
+            say("{}; {}", each.meaning, each.effect),
+        )
+        for each in found
+    )
+    return [*blocks, Table(header, rows)]
+
+
+def cost_section(story: Story) -> list[Block]:
+    """The operations of the program for all rows together, and of that of regular poses."""
+    count = count_operations(story.program)
+    rows = story.program.rows
+    label = "the solution" if rows == 1 else f"all {rows} rows"
+    lines = [_operations(label, count)]
+    made_of = "atan2 and square roots"
+    if finds_roots(story.program):
+        made_of = "atan2, square roots and roots of a quartic"
+    text = (
+        "A value that depends on only some of the signs is computed once for each combination of "
+        f"those. Besides arithmetic, the solutions take only {made_of}"
+        + ("." if not count.sines_cosines else "; " + _sines(story))
+    )
+    solver = regular(story.program)
+    if solver is not None:
+        lines.append(_operations("at a regular pose", count_operations(solver.program)))
+        text += (
+            " At a regular pose no joint is free and no two branches meet, so neither has to be "
+            "tested; what is odd or even in a sign is computed once for both of its values, and "
+            "additions replace divisions and roots where they can."
+        )
+    return [Heading(2, say("Cost")), Table(_COUNTED, tuple(lines)), paragraph(text)]
+
+
+_COUNTED = tuple(
+    say(word)
+    for word in (
+        "",
+        "additions",
+        "multiplications",
+        "divisions",
+        "square roots",
+        "atan2",
+        "sin, cos",
+    )
+)
+
+
+def _operations(label: str, count: OperationCount) -> tuple[Prose, ...]:
+    numbers = (
+        count.additions,
+        count.multiplications,
+        count.divisions,
+        count.square_roots,
+        count.arctangents,
+        count.sines_cosines,
+    )
+    return (say(label), *(say(str(each)) for each in numbers))
+
+
+def _sines(story: Story) -> str:
+    if story.robot.free or story.robot.arm_angle:
+        return "sines and cosines are taken of values that the caller gives."
+    if finds_roots(story.program):
+        return "sines and cosines are taken of the roots and, where a joint is free, of the seed."
+    return "sines and cosines are taken of the seed only, where a joint is free."

@@ -1,0 +1,115 @@
+"""Sentences on the choices of frames that matter for the inverse: parallel axes, axes that meet."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.chain import parallel_groups
+from dhgen.kinematics.transform import identity
+from dhgen.targets.derivation.geometry import NEAR, neighbours
+from dhgen.targets.derivation.notation.names import cosine, sine, single, theta
+from dhgen.targets.derivation.text.blocks import say, sentences
+from dhgen.targets.derivation.text.formula import Symbol, add, equal, minus
+
+if TYPE_CHECKING:
+    from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.blocks import Prose
+    from dhgen.targets.derivation.text.formula import Formula
+
+
+def frame_sentences(story: Story) -> list[Prose]:
+    """A short paragraph for every choice."""
+    return [*_notation(story), *_parallel(story), *_meeting(story), *_wrist(story), *_ends(story)]
+
+
+def _notation(story: Story) -> list[Prose]:
+    turning = [angle for angle in story.algebra.angles if len(angle.terms) == 1]
+    if not turning:
+        return []
+    first = turning[0]
+    parts = [equal(cosine(first), _of("cos", first)), equal(sine(first), _of("sin", first))]
+    return [say("For short, {} and {}.", *parts)]
+
+
+def _of(function: str, angle: AngleSum) -> Symbol:
+    inner = theta(angle)
+    return Symbol(rf"\{function} {inner.latex}", f"{function} {inner.text}")
+
+
+def _parallel(story: Story) -> list[Prose]:
+    found = []
+    for run in parallel_groups(story.algebra.chain):
+        if len(run) < 2:
+            continue
+        whole = AngleSum(run)
+        parts = (equal(theta(whole), _sum(whole)), equal(cosine(whole), _of("cos", whole)))
+        axes = _axes([joint for joint, _ in run])
+        against = [joint for joint, facing in run if facing < 0]
+        if against:
+            other = f"axis {against[0]} points" if len(against) == 1 else f"{_axes(against)} point"
+            text = (
+                f"{axes.capitalize()} are parallel, but {other} the other way: their angles appear "
+                "as sums in which those of opposite axes are subtracted, {} with {}."
+            )
+        else:
+            text = f"{axes.capitalize()} are parallel: their angles appear as sums, {{}} with {{}}."
+        found.append(say(text, *parts))
+    return found
+
+
+def _axes(joints: list[int]) -> str:
+    return f"axes {', '.join(map(str, joints[:-1]))} and {joints[-1]}"
+
+
+def _sum(angle: AngleSum) -> Formula:
+    return add(
+        *(theta(single(j)) if sign > 0 else minus(theta(single(j))) for j, sign in angle.terms)
+    )
+
+
+def _meeting(story: Story) -> list[Prose]:
+    """Neighbouring axes that meet, without those of a spherical wrist."""
+    wrist = story.wrist or ()
+    pairs = [p for p in neighbours(story.algebra.chain) if p.meet is not None]
+    pairs = [p for p in pairs if abs(p.lean) < 1 - NEAR and p.first not in wrist[:2]]
+    right = [_axes([p.first, p.first + 1]) for p in pairs if abs(p.lean) < NEAR]
+    other = [_axes([p.first, p.first + 1]) for p in pairs if abs(p.lean) >= NEAR]
+    found = []
+    for group, ending in ((right, " at a right angle"), (other, "")):
+        if group:
+            names = group[0] if len(group) == 1 else f"{', '.join(group[:-1])}, and {group[-1]}"
+            each = " each" if group[1:] else ""
+            text = f"{names.capitalize()}{each} meet{ending}, with no link length between them."
+            found.append(say(text))
+    return [sentences(found)] if found else []
+
+
+def _wrist(story: Story) -> list[Prose]:
+    if story.wrist is None:
+        return []
+    first, second, third = story.wrist
+    text = f"Axes {first}, {second} and {third} meet in one point, the wrist centre: "
+    if story.dof == 3:
+        text += "turning the joints does not move it, and only the orientation changes."
+        return [say(text)]
+    return [
+        say(
+            text + "the wrist is spherical. Turning its joints does not move that point, so its "
+            "position gives the joints before the wrist, and the orientation gives the wrist "
+            "afterwards."
+        )
+    ]
+
+
+def _ends(story: Story) -> list[Prose]:
+    """Base Z and tool E, when they are more than nothing."""
+    chain = story.algebra.chain
+    still = identity(chain.ring)
+    found = []
+    if chain.base != still:
+        text = "The pose of the arm's base in the caller's frame is {}."
+        found.append(say(text, Symbol("Z", "Z")))
+    if chain.tool != still:
+        found.append(say("The pose of the tool in the last frame is {}.", Symbol("E", "E")))
+    return [sentences(found)] if found else []

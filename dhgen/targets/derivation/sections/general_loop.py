@@ -1,0 +1,52 @@
+"""The joints of a general arm and their loop, as formulas."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dhgen.targets.derivation.text.blocks import paragraph
+from dhgen.targets.derivation.text.formula import Symbol
+
+if TYPE_CHECKING:
+    from dhgen.general.kernel import GeneralKernel
+    from dhgen.targets.derivation.text.blocks import Block
+
+
+def loop_that_closes(kernel: GeneralKernel) -> Symbol:
+    """The forward model as a loop."""
+    joints = [_motion(kernel, place) for place in range(6)]
+    links = [rf"{symbol.latex}\,K_{k}" for k, symbol in enumerate(joints[:5])]
+    plain = " ".join(f"{symbol.text} K{k}" for k, symbol in enumerate(joints[:5]))
+    return Symbol(
+        rf"{' '.join(links)}\,{joints[5].latex} = P, "
+        r"\qquad P = C_0^{-1}\,\mathit{POS}\,C_6^{-1}",
+        f"{plain} {joints[5].text} = P,  P = C0⁻¹ POS C6⁻¹",
+    )
+
+
+def loop_letters(kernel: GeneralKernel) -> Block:
+    """What stands between the joints, before the first and behind the last."""
+    between = "constant transforms between the joints"
+    if kernel.given:
+        between = "transforms between these joints, known with the values that the caller gives"
+    names = (Symbol(f"{x}_{k}", f"{x}{k}") for x, k in (("K", 0), ("K", 4), ("C", 0), ("C", 6)))
+    return paragraph(
+        "{} to {} are the " + between + ", {} is that before the first joint, and {} that behind "
+        "the last.",
+        *names,
+    )
+
+
+def _motion(kernel: GeneralKernel, place: int) -> Symbol:
+    number = kernel.numbers[place]
+    if place in kernel.loop.slides:
+        return Symbol(f"T_z(r_{number})", f"Tz(r{number})")
+    return Symbol(rf"R_z(\theta_{number})", f"Rz(θ{number})")
+
+
+def joint_symbol(kernel: GeneralKernel, place: int) -> Symbol:
+    """The angle or length of a joint of the loop, from 0."""
+    number = kernel.numbers[place]
+    if place in kernel.loop.slides:
+        return Symbol(f"r_{number}", f"r{number}")
+    return Symbol(rf"\theta_{number}", f"θ{number}")

@@ -1,0 +1,102 @@
+"""The numbers of the arm: the user's parameters, and numbers that the formulas give a letter."""
+
+from __future__ import annotations
+
+import re
+from itertools import product
+from typing import TYPE_CHECKING
+
+from dhgen.kinematics.chain import Fixed
+from dhgen.kinematics.ring import used_places
+from dhgen.robot.expression import Negate, Number
+from dhgen.targets.derivation.notation.expressions import expression_symbol
+from dhgen.targets.derivation.notation.names import parameter
+from dhgen.targets.derivation.text.blocks import Given, joined, paragraph, say
+from dhgen.targets.derivation.text.formula import Symbol, equal
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.constants import Constant
+    from dhgen.robot.robot import Parameter
+    from dhgen.targets.derivation.story import Story
+    from dhgen.targets.derivation.text.blocks import Block, Prose
+
+
+ANGLES = ("twist", "the angle", "the parameter")
+TURNED = ("cosine of", "sine of")
+SIGNS = " Cosines and sines are given without their signs, which stand in the formulas."
+
+
+def constant_blocks(story: Story) -> list[Block]:
+    """Every letter of the formulas that stands for a number."""
+    blocks: list[Block] = []
+    constants = _written(story.algebra.chain)
+    used = {each.parameter: each for each in constants}
+    shown = [_parameter(each, used.get(each.name), story) for each in story.robot.parameters]
+    if shown:
+        blocks.append(paragraph("Parameters: {}.", joined(shown)))
+    made = [each for each in constants if each.parameter is None and each.square is None]
+    if made:
+        numbers = joined([_constant(story, each) for each in made])
+        signs = SIGNS if any(each.meaning.startswith(TURNED) for each in made) else ""
+        blocks.append(
+            paragraph(
+                "Letters for numbers that have no name in the robot file: {}." + signs, numbers
+            )
+        )
+    return blocks
+
+
+def _written(chain: Chain) -> list[Constant]:
+    """The constants that occur.
+
+    Of some angles only the cosine does; and of coordinates that agree, only their difference did.
+    """
+    fixed = [part.transform for link in chain.links for part in link if isinstance(part, Fixed)]
+    places = {
+        place
+        for transform in (*fixed, chain.base, chain.tool)
+        for row, column in product(range(3), range(4))
+        for place in used_places(transform.entry(row, column))
+    }
+    used = {chain.ring.symbols[place].name for place in places}
+    return [
+        each
+        for each in chain.constants
+        if each.name in used or each.parameter or not (each.cosine or each.is_length)
+    ]
+
+
+def _parameter(each: Parameter, constant: Constant | None, story: Story) -> Prose:
+    value = _number(each.value)
+    written = each.expression
+    plain = isinstance(written, Number) or (
+        isinstance(written, Negate) and isinstance(written.operand, Number)
+    )
+    sides = [parameter(each.name), *([] if plain else [expression_symbol(written)]), value]
+    is_length = constant is not None and constant.is_length
+    unit = say(" {}", Given(story.robot.length_unit)) if is_length else say("")
+    return say("{}{}", equal(*sides), unit)
+
+
+def _constant(story: Story, constant: Constant) -> Prose:
+    unit = say(" {}", Given(story.robot.length_unit)) if constant.is_length else say("")
+    symbol = story.letters[constant.name]
+    return say("{}{} ({})", equal(symbol, _number(constant.value)), unit, Given(_meaning(constant)))
+
+
+def _meaning(constant: Constant) -> str:
+    """What a number is; an angle inside a frame's rotation is not one entry of it."""
+    function, of, what = constant.meaning.partition(" of ")
+    if f"{function}{of}".strip() not in TURNED or what.startswith(ANGLES):
+        return constant.meaning
+    place = re.sub(r"^(.*), entry .*", r"the \1", what)
+    return f"{function} of an angle in {place}"
+
+
+def _number(value: float) -> Symbol:
+    text = repr(value).removesuffix(".0")
+    if "e" in text:
+        mantissa, exponent = text.split("e")
+        return Symbol(rf"{mantissa} \cdot 10^{{{int(exponent)}}}", text)
+    return Symbol(text, text.replace("-", "−"))

@@ -1,0 +1,1 @@
+"""Formulas and documents as values, and how they are printed: as Markdown, and as plain text."""
