@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.c import c_files
+from dhgen.targets.c.files import c_files
 from dhgen.targets.derivation import derivation_document
-from dhgen.targets.python import python_files
+from dhgen.targets.python.files import python_files
 from dhgen.targets.templates import render
 
 if TYPE_CHECKING:

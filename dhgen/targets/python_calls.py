@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.targets.python_flat import TILE
+from dhgen.targets.python.tiles import TILE
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule

@@ -16,7 +16,7 @@ from dhgen.program.lowering.whole import whole_program
 from dhgen.program.tolerances import DOUBLE
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
-from dhgen.targets.c import c_files
+from dhgen.targets.c.files import c_files
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
 from tests.compiling import library

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dhgen.targets.c_declared import Declaration, declared, dense
+from dhgen.targets.c.declared import Declaration, declared, dense
 from dhgen.targets.layout import WIDTH
 
 

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Apply, Integer, Pose, Program
-from dhgen.targets.c_language import C
+from dhgen.targets.c.language import C
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import WIDTH, call, packed, wrapped
-from dhgen.targets.python_language import Python
+from dhgen.targets.python.language import Python
 from dhgen.verify.native import c_compiler
 
 if TYPE_CHECKING:

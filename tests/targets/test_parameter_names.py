@@ -10,7 +10,7 @@ import pytest
 
 from dhgen.compiler import verified
 from dhgen.program.regular.flatten import flatten
-from dhgen.targets.c_regular import best_lanes
+from dhgen.targets.c.regular import best_lanes
 from dhgen.targets.module import regular_solver
 from dhgen.verify.native import C_FLAGS, c_compiler
 from tests.compiling import compile_file

@@ -15,9 +15,10 @@ import pytest
 from jinja2 import nodes
 
 from dhgen.program.tolerances import Tolerances
-from dhgen.targets import c, python
+from dhgen.targets.c import files as c
 from dhgen.targets.general import emit as general
 from dhgen.targets.numerical import emit as numerical
+from dhgen.targets.python import files as python
 from dhgen.targets.templates import render
 from tests.targets.made import made
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.role import LimitEnd, Source
 from dhgen.program.tolerances import SINGLE
-from dhgen.targets.c_irregular import finite_entries, finite_given
+from dhgen.targets.c.irregular import finite_entries, finite_given
 from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, c_array, listed, packed, paragraph
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dhgen.program.regular.flatten import Flat
-    from dhgen.targets.c_entries import Entries
+    from dhgen.targets.c.entries import Entries
     from dhgen.targets.constants import ConstantText
     from dhgen.targets.module import SolverModule
 

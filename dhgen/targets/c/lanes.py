@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
 from dhgen.program.role import LimitEnd
 from dhgen.program.walk import expressions
-from dhgen.targets.c_declared import Declaration
-from dhgen.targets.c_language import C
+from dhgen.targets.c.declared import Declaration
+from dhgen.targets.c.language import C
 from dhgen.targets.dialect import ATOM, CHOICE, INFIX, UNARY
 
 if TYPE_CHECKING:

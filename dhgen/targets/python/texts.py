@@ -12,8 +12,8 @@ from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
 from dhgen.targets.layout import INDENT, WIDTH, paragraph, python_array
 from dhgen.targets.module import has_to_be_finite, made_text, named_entries
-from dhgen.targets.python_language import Python
-from dhgen.targets.python_single import assigned
+from dhgen.targets.python.language import Python
+from dhgen.targets.python.one_pose import assigned
 from dhgen.targets.scalar import output_texts, pose_entries
 from dhgen.targets.solver.searches import fan_steps
 from dhgen.targets.solver.task import meaning

@@ -16,8 +16,8 @@ from dhgen.robot.task import TaskKind
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import INDENT
 from dhgen.targets.module import has_to_be_finite
-from dhgen.targets.python_language import Python
-from dhgen.targets.python_single import assigned, single, status_text
+from dhgen.targets.python.language import Python
+from dhgen.targets.python.one_pose import assigned, single, status_text
 from dhgen.targets.stages import staged
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression
     from dhgen.program.regular.flatten import Flat
     from dhgen.targets.module import SolverModule
-    from dhgen.targets.python_single import Single
+    from dhgen.targets.python.one_pose import Single
     from dhgen.targets.stages import Call, Stage
 
 LOOP = INDENT * 3  # inside a loop over the poses of a tile

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from dhgen.program.ir import Heading, Let
 from dhgen.targets.dialect import expression_text
 from dhgen.targets.layout import INDENT, WIDTH
-from dhgen.targets.python_language import Python
+from dhgen.targets.python.language import Python
 from dhgen.targets.stages import staged
 
 if TYPE_CHECKING:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.targets.c_declared import Declaration, declared
+from dhgen.targets.c.declared import Declaration, declared
 from dhgen.targets.layout import WIDTH, packed, wrapped
 from dhgen.targets.scalar import close_name, close_texts, output_texts, row_text
 

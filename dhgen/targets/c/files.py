@@ -1,4 +1,4 @@
-"""The C target: a header and a C99 source that needs nothing but <math.h>."""
+"""The header and the source of a robot: what their templates name in C only."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.regular.flatten import flatten
 from dhgen.program.tolerances import SINGLE
-from dhgen.targets.c_arctangent import CArctangent
+from dhgen.targets.c.arctangent import CArctangent
+from dhgen.targets.c.entries import entry_lines, entry_texts
+from dhgen.targets.c.language import C
+from dhgen.targets.c.regular import CRegular, best_lanes, regular_values
+from dhgen.targets.c.single_precision import in_single_precision
+from dhgen.targets.c.texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
 from dhgen.targets.c_calls import CCalls, Prototypes, c_calls, c_prototypes
-from dhgen.targets.c_entries import entry_lines, entry_texts
-from dhgen.targets.c_language import C
-from dhgen.targets.c_regular import CRegular, best_lanes, regular_values
-from dhgen.targets.c_single import in_single_precision
-from dhgen.targets.c_texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
 from dhgen.targets.general.emit import c_rows, c_source
 from dhgen.targets.layout import INDENT, fitted, packed
 from dhgen.targets.module import regular_solver

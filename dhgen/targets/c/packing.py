@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Let
-from dhgen.targets.c_declared import Declaration
+from dhgen.targets.c.declared import Declaration
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from dhgen.program.ir import Expression
-    from dhgen.targets.c_lanes import LaneText
+    from dhgen.targets.c.lanes import LaneText
 
 LANES = 4
 # By the places of signs that an angle depends on: the lanes in which it may be found, and which of

@@ -9,7 +9,7 @@ from dhgen.targets.layout import INDENT, wrapped
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression
-    from dhgen.targets.c_lanes import LaneText
+    from dhgen.targets.c.lanes import LaneText
 
 WORD = 8  # rows whose statuses fill a machine word
 

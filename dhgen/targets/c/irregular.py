@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.robot.task import TaskKind
-from dhgen.targets.c_declared import Declaration, dense
+from dhgen.targets.c.declared import Declaration, dense
 from dhgen.targets.layout import INDENT, wrapped
 from dhgen.targets.module import has_to_be_finite
 

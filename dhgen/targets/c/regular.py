@@ -12,13 +12,13 @@ from dhgen.program.ir import Apply, Heading, Let, Variable
 from dhgen.program.regular.flatten import MINUS, flatten
 from dhgen.program.tolerances import SINGLE
 from dhgen.program.walk import names_in
-from dhgen.targets.c_declared import dense
-from dhgen.targets.c_entries import entry_lines, read_alike
-from dhgen.targets.c_irregular import irregularities
-from dhgen.targets.c_lanes import LaneText, operators
-from dhgen.targets.c_language import C
-from dhgen.targets.c_packing import angle_declarations, in_order, packed_angles
-from dhgen.targets.c_rows import status_lines, store_places, stores, words
+from dhgen.targets.c.declared import dense
+from dhgen.targets.c.entries import entry_lines, read_alike
+from dhgen.targets.c.irregular import irregularities
+from dhgen.targets.c.lanes import LaneText, operators
+from dhgen.targets.c.language import C
+from dhgen.targets.c.packing import angle_declarations, in_order, packed_angles
+from dhgen.targets.c.rows import status_lines, store_places, stores, words
 from dhgen.targets.layout import INDENT, call, packed, wrapped
 
 if TYPE_CHECKING:
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Statement
     from dhgen.program.regular.flatten import Choice, Flat
     from dhgen.program.regular.unguarded import Regular
-    from dhgen.targets.c_declared import Declaration
-    from dhgen.targets.c_irregular import Irregularities
-    from dhgen.targets.c_rows import Word
+    from dhgen.targets.c.declared import Declaration
+    from dhgen.targets.c.irregular import Irregularities
+    from dhgen.targets.c.rows import Word
     from dhgen.targets.module import SolverModule
 
 MOST_LANES = 8  # of a vector, with AVX-512

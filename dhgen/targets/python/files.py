@@ -1,4 +1,4 @@
-"""The Python target: a module of numba functions that are plain Python where numba is absent."""
+"""The module of a robot: what its templates name in Python only."""
 
 from __future__ import annotations
 
@@ -18,10 +18,8 @@ from dhgen.targets.numerical.emit import (
     python_tightening,
     python_tools,
 )
-from dhgen.targets.python_calls import PythonCalls, python_calls
-from dhgen.targets.python_flat import PythonRegular, regular_values
-from dhgen.targets.python_language import Python
-from dhgen.targets.python_texts import (
+from dhgen.targets.python.language import Python
+from dhgen.targets.python.texts import (
     PythonArctangent,
     PythonComments,
     PythonPose,
@@ -31,6 +29,8 @@ from dhgen.targets.python_texts import (
     python_pose,
     python_tables,
 )
+from dhgen.targets.python.tiles import PythonRegular, regular_values
+from dhgen.targets.python_calls import PythonCalls, python_calls
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
