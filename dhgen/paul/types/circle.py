@@ -23,7 +23,7 @@ import numpy as np
 
 from dhgen.paul.forms import is_multiple
 from dhgen.paul.step import Kind, Step
-from dhgen.paul.witness import COUNT
+from dhgen.paul.witness import COUNT, VANISHING
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -203,9 +203,11 @@ def _monomials(eliminated: AngleSum, kept: AngleSum) -> Table:
 
 
 def _on_witnesses(form: Form, places: dict[Monomial, int], view: View) -> Values:
+    """The coefficients; one that is nothing by the arm's geometry is 0 here, not its rounding."""
     values = np.zeros((9, COUNT))
     for monomial, polynomial in form.terms.items():
-        values[places[monomial]] = view.witnesses.evaluate(polynomial)
+        value, size = view.witnesses.samples.value_and_size(polynomial)
+        values[places[monomial]] = np.where(np.abs(value) <= VANISHING * size, 0.0, value)
     return values.reshape(3, 3, COUNT)
 
 
@@ -220,8 +222,11 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     )
     if _says_it_twice(first[:, 0], second[:, 0]):
         return False
-    values = _polynomial(first, second, ratio)
-    return bool(np.all(np.abs(SLOPE @ values) > FLAT * np.max(np.abs(values), axis=0)))
+    values, sizes = _polynomial(first, second, ratio)
+    largest = np.max(np.abs(values), axis=0)
+    if np.any(largest <= SAME * np.max(sizes, axis=0)):
+        return False  # 0 = 0: what is left of it is rounding
+    return bool(np.all(np.abs(SLOPE @ values) > FLAT * largest))
 
 
 def _says_it_twice(first: Values, second: Values) -> bool:
@@ -236,8 +241,8 @@ def _says_it_twice(first: Values, second: Values) -> bool:
     return bool(np.all(np.abs(one - other) <= SAME * np.abs(one)))
 
 
-def _polynomial(first: Values, second: Values, ratio: Ratio | None) -> Values:
-    """The polynomial in the angle that stays.
+def _polynomial(first: Values, second: Values, ratio: Ratio | None) -> tuple[Values, Values]:
+    """The polynomial in the angle that stays, and the sum of the sizes of its two sides.
 
     Args:
         first: R, P and Q of the first equation at every turn and on every witness.
@@ -246,9 +251,11 @@ def _polynomial(first: Values, second: Values, ratio: Ratio | None) -> Values:
     """
     (r1, p1, q1), (r2, p2, q2) = first, second
     if ratio is None:
-        determinant = p1 * q2 - q1 * p2
-        return np.asarray((q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2 - determinant**2)
+        left = (q1 * r2 - q2 * r1) ** 2 + (r1 * p2 - r2 * p1) ** 2
+        right = (p1 * q2 - q1 * p2) ** 2
+        return left - right, left + right
     v1, v2 = ratio.values
     apart = (v1 * v2.conj()).imag
-    size = np.abs(v1 * (r1 * v2 - r2 * v1)) ** 2
-    return np.asarray(size - apart**2 * (p1**2 + q1**2), dtype=np.float64)
+    left = np.abs(v1 * (r1 * v2 - r2 * v1)) ** 2
+    right = apart**2 * (p1**2 + q1**2)
+    return left - right, left + right
