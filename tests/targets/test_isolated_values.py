@@ -49,6 +49,12 @@ ARMS = {
         "theta: q, d: 0.232, a: 0, alpha: -pi/2",
         "theta: pi/2, d: q, a: 0.146, alpha: -60 deg",
     ),
+    "facing": (  # 4R: what the equation leaves is a difference of two joints' values
+        "theta: q, d: -0.25, a: -0.25, alpha: pi",
+        "theta: q, d: 0, a: 0, alpha: -pi/2",
+        "theta: q, d: 0, a: 0.3, alpha: -pi/2",
+        "theta: q, d: 0, a: 0, alpha: -pi/2",
+    ),
 }
 COUNT = 60
 EXACT = 1e-11  # how far a pose may be missed that has not been rounded

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     FloatArray = NDArray[np.float64]
 
 TRIED = 50  # poses of each sort
-OTHER = 0.7  # from a pose's joint values to those of another seed [rad or length]
+OTHER = 0.7  # from a pose's joint values to those of another seed, at least [rad or length]
 SLIGHT = 1e-2  # less is the cosine or the sine of a twist that is nearly a right angle, or none
 BESIDE = tuple(10.0**power for power in range(-13, -2))  # of right angles [rad or length]
 APART = (1e-6, 1e-8, 1e-10)  # the same where each joint is as near as it likes
@@ -121,11 +121,13 @@ def _beside(chain: Chain) -> FloatArray:
 def _follows_the_seed(chain: Chain, program: Program) -> bool:
     """Whether rows are lost by another seed than the joint values that made the pose.
 
-    A joint was free there, and not every value of it makes the arm take the pose.
+    A joint was free there, and not every value of it makes the arm take the pose. Each joint of the
+    other seed is as far off as no other is: differences of joint values are others, too.
     """
     arm, q = numeric_arm(chain), _everywhere(chain)
     poses, given = arm.pose(q), given_values(arm, q)
-    own, other = (interpret(program, poses, seed, given) for seed in (q, q + OTHER))
+    off = OTHER * np.linspace(1.0, 2.0, chain.dof)
+    own, other = (interpret(program, poses, seed, given) for seed in (q, q + off))
     return bool(np.any(own.solved & ~other.solved))
 
 
