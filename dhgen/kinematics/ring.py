@@ -8,7 +8,7 @@ from operator import itemgetter, sub
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
     from collections.abc import Set as AbstractSet
 
     from sympy.polys.rings import PolyRing
@@ -66,16 +66,31 @@ def used_places(polynomial: Polynomial) -> frozenset[int]:
     return frozenset(place for place, exponents in enumerate(columns) if any(exponents))
 
 
+def by_powers(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, ...], Polynomial]:
+    """A polynomial by the exponents of the generators at some places."""
+    ring = polynomial.ring
+    parts: dict[tuple[int, ...], Polynomial] = {}
+    exponents_of = itemgetter(*places, *places)  # at least two places make tuples
+    for monomial, coefficient in polynomial.items():
+        exponents = exponents_of(monomial)[: len(places)]
+        part = parts.get(exponents)
+        if part is None:
+            part = parts[exponents] = ring.zero
+        rest = list(monomial)
+        for place in places:
+            rest[place] = 0
+        part[tuple(rest)] = coefficient
+    return parts
+
+
 def substitute(polynomial: Polynomial, change: Mapping[int, Polynomial]) -> Polynomial:
     """The polynomial with some generators replaced."""
-    ring = polynomial.ring
-    total = ring.zero
-    for monomial, coefficient in polynomial.terms():
-        rest = tuple(0 if place in change else e for place, e in enumerate(monomial))
-        part = ring.from_dict({rest: coefficient})
-        for place in sorted(change):
-            if monomial[place]:
-                part = part * change[place] ** monomial[place]
+    total = polynomial.ring.zero
+    for exponents, rest in by_powers(polynomial, tuple(change)).items():
+        part = rest
+        for value, exponent in zip(change.values(), exponents, strict=True):
+            if exponent:
+                part = part * value**exponent
         total += part
     return total
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.kinematics.ring import used_places
 from dhgen.paul.mixed_forms import right_inverse
 
 if TYPE_CHECKING:
@@ -26,8 +27,7 @@ def moving_parts(algebra: Algebra, vector: tuple[Polynomial, ...]) -> set[str]:
     }
     slides = {joint: name for joint, name in algebra.slides.items() if joint not in free}
     names |= {algebra.index[name]: name for name in slides.values()}
-    used = {p for entry in vector for monomial in entry for p, e in enumerate(monomial) if e}
-    return {names[place] for place in used if place in names}
+    return {names[place] for place in _used(vector) if place in names}
 
 
 def right_joints(problem: Problem, k: int, vector: tuple[Polynomial, ...]) -> set[int]:
@@ -38,11 +38,8 @@ def right_joints(problem: Problem, k: int, vector: tuple[Polynomial, ...]) -> se
         for angle in algebra.angles
         for name in (angle.cosine, angle.sine)
     } | {algebra.index[name]: joint for joint, name in algebra.slides.items()}
-    return {
-        joint
-        for place, joint in places.items()
-        if joint > k and any(monomial[place] for entry in vector for monomial in entry)
-    }
+    used = _used(vector)
+    return {joint for place, joint in places.items() if joint > k and place in used}
 
 
 def may_help(problem: Problem, m: int, k: int) -> bool:
@@ -58,3 +55,8 @@ def may_help(problem: Problem, m: int, k: int) -> bool:
     held = parts(spans.product(m, k)) & parts(spans.inverse(m, k))
     held |= parts(spans.product(0, m)) | parts(right_inverse(problem, k))
     return len(held) <= MOST_SQUARED
+
+
+def _used(vector: tuple[Polynomial, ...]) -> set[int]:
+    """The generators that occur in some entry."""
+    return {place for entry in vector for place in used_places(entry)}

@@ -7,7 +7,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point, short_number
-from dhgen.paul.forms import unknown_name
+from dhgen.paul.form import unknown_name
 from dhgen.paul.types import CLOSED
 
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.neighbours import Triple
-    from dhgen.paul.forms import Form, Unknown
+    from dhgen.paul.form import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.search import Search
     from dhgen.paul.step import EquationType, View

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.forms import Exponents
+    from dhgen.paul.form import Exponents
 
     Values = NDArray[np.float64]
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.forms import MOST_UNKNOWNS, FormReader
+from dhgen.paul.form_reader import FormReader, MOST_UNKNOWNS
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.step import Kind, View
 from dhgen.paul.witness import OWN_LENGTHS, VANISHING, build_witnesses
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Equation, Line
-    from dhgen.paul.forms import Form, Unknown
+    from dhgen.paul.form import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
     from dhgen.paul.step import EquationType, Step

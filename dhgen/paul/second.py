@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
 from dhgen.kinematics.transform import compose
 from dhgen.paul.equation import MOMENT, Equation, Origin, merged
-from dhgen.paul.forms import FormReader, substitute
+from dhgen.paul.form_reader import FormReader
+from dhgen.kinematics.ring import substitute
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import mixed_forms, right_inverse
 from dhgen.paul.problem import Withheld
@@ -71,12 +72,11 @@ def _in_joints(pool: Pool, polynomial: Polynomial) -> Polynomial:
     """What a polynomial in entries of the pose is on solutions."""
     problem = pool.problem
     index = problem.algebra.index
-    places = [index[name] for name in sorted(problem.known)]
-    values = [problem.forward.entry(*POSE_PLACES[name]) for name in sorted(problem.known)]
+    forward = {name: problem.forward.entry(*POSE_PLACES[name]) for name in sorted(problem.known)}
     for point in pool.points:
-        places += [index[name] for name in point.names]
-        values += _place_of(problem, point.in_tool)
-    return problem.algebra.normal(substitute(polynomial, places, values))
+        forward |= zip(point.names, _place_of(problem, point.in_tool), strict=True)
+    change = {index[name]: value for name, value in forward.items()}
+    return problem.algebra.normal(substitute(polynomial, change))
 
 
 def _place_of(problem: Problem, point: tuple[Polynomial, ...]) -> list[Polynomial]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.normal import NormalForm
     from dhgen.paul.equation import Origin
-    from dhgen.paul.forms import Form, Unknown
+    from dhgen.paul.form import Form, Unknown
     from dhgen.paul.knowledge import Knowledge
     from dhgen.paul.witness import Witnesses
 

@@ -11,7 +11,7 @@ import numpy as np
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
 from dhgen.paul.equation import Equation, Origin
-from dhgen.paul.forms import FormReader
+from dhgen.paul.form_reader import FormReader
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import Pool, build_pool
 from dhgen.paul.problem import build_problem
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.step import EquationType, Step
     from dhgen.robot.robot import Robot
     from dhgen.survey.oracle.arm import FloatArray

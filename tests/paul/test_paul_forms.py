@@ -8,7 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.forms import FormReader, Length
+from dhgen.paul.form_reader import FormReader
+from dhgen.paul.form import Length
 from dhgen.paul.knowledge import Knowledge, initial_knowledge
 from dhgen.paul.search import learn
 from tests.kinematics.values import algebra_of, joint_values, number, table

@@ -10,7 +10,7 @@ import pytest
 
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derive import derive
-from dhgen.paul.forms import unknown_name
+from dhgen.paul.form import unknown_name
 from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import build_pool

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from dhgen.paul.forms import unknown_name
+from dhgen.paul.form import unknown_name
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.types.angle_and_length import AngleAndLength

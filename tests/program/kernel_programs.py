@@ -15,7 +15,7 @@ from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.build import build_chain
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.derive import derive
-from dhgen.paul.forms import Length
+from dhgen.paul.form import Length
 from dhgen.paul.step import Kind, Step
 from dhgen.program.interpret import Rows, interpret
 from dhgen.program.lowering.checks import Checks

@@ -9,7 +9,7 @@ from dhgen.paul.step import NEARLY_NOTHING, Kind, Step, placing
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.step import View
 
 HOMOGENEOUS = 40  # Z = 0: always solvable, accurate everywhere

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.step import Products, View
 
 CONSTANT_FACTORS = 10

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.paul.forms import is_multiple
+from dhgen.paul.form import is_multiple
 from dhgen.paul.step import Kind, Step
 from dhgen.paul.witness import COUNT, VANISHING
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.forms import Form, Monomial
+    from dhgen.paul.form import Form, Monomial
     from dhgen.paul.step import View
 
     Values = NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.paul.forms import common_angle_and_length
+from dhgen.paul.form import common_angle_and_length
 from dhgen.paul.step import Kind, Step
 
 if TYPE_CHECKING:
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.forms import Form, Length
+    from dhgen.paul.form import Form, Length
     from dhgen.paul.step import View
 
 PENALTY = 50

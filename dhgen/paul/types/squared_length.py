@@ -9,7 +9,7 @@ from dhgen.paul.step import Kind, Step
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.step import View
 
 PENALTY = 150

@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.paul.forms import is_multiple
+from dhgen.paul.form import is_multiple
 from dhgen.paul.step import Kind, Step, placing
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import AngleSum
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.knowledge import Cut, Knowledge
     from dhgen.paul.step import Products, View
 

@@ -7,7 +7,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import numerical_kernel
-from dhgen.paul.forms import unknown_name
+from dhgen.paul.form import unknown_name
 from dhgen.program.lowering.arm_plane import lower_shoulder
 from dhgen.program.lowering.checks import Checks, checks_needed
 from dhgen.program.lowering.context import Lowering

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.forms import Length
+from dhgen.paul.form import Length
 from dhgen.paul.step import Kind
 from dhgen.program.ir import Guard
 from dhgen.targets.derivation.notation.names import joint_symbol, single, theta

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.equation import Origin
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.step import Step
 
 

@@ -18,7 +18,7 @@ from dhgen.targets.derivation.types.angle_pair import is_direct
 
 if TYPE_CHECKING:
     from dhgen.paul.equation import Origin
-    from dhgen.paul.forms import Form
+    from dhgen.paul.form import Form
     from dhgen.paul.step import Step
     from dhgen.targets.derivation.step_context import Singularity
     from dhgen.targets.derivation.story import Story

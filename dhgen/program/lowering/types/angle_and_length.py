@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.forms import Length
+from dhgen.paul.form import Length
 from dhgen.program.lowering.finish import finish
 from dhgen.program.lowering.letters import letters, named
 from dhgen.program.lowering.roots import reach_of, signed_root

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dhgen.paul.forms import Length
+from dhgen.paul.form import Length
 from dhgen.program.ir import Failure
 from dhgen.program.lowering.letters import letters
 from dhgen.program.lowering.short import is_short, is_within_reach, vanishes

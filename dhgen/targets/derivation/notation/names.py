@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from dhgen.kinematics.algebra import Algebra
     from dhgen.kinematics.constants import Constant
-    from dhgen.paul.forms import Unknown
+    from dhgen.paul.form import Unknown
     from dhgen.targets.derivation.text.formula import Formula
 
 _SUBSCRIPTS = str.maketrans("0123456789-,", "₀₁₂₃₄₅₆₇₈₉₋,")

@@ -1,4 +1,4 @@
-"""Equations as they look at one point of a derivation: linear in one or two unknowns.
+"""Reads the equations of a pool as they look at one point of a derivation.
 
 What is known (pose, lengths, solved joints) goes into the coefficients; the unknowns of a run of
 parallel axes are written by their representatives, so that c23 with theta2 known counts as theta3.
@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from itertools import chain
-from operator import itemgetter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import SHOULDER_NAMES, AngleSum
+from dhgen.kinematics.ring import by_powers, substitute
+from dhgen.paul.form import Form, Length, Monomial
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Sequence
 
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Equation
@@ -23,88 +24,6 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
 
 MOST_UNKNOWNS = 2
-
-
-@dataclass(frozen=True, slots=True, order=True)
-class Length:
-    """The unknown of a prismatic joint."""
-
-    joint: int
-    name: str
-
-
-Unknown = AngleSum | Length
-Exponents = tuple[int, ...]
-Monomial = tuple[str, ...]  # names of unknown generators, e.g. ("c2", "r3"); () is the constant
-
-
-@dataclass(frozen=True, slots=True)
-class Form:
-    """An equation, sum of coefficient times unknown monomial = 0.
-
-    Attributes:
-        equation: Where it comes from.
-        unknowns: In the order of the joints, angles first.
-        terms: The coefficient of every unknown monomial.
-    """
-
-    equation: Equation
-    unknowns: tuple[Unknown, ...]
-    terms: Mapping[Monomial, Polynomial]
-
-    @property
-    def only_angle(self) -> AngleSum | None:
-        """The unknown, when it is one angle sum."""
-        match self.unknowns:
-            case (AngleSum() as angle,):
-                return angle
-        return None
-
-    @property
-    def only_length(self) -> Length | None:
-        """The unknown, when it is one length."""
-        match self.unknowns:
-            case (Length() as length,):
-                return length
-        return None
-
-    @property
-    def angle_and_length(self) -> tuple[AngleSum, Length] | None:
-        """The unknowns, when they are an angle sum and a length."""
-        match self.unknowns:
-            case (AngleSum() as angle, Length() as length):
-                return angle, length
-        return None
-
-    @property
-    def two_angles(self) -> tuple[AngleSum, AngleSum] | None:
-        """The unknowns, when they are two angle sums."""
-        match self.unknowns:
-            case (AngleSum() as first, AngleSum() as second):
-                return first, second
-        return None
-
-    def coefficient(self, *names: str) -> Polynomial:
-        """The coefficient of a monomial, zero if it does not occur."""
-        found = self.terms.get(names if len(names) < 2 else tuple(sorted(names)))
-        return self.equation.difference.ring.zero if found is None else found
-
-    def within(self, allowed: Iterable[Monomial]) -> bool:
-        """Whether no other monomials occur."""
-        return self.terms.keys() <= {tuple(sorted(monomial)) for monomial in allowed}
-
-
-def unknown_name(unknown: Unknown) -> str:
-    """How a message calls an angle sum or a length."""
-    return f"theta{unknown.suffix}" if isinstance(unknown, AngleSum) else unknown.name
-
-
-def common_angle_and_length(forms: Sequence[Form]) -> tuple[AngleSum, Length] | str:
-    """The unknowns of both equations, or why they are not one angle and one length."""
-    first, second = forms
-    if first.unknowns != second.unknowns or len(first.unknowns) != 2:
-        return "not the same two unknowns"
-    return first.angle_and_length or "the unknowns are not an angle and a length"
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,8 +110,9 @@ class FormReader:
             name = abs(names[number])
             kept.add(number if count[name] == 1 else name - 1)
             if count[name] > 1 and number != name - 1:
-                change = self._rewritten(number, names[number], knowledge)
-                difference = substitute(difference, self._places[number], change)
+                turned = self._rewritten(number, names[number], knowledge)
+                change = dict(zip(self._places[number], turned, strict=True))
+                difference = substitute(difference, change)
                 difference = self._algebra.normal(difference)
         angles = sorted(self._algebra.angles[number] for number in kept)
         places = [place for number in kept for place in self._places[number]]
@@ -214,7 +134,7 @@ class FormReader:
         """The coefficient of every monomial in the generators at some places."""
         names = [self._names[place] for place in places]
         collected = {}
-        for exponents, part in _split(polynomial, places).items():
+        for exponents, part in by_powers(polynomial, places).items():
             powers = ([name] * exponent for name, exponent in zip(names, exponents, strict=True))
             collected[tuple(sorted(chain.from_iterable(powers)))] = part
         return collected
@@ -231,44 +151,3 @@ def _places_of_late(pool: Pool) -> frozenset[int]:
         for place, equation in enumerate(pool.equations)
         if any(monomial[name] for monomial in equation.difference for name in names)
     )
-
-
-def is_multiple(
-    polynomial: Mapping[Exponents, Any], other: Mapping[Exponents, Any], sign: int
-) -> bool:
-    """Whether a polynomial, as its coefficients by exponents, is another one times +1 or -1."""
-    return len(polynomial) == len(other) and all(
-        other.get(exponents) == sign * coefficient for exponents, coefficient in polynomial.items()
-    )
-
-
-def substitute(
-    polynomial: Polynomial, places: Sequence[int], values: Sequence[Polynomial]
-) -> Polynomial:
-    """The polynomial with the generators at some places replaced."""
-    ring = polynomial.ring
-    total = ring.zero
-    for exponents, rest in _split(polynomial, places).items():
-        part = rest
-        for value, exponent in zip(values, exponents, strict=True):
-            if exponent:
-                part = part * value**exponent
-        total += part
-    return total
-
-
-def _split(polynomial: Polynomial, places: Sequence[int]) -> dict[tuple[int, ...], Polynomial]:
-    """A polynomial by the exponents of the generators at some places."""
-    ring = polynomial.ring
-    parts: dict[tuple[int, ...], Polynomial] = {}
-    exponents_of = itemgetter(*places, *places)  # at least two places make tuples
-    for monomial, coefficient in polynomial.items():
-        exponents = exponents_of(monomial)[: len(places)]
-        part = parts.get(exponents)
-        if part is None:
-            part = parts[exponents] = ring.zero
-        rest = list(monomial)
-        for place in places:
-            rest[place] = 0
-        part[tuple(rest)] = coefficient
-    return parts
