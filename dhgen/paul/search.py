@@ -12,25 +12,18 @@ from dataclasses import dataclass
 from itertools import combinations, count
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.form_reader import FormReader, MOST_UNKNOWNS
+from dhgen.paul.form_reader import MOST_UNKNOWNS, FormReader
 from dhgen.paul.knowledge import initial_knowledge
-from dhgen.paul.step import Kind, View
-from dhgen.paul.witness import OWN_LENGTHS, VANISHING, build_witnesses
+from dhgen.paul.silence import without_needless_silence
+from dhgen.paul.step import View, learn
+from dhgen.paul.witness import build_witnesses
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.equation import Equation, Line
     from dhgen.paul.form import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
     from dhgen.paul.pool import Pool
     from dhgen.paul.step import EquationType, Step
-
-    Values = NDArray[np.float64]
 
 SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
@@ -91,7 +84,7 @@ class Search:
             view = self.view(knowledge)
             groups = self.groups(self._reader.forms(knowledge))
             offered = [step for group in groups for step in self._steps(group, view)]
-            found = _without_needless_silence(offered, view)
+            found = without_needless_silence(offered, view)
             found.sort(key=lambda step: (step.roots, step.penalty))
             self._offers[knowledge.state] = tuple(found)
         return self._offers[knowledge.state]
@@ -166,69 +159,3 @@ def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
         id(equation): sum(1 << numbers.setdefault(line, len(numbers)) for line in equation.lines)
         for equation in equations
     }
-
-
-def _without_needless_silence(steps: list[Step], view: View) -> list[Step]:
-    """Without X s + Y c = Z whose X and Y may vanish where constant factors say the same.
-
-    That is so where X or Y is zero in both, and where the equation is a multiple of the constant
-    one, be it for another angle, by a factor that varies.
-    """
-    angles = [step for step in steps if step.kind is Kind.ANGLE]
-    sure = [step for step in angles if all(map(view.is_constant, _factors(step)))]
-    told = set(map(id, sure))
-    doubtful = [step for step in angles if id(step) not in told]
-    if not sure or not doubtful:
-        return steps
-    known = [_place(step, view) for step in sure]
-    places, squares = (np.stack(each) for each in zip(*known, strict=True))
-    silent = {
-        id(step)
-        for step in doubtful
-        if any(_are_single(step, other) for other in sure)
-        or _is_multiple(*_place(step, view), places, squares)
-    }
-    return [step for step in steps if id(step) not in silent]
-
-
-def _factors(step: Step) -> tuple[Polynomial, Polynomial]:
-    return step.coefficient("X"), step.coefficient("Y")
-
-
-def _are_single(step: Step, other: Step) -> bool:
-    """Whether both hold the sine or the cosine of one angle alone."""
-    alone = not all(_factors(step)) and not all(_factors(other))
-    return alone and step.unknowns == other.unknowns
-
-
-def _is_multiple(place: Values, square: Values, places: Values, squares: Values) -> bool:
-    """Whether an equation of type 2 differs from one of others by a factor that varies.
-
-    Then the solution is as far from the direction of (X, Y) in both, whatever their angles are.
-    The others are in rows.
-    """
-    factors = (square / squares)[:, OWN_LENGTHS]
-    varies = np.ptp(factors, axis=1) > VANISHING * np.max(factors, axis=1)
-    same = np.max(np.abs(places - place), axis=1) <= VANISHING
-    return bool(np.any(varies & same))
-
-
-def _place(step: Step, view: View) -> tuple[Values, Values]:
-    """(X c - Y s)^2 / (X^2 + Y^2), and its divisor, on the witnesses."""
-    (angle,) = step.unknowns
-    assert isinstance(angle, AngleSum)
-    algebra, on = view.knowledge.runs.algebra, view.witnesses.evaluate
-    x, y = map(on, _factors(step))
-    c, s = (on(algebra.generator(name)) for name in (angle.cosine, angle.sine))
-    square = x * x + y * y
-    return (x * c - y * s) ** 2 / square, square
-
-
-def learn(knowledge: Knowledge, step: Step) -> Knowledge:
-    """The state after a step."""
-    for unknown in step.unknowns:
-        if isinstance(unknown, AngleSum):
-            knowledge = knowledge.with_angle(unknown)
-        else:
-            knowledge = knowledge.with_slide(unknown.joint)
-    return knowledge

@@ -13,15 +13,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES, AngleSum
+from dhgen.kinematics.ring import substitute
 from dhgen.kinematics.transform import compose
 from dhgen.paul.equation import MOMENT, Equation, Origin, merged
 from dhgen.paul.form_reader import FormReader
-from dhgen.kinematics.ring import substitute
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import mixed_forms, right_inverse
 from dhgen.paul.problem import Withheld
-from dhgen.paul.search import learn
-from dhgen.paul.step import Kind, View
+from dhgen.paul.step import Kind, View, learn
 from dhgen.paul.types.angle import Angle
 from dhgen.paul.witness import build_witnesses
 from dhgen.paul.zeros import outlasts

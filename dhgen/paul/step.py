@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, Protocol
 
+from dhgen.kinematics.algebra import AngleSum
 from dhgen.paul.equation import common_origins
 from dhgen.paul.witness import RANDOM_LENGTHS
 
@@ -110,6 +111,16 @@ class Step:
 
 def _worked_out(value: Polynomial | Products) -> Polynomial:
     return value.polynomial if isinstance(value, Products) else value
+
+
+def learn(knowledge: Knowledge, step: Step) -> Knowledge:
+    """The state after a step."""
+    for unknown in step.unknowns:
+        if isinstance(unknown, AngleSum):
+            knowledge = knowledge.with_angle(unknown)
+        else:
+            knowledge = knowledge.with_slide(unknown.joint)
+    return knowledge
 
 
 @dataclass(frozen=True, slots=True)

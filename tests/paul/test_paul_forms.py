@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dhgen.kinematics.algebra import AngleSum
-from dhgen.paul.form_reader import FormReader
 from dhgen.paul.form import Length
+from dhgen.paul.form_reader import FormReader
 from dhgen.paul.knowledge import Knowledge, initial_knowledge
-from dhgen.paul.search import learn
+from dhgen.paul.step import learn
 from tests.kinematics.values import algebra_of, joint_values, number, table
 from tests.paul.arms import derivation, random_values
 from tests.robots.cases import NAMES, robot

@@ -15,8 +15,8 @@ from dhgen.paul.inverse_forms import with_inverse_forms
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.pool import build_pool
 from dhgen.paul.problem import build_problem
-from dhgen.paul.search import Search, learn
-from dhgen.paul.step import Kind, Step
+from dhgen.paul.search import Search
+from dhgen.paul.step import Kind, Step, learn
 from dhgen.paul.types import QUARTIC
 from dhgen.paul.witness import OWN_LENGTHS, build_witnesses
 from dhgen.robot.load import load

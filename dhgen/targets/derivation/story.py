@@ -11,8 +11,7 @@ from dhgen.kinematics.ring import content, primitive
 from dhgen.paul.branches import branch_labels
 from dhgen.paul.knowledge import initial_knowledge
 from dhgen.paul.mixed_forms import right_inverse
-from dhgen.paul.search import learn
-from dhgen.paul.step import Kind
+from dhgen.paul.step import Kind, learn
 from dhgen.targets.derivation.geometry import wrist_joints
 from dhgen.targets.derivation.notation.matrices import form_of
 from dhgen.targets.derivation.notation.names import branch_sign, joint_index, letter, symbols
