@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.targets.derivation.notation.elements import element_of
 from dhgen.targets.derivation.notation.names import unknown_symbol
-from dhgen.targets.derivation.text.style import PLAIN, show
+from dhgen.targets.derivation.text.show import show
+from dhgen.targets.derivation.text.style import PLAIN
 from dhgen.targets.derivation.text.words import counted
 
 if TYPE_CHECKING:

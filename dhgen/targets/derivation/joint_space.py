@@ -16,7 +16,8 @@ from dhgen.targets.derivation.effects import open_joints
 from dhgen.targets.derivation.notation.names import single, theta
 from dhgen.targets.derivation.text.blocks import Given, say
 from dhgen.targets.derivation.text.formula import ZERO, Symbol, equal
-from dhgen.targets.derivation.text.style import PLAIN, show
+from dhgen.targets.derivation.text.show import show
+from dhgen.targets.derivation.text.style import PLAIN
 from dhgen.targets.derivation.text.walk import leads_negative
 
 if TYPE_CHECKING:

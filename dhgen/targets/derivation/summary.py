@@ -11,7 +11,8 @@ from dhgen.targets.derivation.sections.general_loop import joint_symbol
 from dhgen.targets.derivation.steps import quoted
 from dhgen.targets.derivation.text.blocks import Prose
 from dhgen.targets.derivation.text.plain import words
-from dhgen.targets.derivation.text.style import PLAIN, show
+from dhgen.targets.derivation.text.show import show
+from dhgen.targets.derivation.text.style import PLAIN
 from dhgen.targets.derivation.text.words import counted
 
 if TYPE_CHECKING:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from dhgen.paul.equation import MOMENT
 from dhgen.targets.derivation.notation.matrices import left_name
 from dhgen.targets.derivation.text.formula import Element, Formula, Symbol
-from dhgen.targets.derivation.text.style import LATEX, PLAIN, show
+from dhgen.targets.derivation.text.show import show
+from dhgen.targets.derivation.text.style import LATEX, PLAIN
 
 if TYPE_CHECKING:
     from dhgen.paul.equation import Origin

@@ -12,7 +12,8 @@ from dhgen.targets.derivation.text.blocks import (
     say,
 )
 from dhgen.targets.derivation.text.formula import Symbol, equal
-from dhgen.targets.derivation.text.style import LATEX, PLAIN, show
+from dhgen.targets.derivation.text.show import show
+from dhgen.targets.derivation.text.style import LATEX, PLAIN
 from dhgen.targets.derivation.text.words import many
 
 if TYPE_CHECKING:

@@ -16,7 +16,8 @@ from dhgen.targets.derivation.text.formula import (
     Relation,
     Sum,
 )
-from dhgen.targets.derivation.text.style import PLAIN, is_tall, show, signed_terms
+from dhgen.targets.derivation.text.show import is_tall, show, signed_terms
+from dhgen.targets.derivation.text.style import PLAIN
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.text.formula import Formula

@@ -20,7 +20,8 @@ from dhgen.targets.derivation.text.blocks import (
 )
 from dhgen.targets.derivation.text.formula import Listing, Matrix, Product, Relation
 from dhgen.targets.derivation.text.lines import broken, laid_out
-from dhgen.targets.derivation.text.style import LATEX, show
+from dhgen.targets.derivation.text.show import show
+from dhgen.targets.derivation.text.style import LATEX
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Block

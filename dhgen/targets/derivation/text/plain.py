@@ -16,7 +16,8 @@ from dhgen.targets.derivation.text.blocks import (
 )
 from dhgen.targets.derivation.text.formula import Listing, Matrix, Product, Relation
 from dhgen.targets.derivation.text.lines import laid_out
-from dhgen.targets.derivation.text.style import PLAIN, show, show_entry
+from dhgen.targets.derivation.text.show import show, show_entry
+from dhgen.targets.derivation.text.style import PLAIN
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.text.blocks import Block
