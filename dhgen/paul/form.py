@@ -73,6 +73,14 @@ class Form:
                 return first, second
         return None
 
+    @property
+    def two_lengths(self) -> tuple[Length, Length] | None:
+        """The unknowns, when they are two lengths."""
+        match self.unknowns:
+            case (Length() as first, Length() as second):
+                return first, second
+        return None
+
     def coefficient(self, *names: str) -> Polynomial:
         """The coefficient of a monomial, zero if it does not occur."""
         found = self.terms.get(names if len(names) < 2 else tuple(sorted(names)))

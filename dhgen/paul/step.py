@@ -43,6 +43,7 @@ class Kind(Enum):
     ANGLE_AND_SUM = 8  # X c_i + Y c_{i+k} = Z1, X s_i + Y s_{i+k} = Z2
     CIRCLE = 9  # beyond the table: two equations linear in two angles, a quartic
     SQUARED_LENGTH = 10  # X r^2 + Y r = Z
+    TWO_LENGTHS = 11  # beyond the table: two equations linear in two lengths
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +73,7 @@ class Step:
 
     Attributes:
         kind: The type of the equations.
-        unknowns: What becomes known: one angle sum or length, or both (types 4 and 5).
+        unknowns: What becomes known: one angle sum or length, both (types 4 and 5), or two lengths.
         forms: The equations as they look at this point.
         letters: The type's letters and what they are here, in the type's order.
         roots: How many values the step gives.

@@ -25,10 +25,12 @@ ALL_WHOLE = [
 WITH_STEPS = sorted({path.stem for path in ROBOTS.glob("*.yaml")} - set(ALL_WHOLE))
 WHOLE = sorted(CHOSEN.intersection(ALL_WHOLE))
 NAMES = sorted(CHOSEN.intersection(WITH_STEPS))
-# What no arm of robots/ needs: type 10, and type 3 with a second equation that is stretched.
+# What no arm of robots/ needs: types 10 and 11, and type 3 with a second equation that is
+# stretched.
 OWN = {
     "tilted_slide": Path(__file__).parent,
     "upright_shoulder": Path(__file__).parents[1] / "targets/robots",
+    "coupled_slides": Path(__file__).parents[1] / "targets/robots",
 }
 
 

@@ -15,6 +15,7 @@ from dhgen.paul.types.length import SingleLength
 from dhgen.paul.types.polar import Polar
 from dhgen.paul.types.squared_length import SquaredLength
 from dhgen.paul.types.two_angles import TwoAngles
+from dhgen.paul.types.two_lengths import TwoLengths, determinant
 from tests.kinematics.values import table
 from tests.paul.arms import Bench
 
@@ -33,8 +34,20 @@ BENCH = Bench(
     )
 )
 g = BENCH.names
+SLIDES = Bench(
+    table(
+        "theta: q, alpha: pi/2",
+        "theta: 0, d: q, alpha: pi/2",
+        "theta: q, a: a3, alpha: pi/2",
+        "theta: 0, d: q, alpha: pi/2",
+        "theta: q",
+        parameters="{a3: 0.5}",
+    )
+)
+g2 = SLIDES.names
 # zero on every solution, though no normal form shows it: columns of a rotation
 NOTHING = g.t11**2 + g.t21**2 + g.t31**2 - 1
+NOTHING_2 = g2.t11**2 + g2.t21**2 + g2.t31**2 - 1
 NOUGHT = g.t11 * g.t12 + g.t21 * g.t22 + g.t31 * g.t32
 
 
@@ -260,3 +273,35 @@ def test_types_of_pairs_give_no_step_for_what_they_cannot_read(
     forms = BENCH.forms(g.c1 * g.c5 - g.r3, g.s1 * g.c5 - g.c4)
     assert equation_type.why_not(forms, BENCH.view) is not None
     assert list(equation_type.steps(forms, BENCH.view)) == []
+
+
+def test_type_11_is_linear_in_two_lengths() -> None:
+    first = g2.t11 * g2.r2 + g2.t12 * g2.r4 - g2.t14
+    second = g2.r2 - 2 * g2.r4 + g2.t24
+    (step,) = SLIDES.steps(TwoLengths(), first, second)
+    assert dict(step.coefficients) == {
+        "X1": g2.t11,
+        "Y1": g2.t12,
+        "Z1": g2.t14,
+        "X2": 1,
+        "Y2": -2,
+        "Z2": -g2.t24,
+    }
+    assert [unknown_name(unknown) for unknown in step.unknowns] == ["r2", "r4"]
+    assert determinant(step, SLIDES.algebra) == -2 * g2.t11 - g2.t12
+    assert step.roots == 1
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "reason"),
+    [
+        (g2.r2 + g2.r4 - 1, g2.r2 - 1, "the unknowns are not two lengths"),
+        (g2.r2 + g2.r4 - 1, g2.r2 + g2.c5, "the unknowns are not two lengths"),
+        (g2.r2**2 + g2.r4 - 1, g2.r2 - g2.r4, "a length occurs in a higher power"),
+        (g2.r2 * g2.r4 - 1, g2.r2 - g2.r4, "a length occurs in a higher power"),
+        (g2.r2 + g2.r4 - 1, g2.t11 * (g2.r2 + g2.r4) - 2, "the determinant vanishes"),
+        (g2.r2 + (1 + NOTHING_2) * g2.r4 - 1, g2.r2 + g2.r4 - 2, "the determinant vanishes"),
+    ],
+)
+def test_type_11_refuses(first: Polynomial, second: Polynomial, reason: str) -> None:
+    assert SLIDES.why_not(TwoLengths(), first, second) == reason

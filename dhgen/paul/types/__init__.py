@@ -1,6 +1,6 @@
 """The equation types, one module each, in the order in which they are tried.
 
-`CLOSED` are the types of the books and one more, with roots of squares only; `QUARTIC` adds type 9,
+`CLOSED` are the types of the books and two more, with roots of squares only; `QUARTIC` adds type 9,
 for arms that `CLOSED` does not solve.
 """
 
@@ -16,6 +16,7 @@ from dhgen.paul.types.length import SingleLength
 from dhgen.paul.types.polar import Polar
 from dhgen.paul.types.squared_length import SquaredLength
 from dhgen.paul.types.two_angles import TwoAngles
+from dhgen.paul.types.two_lengths import TwoLengths
 
 if TYPE_CHECKING:
     from dhgen.paul.step import EquationType
@@ -28,5 +29,6 @@ CLOSED: tuple[EquationType, ...] = (
     AngleAndLength(),
     TwoAngles(),
     SquaredLength(),
+    TwoLengths(),
 )
 QUARTIC: tuple[EquationType, ...] = (*CLOSED, Circle())

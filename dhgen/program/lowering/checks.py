@@ -15,6 +15,7 @@ from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
+from dhgen.paul.types.two_lengths import determinant
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Roots
@@ -85,14 +86,20 @@ def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) ->
     """Whether there are poses of few digits that those which are tried don't show.
 
     Roots that nearly meet are good to few digits, and so is what a slide from its square points to
-    where it is drawn in. A twist beside a right angle fixes by little what that would leave free.
-    Where not every value of a free joint serves, one beside those that do nearly does.
+    where it is drawn in, and so are slides that nearly move in one plane. A twist beside a right
+    angle fixes by little what that would leave free. Where not every value of a free joint serves,
+    one beside those that do nearly does.
     """
     rooted = any(isinstance(statement, Roots) for statement in program.body)
     drawn_in = any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
-    constants = derivation.problem.algebra.chain.constants
+    algebra = derivation.problem.algebra
+    coupled = any(
+        step.kind is Kind.TWO_LENGTHS and not algebra.is_constant(determinant(step, algebra))
+        for step in derivation.steps
+    )
+    constants = algebra.chain.constants
     slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in constants)
-    return rooted or drawn_in or slight or checks.again
+    return rooted or drawn_in or coupled or slight or checks.again
 
 
 def _everywhere(chain: Chain) -> FloatArray:

@@ -273,7 +273,14 @@ class SignedArithmetic:
             return float(entry.value), float(entry.value)
         if self._builder.is_sign(node):
             return -1.0, 1.0
-        parts = [self._range(operand) for operand in entry.operands]
+        if entry.operator not in {"neg", "add", "sub", "mul"}:
+            return None
+        parts = []
+        for operand in entry.operands:
+            part = self._range(operand)
+            if part is None:  # most are numbers, not angles: the first one tells
+                return None
+            parts.append(part)
         match entry.operator, parts:
             case "neg", [(low, high)]:
                 return -high, -low

@@ -31,7 +31,10 @@ def free_effect(context: StepContext) -> Prose:
     joints = open_joints(context)
     symbols = joined([say("{}", joint_symbol(joint)) for joint in joints])
     value, taking = "{} takes the seed's value (0 without a seed)", [symbols]
-    if len(joints) > 1:
+    on_a_line = context.step.kind is Kind.TWO_LENGTHS
+    if on_a_line:
+        value = "{} take the values on that line nearest to the seed's (each 0 without a seed)"
+    elif len(joints) > 1:
         value = "{} takes the value that the seed's {} give it (each 0 without a seed)"
         taking = [say("{}", theta(context.angle)), symbols]
     troubles = ["leads to no solution"] if _decides(context, joints) else []
@@ -40,7 +43,7 @@ def free_effect(context: StepContext) -> Prose:
     if troubles:
         value += f" or, where that {' or '.join(troubles)}, the nearest value that works"
     parts = [say(value, *taking)]
-    if len(joints) > 1:
+    if len(joints) > 1 and not on_a_line:
         parts.append(say("the joints themselves follow from it"))
     if context.step.roots == 2:
         parts.append(say("the rows with {} stay empty", equal(context.sign, minus(ONE))))
@@ -61,9 +64,9 @@ def _decides(context: StepContext, joints: list[int]) -> bool:
 
 
 def open_joints(context: StepContext) -> list[int]:
-    """The joints of the step's angle that no earlier step has given; or the slide itself."""
-    (unknown, *_) = context.step.unknowns
-    if isinstance(unknown, Length):
-        return [unknown.joint]
+    """The joints of the step's angle that no earlier step has given; or the slides themselves."""
+    slides = [each.joint for each in context.step.unknowns if isinstance(each, Length)]
+    if len(slides) == len(context.step.unknowns):
+        return slides
     before = context.story.knowledge[context.number - 1]
     return [joint for joint, _ in context.angle.terms if not before.knows(single(joint))]

@@ -18,6 +18,7 @@ from dhgen.program.lowering.types.length import lower_length
 from dhgen.program.lowering.types.polar import lower_polar
 from dhgen.program.lowering.types.squared_length import lower_squared_length
 from dhgen.program.lowering.types.two_angles import lower_two_angles
+from dhgen.program.lowering.types.two_lengths import lower_two_lengths
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -36,4 +37,5 @@ KERNELS: dict[Kind, Callable[[Lowering, Step], None]] = {
     Kind.ANGLE_AND_SUM: lower_two_angles,
     Kind.CIRCLE: lower_circle,
     Kind.SQUARED_LENGTH: lower_squared_length,
+    Kind.TWO_LENGTHS: lower_two_lengths,
 }

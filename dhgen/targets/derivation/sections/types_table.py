@@ -44,9 +44,13 @@ _FORMS = {
         Symbol("X_2 s_i + Y_2 c_i + V_2 s_j + W_2 c_j = Z_2", "X₂ sᵢ + Y₂ cᵢ + V₂ sⱼ + W₂ cⱼ = Z₂"),
     ),
     Kind.SQUARED_LENGTH: (Symbol("X r^2 + Y r = Z", "X r² + Y r = Z"),),
+    Kind.TWO_LENGTHS: (
+        Symbol("X_1 r_i + Y_1 r_j = Z_1", "X₁ rᵢ + Y₁ rⱼ = Z₁"),
+        Symbol("X_2 r_i + Y_2 r_j = Z_2", "X₂ rᵢ + Y₂ rⱼ = Z₂"),
+    ),
 }
 
-_BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH}
+_BEYOND = {Kind.CIRCLE, Kind.SQUARED_LENGTH, Kind.TWO_LENGTHS}
 
 
 def types_table(story: Story) -> list[Block]:

@@ -13,6 +13,7 @@ from dhgen.targets.derivation.types.length import print_length
 from dhgen.targets.derivation.types.polar import print_polar
 from dhgen.targets.derivation.types.squared_length import print_squared_length
 from dhgen.targets.derivation.types.two_angles import print_two_angles
+from dhgen.targets.derivation.types.two_lengths import print_two_lengths
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -30,4 +31,5 @@ PRINTERS: dict[Kind, Callable[[StepContext], StepText]] = {
     Kind.ANGLE_AND_SUM: print_two_angles,
     Kind.CIRCLE: print_circle,
     Kind.SQUARED_LENGTH: print_squared_length,
+    Kind.TWO_LENGTHS: print_two_lengths,
 }
