@@ -145,6 +145,10 @@ class View:
         sizes = [abs(self.witnesses.evaluate(each)[RANDOM_LENGTHS]).max() for each in factors]
         return float(max(sizes)) < NOTHING * unit
 
+    def normal(self, polynomial: Polynomial) -> Polynomial:
+        """The normal form."""
+        return self.knowledge.runs.algebra.normal(polynomial)
+
     def products(self, *terms: tuple[int, Polynomial, Polynomial]) -> Products:
         """The sum of n f g, to be multiplied out when it is wanted."""
         return Products(terms, self.knowledge.runs.algebra.normal)

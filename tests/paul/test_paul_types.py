@@ -12,6 +12,7 @@ from dhgen.paul.types.angle import Angle
 from dhgen.paul.types.angle_and_length import AngleAndLength
 from dhgen.paul.types.angle_pair import MAY_VANISH_REASON, AnglePair
 from dhgen.paul.types.length import SingleLength
+from dhgen.paul.types.length_on_a_line import LengthOnALine, line_of
 from dhgen.paul.types.polar import Polar
 from dhgen.paul.types.squared_length import SquaredLength
 from dhgen.paul.types.two_angles import TwoAngles
@@ -305,3 +306,44 @@ def test_type_11_is_linear_in_two_lengths() -> None:
 )
 def test_type_11_refuses(first: Polynomial, second: Polynomial, reason: str) -> None:
     assert SLIDES.why_not(TwoLengths(), first, second) == reason
+
+
+def test_type_10_of_two_lengths_puts_a_line_into_a_squared_length() -> None:
+    line = 2 * g2.r2 + g2.r4 - g2.t34
+    square = g2.r2**2 + g2.r4**2 - g2.t14
+    gone, kept = SLIDES.steps(LengthOnALine(), line, square)
+    assert [unknown_name(unknown) for step in (gone, kept) for unknown in step.unknowns] == [
+        "r4",
+        "r2",
+    ]
+    # r2 = (t34 - r4) / 2, times 4
+    assert dict(gone.coefficients) == {
+        "X": 5,
+        "Y": -2 * g2.t34,
+        "Z": 4 * g2.t14 - g2.t34**2,
+    }
+    other, (v, w, z) = line_of(gone)
+    assert (other.name, v, w, z) == ("r2", 2, 1, g2.t34)
+    assert gone.roots == 2
+
+
+def test_squares_that_cancel_leave_type_1() -> None:
+    line = g2.r2 + g2.r4 - g2.t24
+    square = g2.r2**2 - g2.r4**2 - g2.t14
+    first, _ = SLIDES.steps(LengthOnALine(), line, square)
+    assert first.kind is Kind.LENGTH
+    assert dict(first.coefficients) == {"X": -2 * g2.t24, "Y": g2.t14 - g2.t24**2}
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "reason"),
+    [
+        (g2.r2 - 1, g2.r2**2 + g2.r4**2 - 1, "the unknowns are not two lengths"),
+        (g2.r2 + g2.r4**2, g2.r2**2 + g2.r4**2 - 1, "the first equation is not linear"),
+        (g2.r2 + g2.r4, g2.r2 - g2.r4 - g2.t14, "the second equation is not quadratic"),
+        (g2.r2 + g2.r4, g2.r2**3 - g2.r4, "the second equation is not quadratic"),
+        (g2.t11 * g2.r2 + g2.t12 * g2.r4, g2.r2**2 + g2.r4**2 - 1, "X or V may vanish"),
+    ],
+)
+def test_type_10_of_two_lengths_refuses(first: Polynomial, second: Polynomial, reason: str) -> None:
+    assert SLIDES.why_not(LengthOnALine(), first, second) == reason

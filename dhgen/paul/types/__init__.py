@@ -13,6 +13,7 @@ from dhgen.paul.types.angle_and_length import AngleAndLength
 from dhgen.paul.types.angle_pair import AnglePair
 from dhgen.paul.types.circle import Circle
 from dhgen.paul.types.length import SingleLength
+from dhgen.paul.types.length_on_a_line import LengthOnALine
 from dhgen.paul.types.polar import Polar
 from dhgen.paul.types.squared_length import SquaredLength
 from dhgen.paul.types.two_angles import TwoAngles
@@ -29,6 +30,7 @@ CLOSED: tuple[EquationType, ...] = (
     AngleAndLength(),
     TwoAngles(),
     SquaredLength(),
+    LengthOnALine(),
     TwoLengths(),
 )
 QUARTIC: tuple[EquationType, ...] = (*CLOSED, Circle())

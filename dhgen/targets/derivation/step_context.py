@@ -118,6 +118,8 @@ class StepContext:
         facings = [quote.facing for quote in self.quotes]
         if len(facings) == 1:
             return facings[0]
+        if not name[1:2].isdigit():
+            return 1  # of what both equations become
         if self.step.kind in _VECTOR_KINDS and name not in {"Z1", "Z2"}:
             return 1
         return facings[int(name[1]) - 1]  # X1, Z2, P1c: the equation's number comes second

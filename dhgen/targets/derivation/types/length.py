@@ -8,6 +8,7 @@ from dhgen.targets.derivation.effects import free_effect
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
 from dhgen.targets.derivation.text.formula import ZERO, equal, over, times
+from dhgen.targets.derivation.types.line import put_in
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import StepContext
@@ -19,7 +20,8 @@ X, Y = type_letter("X"), type_letter("Y")
 def print_length(context: StepContext) -> StepText:
     """r = Y / X."""
     r = context.unknown
-    if context.is_number("X"):
+    one = len(context.step.forms) == 1
+    if one and context.is_number("X"):
         (quote,) = context.quotes
         x = context.value("X")
         full = over(context.story.write(context.polynomial("Y")), x)
@@ -28,8 +30,10 @@ def print_length(context: StepContext) -> StepText:
         if solved == quoted:
             return StepText((paragraph("Here the unknown already stands alone."),))
         return StepText((display(solved),))
+    left = times(X, r)
+    given = [paragraph("This is {} with", equal(left, Y))] if one else put_in(context, left, Y)
     blocks: list[Block] = [
-        paragraph("This is {} with", equal(times(X, r), Y)),
+        *given,
         display(context.definition("X"), context.definition("Y")),
         display(equal(r, over(Y, X))),
     ]

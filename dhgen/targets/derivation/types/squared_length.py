@@ -20,30 +20,35 @@ from dhgen.targets.derivation.text.formula import (
     subtract,
     times,
 )
+from dhgen.targets.derivation.types.line import put_in
 
 if TYPE_CHECKING:
     from dhgen.targets.derivation.step_context import StepContext
 
 X, Y, Z = (type_letter(name) for name in "XYZ")
 D = letter("D", "D")
+NEARER = "the point is nearer than the slide can come"
+NEAREST = "the slide stands where it comes nearest to the other end of that length"
+APART = "no two lengths fulfil both equations"
+TOUCHING = "the line that the first equation is touches the curve that the second is"
 
 
 def print_squared_length(context: StepContext) -> StepText:
     """A quadratic equation in r."""
-    r = context.unknown
+    r, one = context.unknown, len(context.step.forms) == 1
     half = over(Y, times(number(2), X))
     met = Singularity(
         context.number,
         equal(D, ZERO),
         None,
-        say("the slide stands where it comes nearest to the other end of that length"),
+        say(NEAREST if one else TOUCHING),
         merged_effect(context),
     )
+    left = add(times(X, square(r)), times(Y, r))
+    told = "The squared length of a vector is {}, a quadratic equation, with"
+    given = [paragraph(told, equal(left, Z))] if one else put_in(context, left, Z)
     blocks = (
-        paragraph(
-            "The squared length of a vector is {}, a quadratic equation, with",
-            equal(add(times(X, square(r)), times(Y, r)), Z),
-        ),
+        *given,
         display(context.definition("X"), context.definition("Y"), context.definition("Z")),
         paragraph("Its roots:"),
         display(
@@ -51,8 +56,8 @@ def print_squared_length(context: StepContext) -> StepText:
             equal(r, subtract(times(context.sign, root(D)), half)),
         ),
         paragraph(
-            "No solution when {}: the point is nearer than the slide can come. The two solutions "
-            "meet when {}: {}. Then {}.",
+            f"No solution when {{}}: {NEARER if one else APART}. The two solutions meet when {{}}: "
+            "{}. Then {}.",
             relation(D, "<", ZERO),
             met.condition,
             met.meaning,
