@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.kinematics.chain import Turn
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.chain import Turn, parallel_groups
 from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import used_places
 from dhgen.kinematics.transform import identity
@@ -19,6 +20,7 @@ from dhgen.targets.derivation.text.formula import ZERO, Symbol, equal
 from dhgen.targets.derivation.text.show import show
 from dhgen.targets.derivation.text.style import PLAIN
 from dhgen.targets.derivation.text.walk import leads_negative
+from dhgen.targets.derivation.text.words import joined
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
@@ -85,11 +87,7 @@ def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
     """What the arm looks like where an angle of type 2 with Z = 0 is free."""
     parallel = _parallel_around(context.story.algebra, joints)
     if parallel is not None:
-        first, last = parallel
-        return say(
-            f"axes {first} and {last} are parallel, and only the sum or the difference of their "
-            "angles is determined"
-        )
+        return _sum_that_is_left(context.story.algebra, *parallel)
     works = "every {} works"
     if _is_left_to_the_pose(context):
         works = (
@@ -100,6 +98,22 @@ def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
         text = "{} lies on axis 1, and " + works
         return say(text, point_name(context), theta(context.angle))
     return say(works, theta(context.angle))
+
+
+def _sum_that_is_left(algebra: Algebra, before: int, behind: int) -> Prose:
+    """What is still known of the angles about two axes that are parallel, and those beside them."""
+    runs = [
+        next(run for run in parallel_groups(algebra.chain) if joint in {each for each, _ in run})
+        for joint in (before, behind)
+    ]
+    axes = f"axes {joined([str(joint) for run in runs for joint, _ in run])} are parallel"
+    if all(len(run) == 1 for run in runs):
+        return say(f"{axes}, and only the sum or the difference of their angles is determined")
+    angles = [theta(AngleSum(run)) for run in runs]
+    return say(
+        f"{axes}, and the orientation tells only the sum or the difference of {{}} and {{}}",
+        *angles,
+    )
 
 
 def meaning_of_root(context: StepContext) -> Prose:

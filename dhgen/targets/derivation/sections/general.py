@@ -9,6 +9,7 @@ from dhgen.paul.refusal import near_structure
 from dhgen.targets.derivation.sections.four_turns import four_turns
 from dhgen.targets.derivation.sections.general_loop import (
     joint_symbol,
+    loop_from_the_hidden_joint,
     loop_letters,
     loop_that_closes,
 )
@@ -62,7 +63,7 @@ def general_section(kernel: GeneralKernel, chain: Chain, unit: str) -> list[Bloc
 
 def _why(kernel: GeneralKernel) -> str:
     """Why the joints do not come one after the other, and what finds them."""
-    kinds = "1 to 10" if kernel.eliminations and not kernel.pointing else "1 to 8 and 10"
+    kinds = "1 to 11" if kernel.eliminations and not kernel.pointing else "1 to 8, 10 and 11"
     steps = f"no order of equations of the types {kinds} gives the joints one after the other."
     if kernel.eliminations:
         beginning = steps.capitalize() if kernel.pointing else f"{UNRELATED}, and {steps}"
@@ -102,19 +103,24 @@ def _given(kernel: GeneralKernel) -> str:
 
 def _elimination(kernel: GeneralKernel) -> list[Block]:
     first = kernel.first
-    hidden, one, two = (joint_symbol(kernel, first.joints[place]) for place in (0, 1, 2))
+    hidden, one, two, idle, *others = (joint_symbol(kernel, place) for place in first.joints)
     degree = "quadratic in" if kernel.hides_a_slide else "linear in cos and sin of"
     return [
         Paragraph(
             say(
                 "The loop is written with three joints, {}, {} and {}, on the left and the others "
-                "on the right. Let l and p be the third and fourth columns of a side. The fourteen "
-                "numbers in",
+                "on the right:",
                 hidden,
                 one,
                 two,
             ),
             say("1. Fourteen equations."),
+        ),
+        Display((loop_from_the_hidden_joint(kernel),)),
+        paragraph(
+            "Let l and p be the third and fourth columns of a side; {} moves neither. The fourteen "
+            "numbers in",
+            idle,
         ),
         Display(
             (
@@ -127,12 +133,13 @@ def _elimination(kernel: GeneralKernel) -> list[Block]:
         ),
         paragraph(
             "are the same on both sides. On the left they are linear in nine monomials of {} and "
-            f"{{}}, with coefficients {degree} {{}}; on the right one joint does not "
-            "occur at all, and they are linear in eight monomials of the other two. "
-            "Eliminating these eight leaves six equations in the three joints on the left.",
+            f"{{}}, with coefficients {degree} {{}}; on the right they are linear in eight "
+            "monomials of {} and {}. Eliminating these eight leaves six equations in the three "
+            "joints on the left.",
             one,
             two,
             hidden,
+            *others,
         ),
         *([_right_slide(kernel)] if kernel.slides_on_the_right else []),
     ]

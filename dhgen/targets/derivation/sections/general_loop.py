@@ -8,6 +8,7 @@ from dhgen.targets.derivation.text.blocks import paragraph
 from dhgen.targets.derivation.text.formula import Symbol
 
 if TYPE_CHECKING:
+    from dhgen.general.formulation import Formulation
     from dhgen.general.kernel import GeneralKernel
     from dhgen.targets.derivation.text.blocks import Block
 
@@ -42,6 +43,39 @@ def _motion(kernel: GeneralKernel, place: int) -> Symbol:
     if place in kernel.loop.slides:
         return Symbol(f"T_z(r_{number})", f"Tz(r{number})")
     return Symbol(rf"R_z(\theta_{number})", f"Rz(θ{number})")
+
+
+def loop_from_the_hidden_joint(kernel: GeneralKernel) -> Symbol:
+    """The loop with three joints on the left, the hidden one first, and three on the right."""
+    first = kernel.first
+    turns = [_moved(kernel, joint, first.sign) for joint in first.joints]
+    back = [_moved(kernel, joint, -first.sign) for joint in first.joints]
+    links = [_link(first, joint) for joint in first.joints]
+    undone = [_link(first, joint, undone=True) for joint in first.joints]
+    left = [links[5], turns[0], links[0], turns[1], links[1], turns[2], links[2]]
+    right = [back[5], undone[4], back[4], undone[3], back[3]]
+    sides = left, right
+    return Symbol(
+        " = ".join(r"\,".join(each.latex for each in side) for side in sides),
+        " = ".join(" ".join(each.text for each in side) for side in sides),
+    )
+
+
+def _link(first: Formulation, joint: int, *, undone: bool = False) -> Symbol:
+    """What stands behind a joint, in the direction in which the loop is read; or its inverse."""
+    if first.sign > 0:
+        name, inverse = (f"K_{joint}", undone) if joint < 5 else ("P", not undone)
+    else:
+        name, inverse = (f"K_{joint - 1}", not undone) if joint > 0 else ("P", undone)
+    return Symbol(name + "^{-1}" * inverse, name.replace("_", "") + "⁻¹" * inverse)
+
+
+def _moved(kernel: GeneralKernel, place: int, sign: int) -> Symbol:
+    """The motion of a joint, or back."""
+    motion = _motion(kernel, place)
+    if sign > 0:
+        return motion
+    return Symbol(motion.latex.replace("(", "(-"), motion.text.replace("(", "(−"))
 
 
 def joint_symbol(kernel: GeneralKernel, place: int) -> Symbol:

@@ -47,7 +47,7 @@ def _points(plane: ArmPlane) -> Block:
         "shoulder. With the pose given, the elbow can still move on a circle about the line from "
         "{} to {}, and the arm angle {} says where it is"
     )
-    s, w, e = (Symbol(name, name) for name in "SWE")
+    s, w, e = (Symbol(name, name) for name in "SWM")  # E is the tool
     frames = [Given(str(number)) for number in (plane.shoulder_frame, plane.wrist_frame)]
     source = say(" ({}).", Given(SOURCE))
     prose = say(f"{text}{{}}", s, frames[0], w, frames[1], e, s, w, PSI, source)
