@@ -611,9 +611,10 @@ static void solve(
     const double v26 = ca1 * T23, v27 = ca1 * T13, v28 = T33 * sa1, v32 = T23 * sa1,
         v33 = sa1 * T13, v34 = T33 * ca1;
 
-    /* theta6, type 3: U1[3, 1] and U1[3, 2] */
-    const double v46 = T21 * sa1, v47 = sa1 * T11, v48 = T31 * ca1, v49 = T22 * sa1,
-        v50 = sa1 * T12, v51 = T32 * ca1;
+    /* theta6, type 3: U4[3, 2] and U4[3, 1] */
+    const double v38 = ca1 * T22, v39 = ca1 * T12, v40 = T32 * sa1, v45 = T22 * sa1,
+        v46 = sa1 * T12, v47 = T32 * ca1, v51 = ca1 * T21, v52 = ca1 * T11, v53 = T31 * sa1,
+        v58 = T21 * sa1, v59 = sa1 * T11, v60 = T31 * ca1;
 
     for (int i1 = 0; i1 < 4; i1++) { /* root1, root2, root3, root4 */
         const double x1 = x1_roots[i1];
@@ -645,56 +646,68 @@ static void solve(
 
         /* theta4 */
         const double v25 = T13 * c1 + T23 * s1, v29 = s1 * v27 - c1 * v26 - v28, v30 = ca2 * v29,
-            v31 = ca2 * v25, v35 = s1 * v33 - c1 * v32 + v34,
-            v36 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * v35),
-            v37 = sa2 * v29, v38 = sa2 * v25, v39 = sa2 * v35, v40 = ca2 * v35,
-            v41 = c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * v37) + s2 * (c3 * (ca3 * v31) -
-                s3 * (ca3 * v29) + sa3 * v38) + (sa3 * v40 - c3 * (ca3 * v39)),
-            v42 = v36 * v36 + v41 * v41;
-        const double w4 = sqrt(v42);
+            v31 = ca2 * v25;
+        const double Z1_5 = s1 * v33 - c1 * v32 + v34;
+        const double v35 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 *
+            Z1_5),
+            v36 = c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * (sa2 * v29)) + s2 * (c3 * (ca3 *
+                v31) - s3 * (ca3 * v29) + sa3 * (sa2 * v25)) + (sa3 * (ca2 * Z1_5) - c3 * (ca3 *
+                (sa2 * Z1_5))), v37 = v35 * v35 + v36 * v36;
+        const double w4 = sqrt(v37);
         const int free4 = w4 <= free_limit;
-        const int near4 = v42 <= near_limit_squared;
+        const int near4 = v37 <= near_limit_squared;
         const double divisor4 = free4 ? 1.0 : w4;
 
-        /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-        const double c5 = c3 * (sa3 * v39) + ca3 * v40 - (c2 * (c3 * (sa3 * v30) + s3 * (sa3 * v25)
-            - ca3 * v37) + s2 * (c3 * (sa3 * v31) - s3 * (sa3 * v29) - ca3 * v38));
-
         /* theta6 */
-        const double v43 = c3 * k17 - k13, v44 = sa2 * s3, v45 = k1 * c3 + k18;
-        const double Z1_6 = s1 * v47 - c1 * v46 + v48;
-        const double Z2_6 = s1 * v50 - c1 * v49 + v51;
+        const double v41 = s1 * v39 - c1 * v38 - v40, v42 = ca2 * v41, v43 = T12 * c1 + T22 * s1,
+            v44 = ca2 * v43, v48 = s1 * v46 - c1 * v45 + v47,
+            v49 = c2 * (c3 * (ca3 * v42) + s3 * (ca3 * v43) + sa3 * (sa2 * v41)) + s2 * (c3 * (ca3 *
+                v44) - s3 * (ca3 * v41) + sa3 * (sa2 * v43)) + (sa3 * (ca2 * v48) - c3 * (ca3 * (sa2
+                * v48))),
+            v50 = c2 * (c3 * v43 - s3 * v42) - s2 * (c3 * v41 + s3 * v44) + sa2 * (s3 * v48),
+            v54 = s1 * v52 - c1 * v51 - v53, v55 = ca2 * v54, v56 = T11 * c1 + T21 * s1,
+            v57 = ca2 * v56, v61 = s1 * v59 - c1 * v58 + v60,
+            v62 = c2 * (c3 * (ca3 * v55) + s3 * (ca3 * v56) + sa3 * (sa2 * v54)) + s2 * (c3 * (ca3 *
+                v57) - s3 * (ca3 * v54) + sa3 * (sa2 * v56)) + (sa3 * (ca2 * v61) - c3 * (ca3 * (sa2
+                * v61))),
+            v63 = c2 * (c3 * v56 - s3 * v55) - s2 * (c3 * v54 + s3 * v57) + sa2 * (s3 * v61);
+
+        /* theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1] */
+        const double v64 = sa2 * s3, v65 = c3 * k17 - k13;
+        const double Y1_5 = k1 * c3 + k18;
+        const double v66 = Z1_5 * Y1_5;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e2 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
             if (e2 < 0.0 && free4) continue; /* both signs give the same */
             const double factor4 = e2 / divisor4;
-            const double c4 = free4 ? cos(seed[3]) : v36 * factor4,
-                s4 = free4 ? sin(seed[3]) : -(v41 * factor4);
+            const double c4 = free4 ? cos(seed[3]) : v35 * factor4,
+                s4 = free4 ? sin(seed[3]) : -(v36 * factor4);
             const double q4 = atan2(s4, c4);
-            const double root4 = w4 * e2;
-
-            /* theta5 */
-            const double q5 = atan2(-root4, c5);
 
             /* theta6 */
-            const double X1_6 = c4 * v43 - s4 * v44;
-            const double Y1_6 = c5 * (c4 * v44 + s4 * v43) - root4 * v45;
-            const double S6 = X1_6 * Z1_6 - Y1_6 * Z2_6;
-            const double C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6;
-            const double w6 = sqrt(S6 * S6 + C6 * C6);
-            const int free6 = w6 <= free_limit_squared;
-            const int near6 = w6 <= near_limit_squared;
-            const double factor6 = 1.0 / (free6 ? 1.0 : w6);
-            const double c6 = free6 ? cos(seed[5]) : C6 * factor6,
-                s6 = free6 ? sin(seed[5]) : S6 * factor6;
-            const double q6 = atan2(s6, c6);
+            const double Z1_6 = c4 * v49 + s4 * v50;
+            const double Z2_6 = c4 * v62 + s4 * v63;
+            const double q6 = atan2(-Z2_6, -Z1_6);
+
+            /* theta5 */
+            const double Y2_5 = c4 * v64 + s4 * v65;
+            const double Z2_5 = v48 * Z2_6 - Z1_6 * v61;
+            const double S5 = Z1_5 * Y2_5 - Y1_5 * Z2_5;
+            const double v67 = Y2_5 * Z2_5 + v66;
+            const double w5 = sqrt(S5 * S5 + v67 * v67);
+            const int free5 = w5 <= free_limit_squared;
+            const int near5 = w5 <= near_limit_squared;
+            const double v68 = 1.0 / (free5 ? 1.0 : w5);
+            const double c5 = free5 ? cos(seed[4]) : v67 * v68,
+                s5 = free5 ? sin(seed[4]) : -(S5 * v68);
+            const double q5 = atan2(s5, c5);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1 || free2 || free4 || free6) ?
-                SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : (x1_close[i1] || near2 || near4 || near6) ?
+            status[row] = (free1 || free2 || free4 || free5) ?
+                SPHERICAL_WRIST_GENERAL_ARM_FREE_JOINT : (x1_close[i1] || near2 || near4 || near5) ?
                 CLOSE : SPHERICAL_WRIST_GENERAL_ARM_OK;
         }
     }

@@ -541,7 +541,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "spherical_wrist_general_arm 577efc8e4c36a856"
+_KEY = "spherical_wrist_general_arm c08eaa5004504aae"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -973,13 +973,19 @@ def _solve(pose, seed, moved, q, status):
     v33 = sa1 * T13
     v34 = T33 * ca1
 
-    # theta6, type 3: U1[3, 1] and U1[3, 2]
-    v46 = T21 * sa1
-    v47 = sa1 * T11
-    v48 = T31 * ca1
-    v49 = T22 * sa1
-    v50 = sa1 * T12
-    v51 = T32 * ca1
+    # theta6, type 3: U4[3, 2] and U4[3, 1]
+    v38 = ca1 * T22
+    v39 = ca1 * T12
+    v40 = T32 * sa1
+    v45 = T22 * sa1
+    v46 = sa1 * T12
+    v47 = T32 * ca1
+    v51 = ca1 * T21
+    v52 = ca1 * T11
+    v53 = T31 * sa1
+    v58 = T21 * sa1
+    v59 = sa1 * T11
+    v60 = T31 * ca1
 
     for i1 in range(4):  # root1, root2, root3, root4
         x1 = x1_roots[i1]
@@ -1017,34 +1023,46 @@ def _solve(pose, seed, moved, q, status):
         v29 = s1 * v27 - c1 * v26 - v28
         v30 = ca2 * v29
         v31 = ca2 * v25
-        v35 = s1 * v33 - c1 * v32 + v34
-        v36 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * v35)
-        v37 = sa2 * v29
-        v38 = sa2 * v25
-        v39 = sa2 * v35
-        v40 = ca2 * v35
-        v41 = (
-            c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * v37) + s2 * (c3 * (ca3 * v31) - s3 *
-            (ca3 * v29) + sa3 * v38) + (sa3 * v40 - c3 * (ca3 * v39))
+        Z1_5 = s1 * v33 - c1 * v32 + v34
+        v35 = c2 * (c3 * v25 - s3 * v30) - s2 * (c3 * v29 + s3 * v31) + sa2 * (s3 * Z1_5)
+        v36 = (
+            c2 * (c3 * (ca3 * v30) + s3 * (ca3 * v25) + sa3 * (sa2 * v29)) + s2 * (c3 * (ca3 * v31)
+            - s3 * (ca3 * v29) + sa3 * (sa2 * v25)) + (sa3 * (ca2 * Z1_5) - c3 * (ca3 * (sa2 *
+            Z1_5)))
         )
-        v42 = v36 * v36 + v41 * v41
-        w4 = math.sqrt(v42)
+        v37 = v35 * v35 + v36 * v36
+        w4 = math.sqrt(v37)
         free4 = w4 <= free_limit
-        near4 = v42 <= near_limit_squared
+        near4 = v37 <= near_limit_squared
         divisor4 = 1.0 if free4 else w4
 
-        # theta5, type 3: U4[2, 3] and U4[1, 3]
-        c5 = (
-            c3 * (sa3 * v39) + ca3 * v40 - (c2 * (c3 * (sa3 * v30) + s3 * (sa3 * v25) - ca3 * v37) +
-            s2 * (c3 * (sa3 * v31) - s3 * (sa3 * v29) - ca3 * v38))
-        )
-
         # theta6
-        v43 = c3 * k17 - k13
-        v44 = sa2 * s3
-        v45 = k1 * c3 + k18
-        Z1_6 = s1 * v47 - c1 * v46 + v48
-        Z2_6 = s1 * v50 - c1 * v49 + v51
+        v41 = s1 * v39 - c1 * v38 - v40
+        v42 = ca2 * v41
+        v43 = T12 * c1 + T22 * s1
+        v44 = ca2 * v43
+        v48 = s1 * v46 - c1 * v45 + v47
+        v49 = (
+            c2 * (c3 * (ca3 * v42) + s3 * (ca3 * v43) + sa3 * (sa2 * v41)) + s2 * (c3 * (ca3 * v44)
+            - s3 * (ca3 * v41) + sa3 * (sa2 * v43)) + (sa3 * (ca2 * v48) - c3 * (ca3 * (sa2 * v48)))
+        )
+        v50 = c2 * (c3 * v43 - s3 * v42) - s2 * (c3 * v41 + s3 * v44) + sa2 * (s3 * v48)
+        v54 = s1 * v52 - c1 * v51 - v53
+        v55 = ca2 * v54
+        v56 = T11 * c1 + T21 * s1
+        v57 = ca2 * v56
+        v61 = s1 * v59 - c1 * v58 + v60
+        v62 = (
+            c2 * (c3 * (ca3 * v55) + s3 * (ca3 * v56) + sa3 * (sa2 * v54)) + s2 * (c3 * (ca3 * v57)
+            - s3 * (ca3 * v54) + sa3 * (sa2 * v56)) + (sa3 * (ca2 * v61) - c3 * (ca3 * (sa2 * v61)))
+        )
+        v63 = c2 * (c3 * v56 - s3 * v55) - s2 * (c3 * v54 + s3 * v57) + sa2 * (s3 * v61)
+
+        # theta5, type 3: U1 A6^-1 [3, 3] and U1 A6^-1 [3, 1]
+        v64 = sa2 * s3
+        v65 = c3 * k17 - k13
+        Y1_5 = k1 * c3 + k18
+        v66 = Z1_5 * Y1_5
 
         for i2 in range(2):  # noflip, flip
             e2 = 1.0 - 2.0 * i2
@@ -1052,26 +1070,27 @@ def _solve(pose, seed, moved, q, status):
             if e2 < 0.0 and free4:
                 continue  # both signs give the same
             factor4 = e2 / divisor4
-            c4 = math.cos(seed[3]) if free4 else v36 * factor4
-            s4 = math.sin(seed[3]) if free4 else -(v41 * factor4)
+            c4 = math.cos(seed[3]) if free4 else v35 * factor4
+            s4 = math.sin(seed[3]) if free4 else -(v36 * factor4)
             q4 = _atan2(s4, c4)
-            root4 = w4 * e2
-
-            # theta5
-            q5 = _atan2(-root4, c5)
 
             # theta6
-            X1_6 = c4 * v43 - s4 * v44
-            Y1_6 = c5 * (c4 * v44 + s4 * v43) - root4 * v45
-            S6 = X1_6 * Z1_6 - Y1_6 * Z2_6
-            C6 = X1_6 * Z2_6 - Z1_6 * -Y1_6
-            w6 = math.sqrt(S6 * S6 + C6 * C6)
-            free6 = w6 <= free_limit_squared
-            near6 = w6 <= near_limit_squared
-            factor6 = 1.0 / (1.0 if free6 else w6)
-            c6 = math.cos(seed[5]) if free6 else C6 * factor6
-            s6 = math.sin(seed[5]) if free6 else S6 * factor6
-            q6 = _atan2(s6, c6)
+            Z1_6 = c4 * v49 + s4 * v50
+            Z2_6 = c4 * v62 + s4 * v63
+            q6 = _atan2(-Z2_6, -Z1_6)
+
+            # theta5
+            Y2_5 = c4 * v64 + s4 * v65
+            Z2_5 = v48 * Z2_6 - Z1_6 * v61
+            S5 = Z1_5 * Y2_5 - Y1_5 * Z2_5
+            v67 = Y2_5 * Z2_5 + v66
+            w5 = math.sqrt(S5 * S5 + v67 * v67)
+            free5 = w5 <= free_limit_squared
+            near5 = w5 <= near_limit_squared
+            v68 = 1.0 / (1.0 if free5 else w5)
+            c5 = math.cos(seed[4]) if free5 else v67 * v68
+            s5 = math.sin(seed[4]) if free5 else -(S5 * v68)
+            q5 = _atan2(s5, c5)
             row = 2 * i1 + i2
             q[row, 0] = q1
             q[row, 1] = q2
@@ -1080,8 +1099,8 @@ def _solve(pose, seed, moved, q, status):
             q[row, 4] = q5
             q[row, 5] = q6
             status[row] = (
-                FREE_JOINT if free1 or free2 or free4 or free6 else _CLOSE if x1_close[i1] or near2
-                or near4 or near6 else OK
+                FREE_JOINT if free1 or free2 or free4 or free5 else _CLOSE if x1_close[i1] or near2
+                or near4 or near5 else OK
             )
 
 

@@ -9,6 +9,7 @@ from dhgen.general.arm import general_kernel, is_better_polished
 from dhgen.kinematics.algebra import build_algebra
 from dhgen.kinematics.arm_angle import demand_arm_angle
 from dhgen.numerical.kernel import numerical_kernel
+from dhgen.paul.audit import best_route
 from dhgen.paul.choices import good_choices
 from dhgen.paul.derivation import Derivation
 from dhgen.paul.inverse_forms import with_inverse_forms
@@ -18,7 +19,6 @@ from dhgen.paul.problem import build_problem
 from dhgen.paul.redundant import redundant
 from dhgen.paul.refusal import refusal
 from dhgen.paul.search import Search
-from dhgen.paul.second import with_second_equations
 from dhgen.paul.shoulder_forms import with_arm_plane
 from dhgen.paul.types import CLOSED, QUARTIC
 
@@ -53,10 +53,9 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
     if chain.arm_angle:
         pool = with_arm_plane(pool)
     closed = Search(pool, CLOSED)
-    route = closed.best()
+    route = best_route(closed, pool)
     if route is not None:
-        steps = with_second_equations(pool, route.steps)
-        return Derivation(pool, steps, route.alternatives)
+        return Derivation(pool, route.steps, route.alternatives)
     found = _by_polynomial(with_inverse_forms(pool), chain)
     if found is not None:
         return found
@@ -68,7 +67,7 @@ def derive(chain: Chain, *, numerical: bool = False) -> Derivation:
 def _by_polynomial(pool: Pool, chain: Chain) -> Derivation | None:
     """By steps of which one is a quartic, or by a general algorithm."""
     if not is_better_polished(chain):
-        route = Search(pool, QUARTIC).best()
+        route = best_route(Search(pool, QUARTIC), pool)
         if route is not None:
             return Derivation(pool, route.steps, route.alternatives)
     kernel = general_kernel(chain)

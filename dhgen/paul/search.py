@@ -19,6 +19,8 @@ from dhgen.paul.step import View, learn
 from dhgen.paul.witness import build_witnesses
 
 if TYPE_CHECKING:
+    from collections.abc import Container
+
     from dhgen.paul.equation import Equation, Line
     from dhgen.paul.form import Form, Unknown
     from dhgen.paul.knowledge import Knowledge, State
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 
 SHORTEST = 8  # of equations from anywhere, only the shortest are paired
 DOUBLING = 10_000  # a step with two roots costs more than any number of clumsy steps with one
+SILENT = 5_000  # more than any length: a step that may say nothing of an angle that is not free
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +56,7 @@ class Search:
         self._witnesses = build_witnesses(pool)
         self._offers: dict[State, tuple[Step, ...]] = {}
         self._steps_of: dict[tuple[int, ...], tuple[Step, ...]] = {}
+        self._silent: set[tuple[State, int]] = set()
         self._partners: set[frozenset[int]] = set()
         self._places = {id(equation): place for place, equation in enumerate(pool.equations)}
         self._lines = _lines(pool.equations)
@@ -75,8 +79,19 @@ class Search:
                 self.deepest = knowledge
             for step in self.offers(knowledge):
                 price = cost + step.penalty + DOUBLING * (step.roots - 1)
+                price += SILENT if (knowledge.state, id(step)) in self._silent else 0
                 heapq.heappush(queue, (price, next(tie), learn(knowledge, step), (*steps, step)))
         return None
+
+    def avoid(self, route: Route, places: Container[int]) -> bool:
+        """Makes steps of a route cost more where they stand; whether any did not before."""
+        known = len(self._silent)
+        knowledge = self._start
+        for place, step in enumerate(route.steps):
+            if place in places:
+                self._silent.add((knowledge.state, id(step)))
+            knowledge = learn(knowledge, step)
+        return len(self._silent) > known
 
     def offers(self, knowledge: Knowledge) -> tuple[Step, ...]:
         """The steps that a state allows, cheapest first."""

@@ -80,6 +80,7 @@ class Step:
         penalty: For ranking: how ill-conditioned and how long.
         second: Of type 2 with Z = 0: another such step for the same angle, whose X and Y stay
             where those of this one vanish.
+        silent: Whether its equations may say nothing about an angle that is not free.
     """
 
     kind: Kind
@@ -89,6 +90,7 @@ class Step:
     roots: int
     penalty: int
     second: Step | None = None
+    silent: bool = False
 
     @property
     def origins(self) -> tuple[Origin, ...]:

@@ -133,7 +133,7 @@ def build_witnesses(pool: Pool) -> Witnesses:
         for name, value in named.items():
             values[algebra.index[name], column] = value
     witnesses = Witnesses(algebra, Samples(values), Samples(_loose(algebra, source)))
-    _add_pose(pool, witnesses)
+    add_pose(pool, witnesses.samples)
     return witnesses
 
 
@@ -176,35 +176,31 @@ def _turn(angle: AngleSum, turns: dict[int, complex]) -> complex:
     return result
 
 
-def _add_pose(pool: Pool, witnesses: Witnesses) -> None:
-    """U_0 and the named points, from the forward model."""
+def add_pose(pool: Pool, samples: Samples) -> None:
+    """U_0 and the named points, from the forward model, where the joints have values."""
     problem = pool.problem
     index = problem.algebra.index
     for name in POSE_NAMES:
         entry = problem.forward.entry(*POSE_PLACES[name])
-        witnesses.samples.values[index[name]] = witnesses.evaluate(entry)
+        samples.values[index[name]] = samples.value(entry)
     for point in pool.points:
         for row, name in enumerate(point.names):
             place = sum(
-                witnesses.evaluate(problem.forward.entry(row, column))
-                * witnesses.evaluate(point.in_tool[column])
+                samples.value(problem.forward.entry(row, column))
+                * samples.value(point.in_tool[column])
                 for column in range(3)
             )
-            witnesses.samples.values[index[name]] = place + witnesses.evaluate(
-                problem.forward.entry(row, 3)
-            )
+            samples.values[index[name]] = place + samples.value(problem.forward.entry(row, 3))
     if pool.plane is not None:
         for names, entries in zip(SHOULDER_NAMES, pool.plane.rotation, strict=True):
             for name, entry in zip(names, entries, strict=True):
-                witnesses.samples.values[index[name]] = witnesses.evaluate(entry)
+                samples.values[index[name]] = samples.value(entry)
     for base_point in pool.base_points:
         offset = [
-            witnesses.evaluate(base_point.in_base[row])
-            - witnesses.evaluate(problem.forward.entry(row, 3))
+            samples.value(base_point.in_base[row]) - samples.value(problem.forward.entry(row, 3))
             for row in range(3)
         ]
         for column, name in enumerate(base_point.names):
-            witnesses.samples.values[index[name]] = sum(
-                witnesses.evaluate(problem.forward.entry(row, column)) * offset[row]
-                for row in range(3)
+            samples.values[index[name]] = sum(
+                samples.value(problem.forward.entry(row, column)) * offset[row] for row in range(3)
             )

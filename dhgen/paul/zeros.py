@@ -42,6 +42,16 @@ def outlasts(algebra: Algebra, other: Polynomial, first: Polynomial) -> bool:
 
 def _at(algebra: Algebra, polynomial: Polynomial, q: Values) -> Values:
     """A polynomial on joint values of shape (dof, n)."""
+    return np.asarray(terms_on(polynomial, values_at(algebra, q)).sum(axis=0))
+
+
+def values_at(algebra: Algebra, q: Values) -> Values:
+    """The generators of an arm but those of the pose, (generators, n).
+
+    Args:
+        algebra: The arm's ring.
+        q: The angles and lengths that it sees, those in arm sizes, (dof, n).
+    """
     values = np.zeros((len(algebra.ring.gens), q.shape[1]))
     for constant in algebra.chain.constants:
         values[algebra.index[constant.name]] = constant.value
@@ -51,4 +61,4 @@ def _at(algebra: Algebra, polynomial: Polynomial, q: Values) -> Values:
         values[algebra.index[angle.sine]] = np.sin(total)
     for joint, name in algebra.slides.items():
         values[algebra.index[name]] = algebra.chain.size * q[joint - 1]
-    return np.asarray(terms_on(polynomial, values).sum(axis=0))
+    return values

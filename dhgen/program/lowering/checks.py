@@ -13,6 +13,7 @@ import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.audit import silent_places
 from dhgen.paul.problem import task_entries
 from dhgen.paul.step import Kind
 from dhgen.paul.types.two_lengths import determinant
@@ -67,18 +68,21 @@ def checks_needed(
         lowered: The program with given checks.
     """
     chain = derivation.problem.algebra.chain
+    silent = silent_places(derivation.pool, derivation.steps)
+    q = np.concatenate([_everywhere(chain), silent])
     checks = Checks(rows=derivation.problem.redundant)
     program = lowered(checks)
-    if not checks.rows and _has_strangers(chain, program):
+    if not checks.rows and _has_strangers(chain, program, q):
         checks = Checks(rows=True)
         program = lowered(checks)
-    if checks.rows and _follows_the_seed(chain, program):
+    if checks.rows and _follows_the_seed(chain, program, q):
         checks = replace(checks, again=True)
         program = lowered(checks)
     if not tolerances.tell_rounding:
         return checks  # exact rows can't be told
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
-    inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, enough)
+    q = np.concatenate([q, _beside(chain, silent)])
+    inexact = _may_be_inexact(derivation, program, checks) or _is_inexact(chain, program, q, enough)
     return replace(checks, tightened=inexact)
 
 
@@ -111,10 +115,10 @@ def _everywhere(chain: Chain) -> FloatArray:
     return np.concatenate([anywhere, right, mixed])
 
 
-def _beside(chain: Chain) -> FloatArray:
+def _beside(chain: Chain, silent: FloatArray) -> FloatArray:
     """Joint vectors beside right angles: all joints as near as each other; and about half of them.
 
-    These each as near as they like, and the others anywhere.
+    These each as near as they like, and the others anywhere. And some beside silent places.
     """
     source = np.random.default_rng(18)
     shape = len(BESIDE), TRIED, chain.dof
@@ -122,36 +126,36 @@ def _beside(chain: Chain) -> FloatArray:
     near = np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, shape)
     own = source.choice(APART, shape) * source.choice((-1.0, 1.0), shape)
     mixed = np.where(source.random(shape) < 0.5, right + own, source.uniform(-2.5, 2.5, shape))
-    return np.concatenate([right + near, mixed]).reshape(-1, chain.dof)
+    around = silent + np.array(BESIDE)[:, None, None] * source.uniform(-1.0, 1.0, silent.shape)
+    found = [right + near, mixed, around]
+    return np.concatenate([each.reshape(-1, chain.dof) for each in found])
 
 
-def _follows_the_seed(chain: Chain, program: Program) -> bool:
+def _follows_the_seed(chain: Chain, program: Program, q: FloatArray) -> bool:
     """Whether rows are lost by another seed than the joint values that made the pose.
 
     A joint was free there, and not every value of it makes the arm take the pose. Each joint of the
     other seed is as far off as no other is: differences of joint values are others, too.
     """
-    arm, q = numeric_arm(chain), _everywhere(chain)
+    arm = numeric_arm(chain)
     poses, given = arm.pose(q), given_values(arm, q)
     off = OTHER * np.linspace(1.0, 2.0, chain.dof)
     own, other = (interpret(program, poses, seed, given) for seed in (q, q + off))
     return bool(np.any(own.solved & ~other.solved))
 
 
-def _has_strangers(chain: Chain, program: Program) -> bool:
+def _has_strangers(chain: Chain, program: Program, q: FloatArray) -> bool:
     """Whether rows come out that do not reproduce their pose.
 
     Equations may leave a part of the task unsaid, be it only at right angles; then every row has to
     be checked.
     """
-    q = _everywhere(chain)
     rows, misses = _misses(chain, program, q, q)
     return bool(np.any(misses[rows.solved] > TOLERANCES.consistent))
 
 
-def _is_inexact(chain: Chain, program: Program, enough: float) -> bool:
+def _is_inexact(chain: Chain, program: Program, q: FloatArray, enough: float) -> bool:
     """Whether rows that pass for solutions miss by more, or poses are left without a row."""
-    q = np.concatenate([_everywhere(chain), _beside(chain)])
     rows, misses = _misses(chain, program, q, q)
     others, missed = _misses(chain, program, q, np.zeros_like(q))
     lost = ~rows.solved.any(axis=1)

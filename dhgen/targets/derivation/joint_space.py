@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 LONGEST = 3  # terms of a condition in joint angles
 SAME = 1e-9  # how near two values on the witnesses are when they are equal
+OTHERS_DECIDE = "the others for all, a few or none of them; the row holds one"
 
 
 def other_combination(context: StepContext) -> Polynomial | None:
@@ -86,14 +87,11 @@ def unsigned(story: Story, polynomial: Polynomial) -> Formula:
 def meaning_of_free(context: StepContext, joints: Polynomial | None) -> Prose:
     """What the arm looks like where an angle of type 2 with Z = 0 is free."""
     parallel = _parallel_around(context.story.algebra, joints)
-    if parallel is not None:
+    if parallel is not None and not context.step.silent:
         return _sum_that_is_left(context.story.algebra, *parallel)
     works = "every {} works"
-    if _is_left_to_the_pose(context):
-        works = (
-            "this equation holds for every {}, the others for all, a few or none of them; "
-            "the row holds one"
-        )
+    if context.step.silent or _is_left_to_the_pose(context):
+        works = f"this equation holds for every {{}}, {OTHERS_DECIDE}"
     if _is_about_first_axis(context):
         text = "{} lies on axis 1, and " + works
         return say(text, point_name(context), theta(context.angle))

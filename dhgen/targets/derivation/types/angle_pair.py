@@ -8,7 +8,7 @@ from dhgen.kinematics.ring import constant_value
 from dhgen.paul.step import Kind
 from dhgen.paul.types.angle_pair import stretch
 from dhgen.targets.derivation.effects import free_effect
-from dhgen.targets.derivation.joint_space import point_name
+from dhgen.targets.derivation.joint_space import OTHERS_DECIDE, point_name
 from dhgen.targets.derivation.notation.names import cosine, letter, sine, theta
 from dhgen.targets.derivation.step_context import Singularity, StepText, type_letter
 from dhgen.targets.derivation.text.blocks import display, paragraph, say
@@ -121,7 +121,10 @@ def _never_vanishes(context: StepContext) -> bool:
 def _free(context: StepContext, *, together: bool) -> Singularity:
     """Where the angle is free: vectors vanish together, or at least the determinant does."""
     about = context.angle.terms[0][0] if len(context.angle.terms) == 1 else None
-    meaning = say("every {} works", theta(context.angle))
+    works = "every {} works"
+    if context.step.silent:
+        works = f"these equations hold for every {{}}, {OTHERS_DECIDE}"
+    meaning = say(works, theta(context.angle))
     if about is not None and together and all(o.column == 4 for o in context.step.origins):
         meaning = say(f"{{}} lies on axis {about}, and {{}}", point_name(context), meaning)
     return Singularity(

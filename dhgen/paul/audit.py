@@ -1,0 +1,189 @@
+"""Where a step's equations say nothing about its unknown although that is not free.
+
+X s + Y c = Z says nothing where X and Y vanish. Mostly the angle is free there, and the arm
+singular; but what a wrist's last angle is read from may also vanish where an axis of the wrist is
+parallel to one of the shoulder, which leaves nothing free. Such places are found by trying:
+descents from random joint values to where the factors vanish, and there the Jacobian.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from dhgen.kinematics.algebra import AngleSum
+from dhgen.kinematics.arm_angle import elbow_rates
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.knowledge import initial_knowledge
+from dhgen.paul.mobility import task_jacobian
+from dhgen.paul.samples import Samples
+from dhgen.paul.second import with_second_equations
+from dhgen.paul.step import Kind, learn
+from dhgen.paul.witness import add_pose
+from dhgen.paul.zeros import values_at
+from dhgen.robot.robot import JointKind
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from numpy.typing import NDArray
+
+    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.constants import Polynomial
+    from dhgen.paul.form import Unknown
+    from dhgen.paul.knowledge import Knowledge, State
+    from dhgen.paul.pool import Pool
+    from dhgen.paul.search import Route, Search
+    from dhgen.paul.step import Step
+
+    Values = NDArray[np.float64]
+    Known = dict[tuple[State, tuple[Unknown, ...], tuple[Polynomial, ...]], bool]
+
+ROUTES = 24  # so many orders are looked into
+STARTS = 8
+ITERATIONS = 40
+LONGEST = 0.5  # of a descent's steps [rad or arm sizes]
+DIFFERENCE = 1e-7  # of the joints, for slopes
+NO_SLOPE = 1e-6  # of the steepest one: a direction that does not count
+ZERO = 1e-12  # of the factors' usual sizes
+NULL = 1e-5  # of the largest singular value: zeros are known to about half the digits
+FREE = 1e-3  # a part of an angle in a null vector
+SAYING = {Kind.ANGLE: "X Y", Kind.ANGLE_PAIR: "X1 Y1", Kind.POLAR: "Y1 Y2"}
+
+
+def best_route(search: Search, pool: Pool) -> Route | None:
+    """The cheapest order of steps, of those that are found with the fewest silent ones.
+
+    Only what the search takes is looked into: most steps are never taken.
+    """
+    best: Route | None = None
+    known: Known = {}
+    for _ in range(ROUTES):
+        route = search.best()
+        if route is None:
+            break
+        steps = audited(pool, with_second_equations(pool, route.steps), known)
+        silent = [place for place, step in enumerate(steps) if step.silent]
+        if best is None or len(silent) < sum(step.silent for step in best.steps):
+            best = replace(route, steps=steps)
+        if not search.avoid(route, silent):
+            break
+    return best
+
+
+def audited(pool: Pool, steps: Sequence[Step], known: Known) -> tuple[Step, ...]:
+    """The steps of an order, each told whether it is silent somewhere.
+
+    Args:
+        pool: The equations.
+        steps: All steps of an arm.
+        known: What has been found out about steps; more is added.
+    """
+    found = []
+    for knowledge, step in _with_knowledge(pool, steps):
+        key = knowledge.state, step.unknowns, tuple(_factors(step))
+        if key not in known:
+            known[key] = len(_silent_at(pool, knowledge, step)) > 0
+        found.append(replace(step, silent=known[key]))
+    return tuple(found)
+
+
+def silent_places(pool: Pool, steps: Sequence[Step]) -> Values:
+    """Joint values where steps say nothing although their angles are not free, (n, dof)."""
+    places = [np.empty((0, pool.problem.algebra.chain.dof))]
+    for knowledge, step in _with_knowledge(pool, steps):
+        if step.silent:
+            places.append(_silent_at(pool, knowledge, step))
+    return np.concatenate(places)
+
+
+def _with_knowledge(pool: Pool, steps: Sequence[Step]) -> Iterator[tuple[Knowledge, Step]]:
+    """Every step with what is known before it."""
+    knowledge = initial_knowledge(pool.problem.algebra)
+    for step in steps:
+        yield knowledge, step
+        knowledge = learn(knowledge, step)
+
+
+def _silent_at(pool: Pool, knowledge: Knowledge, step: Step) -> Values:
+    """Some joint values where a step says nothing although its angle is not free, (n, dof)."""
+    algebra, factors = pool.problem.algebra, _factors(step)
+    if not factors or any(map(algebra.is_constant, factors)):
+        return np.empty((0, algebra.chain.dof))
+    q = _joint_values(algebra.chain, _zeros(pool, factors))
+    return np.asarray(q[_are_fixed(knowledge, step.unknowns[0], q)])
+
+
+def _factors(step: Step) -> list[Polynomial]:
+    """What vanishes where a step says nothing about its angle."""
+    both = [step] if step.second is None else [step, step.second]
+    letters = SAYING.get(step.kind, "").split()
+    found = [each.coefficient(letter) for each in both for letter in letters]
+    return [polynomial for polynomial in found if polynomial]
+
+
+def _zeros(pool: Pool, factors: Sequence[Polynomial]) -> Values:
+    """Some common zeros, angles and lengths as the algebra sees them (dof, n)."""
+    source, dof = np.random.default_rng(31), pool.problem.algebra.chain.dof
+    q = source.uniform(-3.0, 3.0, (dof, STARTS))
+    aside = np.concatenate([np.zeros((dof, 1)), DIFFERENCE * np.eye(dof)], axis=1)
+    usual = np.max(np.abs(_at(pool, factors, source.uniform(-3.0, 3.0, (dof, STARTS)))), axis=1)
+    for _ in range(ITERATIONS):
+        around = (q[:, :, None] + aside[:, None]).reshape(dof, -1)
+        values = (_at(pool, factors, around) / usual[:, None]).reshape(len(usual), STARTS, -1)
+        missed = values[..., 0].T
+        if np.all(np.abs(missed) < ZERO):
+            break
+        slopes = np.moveaxis(values[..., 1:] - values[..., :1], 1, 0) / DIFFERENCE
+        step = (np.linalg.pinv(slopes, rcond=NO_SLOPE) @ missed[..., None])[..., 0]
+        longest = np.abs(step).max(axis=1, keepdims=True)
+        q = q - (step * np.minimum(1.0, LONGEST / np.maximum(longest, LONGEST))).T
+    return q[:, np.all(np.abs(missed) < ZERO, axis=1)]
+
+
+def _at(pool: Pool, factors: Sequence[Polynomial], q: Values) -> Values:
+    """Polynomials in joints and entries of the pose, (factors, n)."""
+    samples = Samples(values_at(pool.problem.algebra, q))
+    add_pose(pool, samples)
+    return np.stack([samples.value(factor) for factor in factors])
+
+
+def _joint_values(chain: Chain, q: Values) -> Values:
+    """Of what the algebra sees, as the caller sees them (n, dof)."""
+    found = [
+        joint.sign * (row * (chain.size if joint.kind is JointKind.PRISMATIC else 1) - joint.offset)
+        for joint, row in zip(chain.joints, q, strict=True)
+    ]
+    return np.stack(found, axis=1)
+
+
+def _are_fixed(knowledge: Knowledge, unknown: Unknown, q: Values) -> Values:
+    """Whether an angle can't be turned while the pose and what is known are held, (n,)."""
+    chain = knowledge.runs.algebra.chain
+    arm = numeric_arm(chain)
+    held = [
+        _rates(chain, known) for known in knowledge.runs.algebra.angles if knowledge.knows(known)
+    ]
+    held += [np.eye(chain.dof)[joint - 1] for joint in sorted(knowledge.slides)]
+    rows = [
+        task_jacobian(arm, q),
+        np.broadcast_to(np.array(held).reshape(-1, chain.dof), (len(q), len(held), chain.dof)),
+    ]
+    if chain.arm_angle:
+        rows.append(elbow_rates(arm, q)[:, None])
+    _, sizes, directions = np.linalg.svd(np.concatenate(rows, axis=1))
+    null = np.ones(directions.shape[:2], dtype=bool)
+    null[:, : sizes.shape[1]] = sizes < NULL * sizes[:, :1]
+    assert isinstance(unknown, AngleSum)
+    moves = np.abs(directions @ _rates(chain, unknown))
+    return np.asarray(~np.any(null & (moves > FREE), axis=1))
+
+
+def _rates(chain: Chain, angle: AngleSum) -> Values:
+    """How an angle changes with every joint, (dof,)."""
+    rates = np.zeros(chain.dof)
+    for joint, sign in angle.terms:
+        rates[joint - 1] = sign * chain.joints[joint - 1].sign
+    return rates

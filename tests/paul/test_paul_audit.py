@@ -1,0 +1,120 @@
+"""Steps that say nothing of an angle although it is not free: others are taken, or rows checked."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from dhgen.kinematics.build import build_chain
+from dhgen.kinematics.numeric import numeric_arm
+from dhgen.paul.audit import audited, silent_places
+from dhgen.paul.derivation import Derivation
+from dhgen.paul.derive import derive
+from dhgen.paul.search import Search
+from dhgen.paul.types import CLOSED, QUARTIC
+from dhgen.program.given import given_values
+from dhgen.program.interpret import interpret
+from dhgen.program.lowering.lower import lower
+from tests.kinematics.values import table
+from tests.robots.cases import robot
+
+if TYPE_CHECKING:
+    from dhgen.kinematics.chain import Chain
+    from dhgen.program.interpret import Rows
+    from dhgen.program.ir import Program
+    from dhgen.survey.oracle.arm import FloatArray
+
+# What a wrist's last angle is read from vanishes where its axis is parallel to axis 2.
+ARMS = {
+    "wrist": (
+        "theta: q, d: 0.1, alpha: pi/6",
+        "theta: q, d: 0.04, a: 0.03, alpha: pi/3",
+        "theta: q, d: 0.25, a: 0.02, alpha: pi/2",
+        "theta: q, d: 0.24, alpha: -pi/2",
+        "theta: q, alpha: pi/2",
+        "theta: q, d: 0.09",
+    ),
+    "five": (
+        "theta: q, alpha: 50 deg",
+        "theta: q, alpha: 75 deg",
+        "theta: q, d: 0.29, alpha: pi/2",
+        "theta: q, alpha: -pi/2",
+        "theta: q, d: 0.25",
+    ),
+    "seven": (
+        "theta: q, d: 0.12, alpha: pi/4",
+        "theta: q, alpha: -pi/3",
+        "theta: q, d: 0.28, a: 0.02, alpha: pi/2",
+        "theta: q, a: -0.02, alpha: -pi/2",
+        "theta: q, d: 0.25, alpha: pi/2",
+        "theta: q, alpha: -pi/2",
+        "theta: q, d: 0.1",
+    ),
+}
+NAMES = [*ARMS, "spherical_wrist_general_arm"]
+EXACT = 1e-9
+CONSISTENT = 1e-5
+
+
+@cache
+def derivation(name: str) -> Derivation:
+    return derive(chain_of(name))
+
+
+@cache
+def chain_of(name: str) -> Chain:
+    if name not in ARMS:
+        return build_chain(robot(name))
+    tool = {"tool": "{xyz: [0.03, 0, 0.08]}"} if name == "five" else {}
+    if name == "seven":
+        tool = {"free": "arm_angle"}
+    return build_chain(table(*ARMS[name], **tool))
+
+
+@cache
+def cheapest(name: str) -> Derivation:
+    """What the search takes first, as it is found out to be."""
+    made = derivation(name)
+    for types in (CLOSED, QUARTIC):
+        route = Search(made.pool, types).best()
+        if route is not None:
+            return Derivation(made.pool, audited(made.pool, route.steps, {}), route.alternatives)
+    raise AssertionError(name)
+
+
+def rows_at(
+    program: Program, chain: Chain, q: FloatArray, seed: FloatArray
+) -> tuple[Rows, FloatArray]:
+    """The rows for the poses of joint values, and by how much each misses its pose."""
+    arm = numeric_arm(chain)
+    rows = interpret(program, arm.pose(q), seed, given_values(arm, q))
+    reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
+    return rows, np.abs(reached - arm.pose(q)[:, None]).max(axis=(2, 3))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_order_is_taken_in_which_no_step_is_silent(name: str) -> None:
+    q = silent_places(cheapest(name).pool, cheapest(name).steps)
+    assert len(q)
+    chosen = derivation(name)
+    assert not any(step.silent for step in chosen.steps)
+    assert chosen.branches == cheapest(name).branches
+    rows, misses = rows_at(lower(chosen), chain_of(name), q, np.zeros_like(q))
+    assert not rows.free.any()
+    assert misses[rows.solved].max() < EXACT
+    away = np.abs(np.remainder(rows.q - q[:, None] + np.pi, 2 * np.pi) - np.pi).max(axis=2)
+    assert np.where(rows.solved, away, np.inf).min(axis=1).max() < EXACT
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_rows_of_a_step_that_is_silent_are_checked(name: str) -> None:
+    made = cheapest(name)
+    q = silent_places(made.pool, made.steps)
+    program = lower(made)
+    for seed in (q, np.zeros_like(q)):
+        rows, misses = rows_at(program, chain_of(name), q, seed)
+        assert misses[rows.solved].max(initial=0.0) < CONSISTENT
+    assert program.tightened is not None
