@@ -373,58 +373,57 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[8], wide_mask kind[2])
         v35 = m4 - m3 * (inverse1 * (v1 * v33 + v2 * v32)),
         v36 = v35 + w1 * (m3 * (inverse1 * v34)), v37 = v35 + w1 * (m3 * (inverse1 * -v34)),
         v38 = S2 * T34, C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24)))),
-        C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)));
-    const double v39 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const wide v40 = v36 * v36 + C3_p * C3_p, v41 = v37 * v37 + C3_m * C3_m,
-        factor3_p = v39 / sqrt_wide(v40), factor3_m = v39 / sqrt_wide(v41), c3_p = C3_p * factor3_p,
-        c3_m = C3_m * factor3_m, v42 = v36 * factor3_p, v43 = v37 * factor3_m,
-        angle2 = atan2_wide(-v42, c3_p), angle3 = atan2_wide(-v43, c3_m);
+        C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38))),
+        v39 = v36 * v36 + C3_p * C3_p, v40 = v37 * v37 + C3_m * C3_m,
+        factor3_p = sqrt_wide(v39) * (1.0 / v39), factor3_m = sqrt_wide(v40) * (1.0 / v40),
+        c3_p = C3_p * factor3_p, c3_m = C3_m * factor3_m, v41 = v36 * factor3_p,
+        v42 = v37 * factor3_m, angle2 = atan2_wide(-v36, C3_p), angle3 = atan2_wide(-v37, C3_m);
 
     /* is the pose one that the arm can take? */
-    const wide v44 = c1_p * c2, v45 = c1_m * c2, v46 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9,
-        v47 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2))), v48 = k6 * c1_p, v49 = k6 * c1_m,
-        v50 = k6 * v13, v51 = k6 * v14, v52 = v13 * c2, v53 = v14 * c2,
-        v54 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2))),
-        v55 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v56 = sqrt2 * c2, v57 = sqrt2 * (k6 * c2),
-        v58 = 2.0 * (a3 * v19), v59 = a3 * v56, v60 = T34 - k1 * (v57 + (v42 * v59 + c3_p * v58)),
-        v61 = T34 - k1 * (v57 + (v43 * v59 - c3_m * v58)), v62 = T33 - k1 * v56, v63 = v62 * v62,
-        v64 = v19 * 2.0, v65 = T31 + k1 * (s34_p * v56 - c34_p * v64),
-        v66 = T31 + k1 * (s34_m * v56 + c34_m * v64),
-        v67 = T24 - k1 * (sqrt2 * (v48 + v19 * v50) - (c3_p * (2.0 * (a3 * v52)) + v42 * (a3 *
-            v54))),
-        v68 = T24 - k1 * (sqrt2 * (v49 - v19 * v51) - (c3_m * (2.0 * (a3 * v53)) + v43 * (a3 *
-            v55))), v69 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19)),
-        v70 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19)),
-        v71 = T21 - k1 * (s34_p * v54 - c34_p * (2.0 * v52)),
-        v72 = T21 - k1 * (s34_m * v55 - c34_m * (2.0 * v53)),
-        v73 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 - v19 * v48)),
-        v74 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v47) + sqrt2 * (v51 + v19 * v49)),
-        v75 = T11 - k1 * (c34_p * (2.0 * v44) + s34_p * v46),
-        v76 = T11 - k1 * (c34_m * (2.0 * v45) + s34_m * v47),
-        v77 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19)),
-        v78 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19)), v79 = v73 * v73 + (v60 * v60 + v67 * v67),
-        v80 = v74 * v74 + (v61 * v61 + v68 * v68),
-        v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v63 + v65 * v65)))),
-        v82 = v78 * v78 + (v76 * v76 + (v72 * v72 + (v70 * v70 + (v63 + v66 * v66))));
+    const wide v43 = c1_p * c2, v44 = c1_m * c2, v45 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9,
+        v46 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2))), v47 = k6 * c1_p, v48 = k6 * c1_m,
+        v49 = k6 * v13, v50 = k6 * v14, v51 = v13 * c2, v52 = v14 * c2,
+        v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2))),
+        v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2))), v55 = sqrt2 * c2, v56 = sqrt2 * (k6 * c2),
+        v57 = 2.0 * (a3 * v19), v58 = a3 * v55, v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57)),
+        v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57)), v61 = T33 - k1 * v55, v62 = v61 * v61,
+        v63 = v19 * 2.0, v64 = T31 + k1 * (s34_p * v55 - c34_p * v63),
+        v65 = T31 + k1 * (s34_m * v55 + c34_m * v63),
+        v66 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
+            v53))),
+        v67 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
+            v54))), v68 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19)),
+        v69 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19)),
+        v70 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51)),
+        v71 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52)),
+        v72 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47)),
+        v73 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48)),
+        v74 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45),
+        v75 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46),
+        v76 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19)),
+        v77 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19)), v78 = v72 * v72 + (v59 * v59 + v66 * v66),
+        v79 = v73 * v73 + (v60 * v60 + v67 * v67),
+        v80 = v76 * v76 + (v74 * v74 + (v70 * v70 + (v68 * v68 + (v62 + v64 * v64)))),
+        v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v62 + v65 * v65))));
 
     /* joint values */
-    const wide angle4 = atan2_wide(v22, v26), v83 = angle4 - angle2, angle5 = atan2_wide(v23, v27),
-        v84 = angle5 - angle3;
-    const double v85 = NAN;
-    const wide v86 = only_wide(((v79 <= m6) & (v81 <= m8)) == 0, v85),
-        v87 = only_wide(((v80 <= m6) & (v82 <= m8)) == 0, v85), angle6 = atan2_wide(-v13, c1_p),
+    const wide angle4 = atan2_wide(v22, v26), v82 = angle4 - angle2, angle5 = atan2_wide(v23, v27),
+        v83 = angle5 - angle3;
+    const double v84 = NAN;
+    const wide v85 = only_wide(((v78 <= m6) & (v80 <= m8)) == 0, v84),
+        v86 = only_wide(((v79 <= m6) & (v81 <= m8)) == 0, v84), angle6 = atan2_wide(-v13, c1_p),
         angle7 = atan2_wide(-v14, c1_m);
-    const wide_mask doubt1 = (v41 <= m5) | (v29 <= m1) | (v40 <= m5) | (v28 <= m1) | ((m6 < v80) &
-        (v80 <= m7)) | ((m6 < v79) & (v79 <= m7)) | (abs_wide(D1) <= k4) | (N1 <=
-        doubt_limit_squared) | ((m8 < v82) & (v82 <= m9)) | (v16 <= m1) | ((m8 < v81) & (v81 <=
+    const wide_mask doubt1 = (v40 <= m5) | (v29 <= m1) | (v39 <= m5) | (v28 <= m1) | ((m6 < v79) &
+        (v79 <= m7)) | ((m6 < v78) & (v78 <= m7)) | (abs_wide(D1) <= k4) | (N1 <=
+        doubt_limit_squared) | ((m8 < v81) & (v81 <= m9)) | (v16 <= m1) | ((m8 < v80) & (v80 <=
         m9));
 
-    q[0] = v86 + angle6; q[1] = angle1 + v86; q[2] = angle2 + v86;
-    q[3] = v86 + (v83 + pick_wide(v83 <= -half_turn, all_wide(turn), only_wide(half_turn < v83,
+    q[0] = v85 + angle6; q[1] = angle1 + v85; q[2] = angle2 + v85;
+    q[3] = v85 + (v82 + pick_wide(v82 <= -half_turn, all_wide(turn), only_wide(half_turn < v82,
         -turn)));
     kind[0] = kind_of(q[0], 0);
-    q[4] = v87 + angle7; q[5] = v87 - angle1; q[6] = angle3 + v87;
-    q[7] = v87 + (v84 + pick_wide(v84 <= -half_turn, all_wide(turn), only_wide(half_turn < v84,
+    q[4] = v86 + angle7; q[5] = v86 - angle1; q[6] = angle3 + v86;
+    q[7] = v86 + (v83 + pick_wide(v83 <= -half_turn, all_wide(turn), only_wide(half_turn < v83,
         -turn)));
     kind[1] = kind_of(q[4], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
@@ -467,43 +466,42 @@ HELPER int solve_regular(const double T[16], double q[2][4], unsigned char statu
     const double v24 = 2.0 * T24, v25 = 2.0 * T14, v26 = T13 * v24 - T23 * v25,
         v27 = m4 - m3 * (inverse1 * (v1 * v25 + v2 * v24));
     const four v28 = v27 + w1 * (m3 * (inverse1 * (e1 * v26))),
-        C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24))));
-    const double v29 = (k2 < 0.0) ? (-1.0) : 1.0;
-    const four v30 = v28 * v28 + C3 * C3, factor3 = v29 / sqrt_four(v30), c3 = C3 * factor3,
-        v31 = v28 * factor3;
+        C3 = w2 * (m2 * (v12 * (S2 * (e1 * T34) + v10 * (c1 * T14 - v9 * T24)))),
+        v29 = v28 * v28 + C3 * C3, factor3 = sqrt_four(v29) * (1.0 / v29), c3 = C3 * factor3,
+        v30 = v28 * factor3;
 
     /* is the pose one that the arm can take? */
-    const four v32 = c1 * c2, v33 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7, v34 = k6 * c1,
-        v35 = k6 * v9, v36 = v9 * c2, v37 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
-    const double v38 = sqrt2 * c2, v39 = sqrt2 * (k6 * c2), v40 = 2.0 * (a3 * v14), v41 = a3 * v38;
-    const four v42 = T34 - k1 * (v39 + (v31 * v41 + e1 * (c3 * v40)));
-    const double v43 = T33 - k1 * v38, v44 = v43 * v43, v45 = v14 * 2.0;
-    const four v46 = T31 + k1 * (s34 * v38 - e1 * (c34 * v45)),
-        v47 = T24 - k1 * (sqrt2 * (v34 + e1 * (v14 * v35)) - (c3 * (2.0 * (a3 * v36)) + v31 * (a3 *
-            v37))), v48 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14))),
-        v49 = T21 - k1 * (s34 * v37 - c34 * (2.0 * v36)),
-        v50 = T14 - k1 * (c3 * (2.0 * (a3 * v32)) - v31 * (a3 * v33) + sqrt2 * (v35 - e1 * (v14 *
-            v34))), v51 = T11 - k1 * (c34 * (2.0 * v32) + s34 * v33),
-        v52 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14))),
-        v53 = v50 * v50 + (v42 * v42 + v47 * v47),
-        v54 = v52 * v52 + (v51 * v51 + (v49 * v49 + (v48 * v48 + (v44 + v46 * v46))));
+    const four v31 = c1 * c2, v32 = w2 * (m4 * (v12 * (v4 * v15))) + m4 * v7, v33 = k6 * c1,
+        v34 = k6 * v9, v35 = v9 * c2, v36 = m4 * v4 - w2 * (m4 * (v12 * (v7 * v15)));
+    const double v37 = sqrt2 * c2, v38 = sqrt2 * (k6 * c2), v39 = 2.0 * (a3 * v14), v40 = a3 * v37;
+    const four v41 = T34 - k1 * (v38 + (v30 * v40 + e1 * (c3 * v39)));
+    const double v42 = T33 - k1 * v37, v43 = v42 * v42, v44 = v14 * 2.0;
+    const four v45 = T31 + k1 * (s34 * v37 - e1 * (c34 * v44)),
+        v46 = T24 - k1 * (sqrt2 * (v33 + e1 * (v14 * v34)) - (c3 * (2.0 * (a3 * v35)) + v30 * (a3 *
+            v36))), v47 = T23 - k1 * (sqrt2 * (c1 + e1 * (v9 * v14))),
+        v48 = T21 - k1 * (s34 * v36 - c34 * (2.0 * v35)),
+        v49 = T14 - k1 * (c3 * (2.0 * (a3 * v31)) - v30 * (a3 * v32) + sqrt2 * (v34 - e1 * (v14 *
+            v33))), v50 = T11 - k1 * (c34 * (2.0 * v31) + s34 * v32),
+        v51 = T13 - k1 * (sqrt2 * (v9 - e1 * (c1 * v14))),
+        v52 = v49 * v49 + (v41 * v41 + v46 * v46),
+        v53 = v51 * v51 + (v50 * v50 + (v48 * v48 + (v47 * v47 + (v43 + v45 * v45))));
 
     /* joint values */
-    const double v56 = NAN;
-    const four v57 = only_four(((v53 <= m6) & (v54 <= m8)) == 0, v56);
+    const double v55 = NAN;
+    const four v56 = only_four(((v52 <= m6) & (v53 <= m8)) == 0, v55);
     const int doubt1 = (fabs(D1) <= k4) | (v11 <= m1) | (N1 <= doubt_limit_squared);
-    const four_mask doubt2 = (v30 <= m5) | (v22 <= m1) | ((m8 < v54) & (v54 <= m9)) | ((m6 < v53) &
-        (v53 <= m7));
+    const four_mask doubt2 = (v29 <= m5) | (v22 <= m1) | ((m8 < v53) & (v53 <= m9)) | ((m6 < v52) &
+        (v52 <= m7));
 
     const four_ratio ratio1 = ratio_four(shuffle(-v9, all_four(-S2), 0, 1, 6, 3), shuffle(c1,
         all_four(v10), 0, 1, 6, 3)),
-        ratio2 = ratio_four(shuffle(-v31, v18, 0, 1, 6, 7), shuffle(c3, v21, 0, 1, 6, 7));
+        ratio2 = ratio_four(shuffle(-v28, v18, 0, 1, 6, 7), shuffle(C3, v21, 0, 1, 6, 7));
     const four packed1 = angle_four(ratio1), angle4 = shuffle(packed1, packed1, 0, 1, 0, 1),
         angle1 = shuffle(packed1, packed1, 2, 2, 2, 2), packed2 = angle_four(ratio2),
         angle2 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle3 = shuffle(packed2, packed2, 2, 3, 2, 3);
-    const four v55 = angle3 - angle2, q1 = v57 + angle4, q2 = v57 + e1 * angle1, q3 = angle2 + v57,
-        q4 = v57 + (v55 + pick_four(v55 <= -half_turn, all_four(turn), only_four(half_turn < v55,
+    const four v54 = angle3 - angle2, q1 = v56 + angle4, q2 = v56 + e1 * angle1, q3 = angle2 + v56,
+        q4 = v56 + (v54 + pick_four(v54 <= -half_turn, all_four(turn), only_four(half_turn < v54,
             -turn)));
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
@@ -582,7 +580,7 @@ static void solve(
     const double v9 = seed[2] + seed[3];
 
     /* theta3, type 3: U2[3, 4] and U2[1, 4] */
-    const double v10 = 2.0 * T24, v11 = 2.0 * T14, v13 = k2 < 0.0 ? -1.0 : 1.0;
+    const double v10 = 2.0 * T24, v11 = 2.0 * T14;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -613,22 +611,22 @@ static void solve(
         const double C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - s2 * T34);
         const double w3 = sqrt(v12 * v12 + C3 * C3);
         const int free3 = w3 <= free_limit_squared2;
-        const double factor3 = v13 / (free3 ? 1.0 : w3);
+        const double factor3 = 1.0 / (free3 ? 1.0 : w3);
         const double c3 = free3 ? cos(seed[2]) : C3 * factor3,
             s3 = free3 ? sin(seed[2]) : -(v12 * factor3);
         const double q3 = atan2(s3, c3);
 
         /* is the pose one that the arm can take? */
-        const double v14 = c1 * c2, v15 = c1 * s2, v16 = sqrt2 * (s1 + v15), v17 = c1 * k6,
-            v18 = s1 * k6, v19 = s1 * c2, v20 = s1 * s2, v21 = sqrt2 * (c1 - v20), v22 = sqrt2 * c2;
-        if (!(fabs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v22)))) <=
-            pose_slack1 && fabs(T33 - k1 * v22) <= pose_slack && fabs(T31 + k1 * (c34 * (2.0 * s2) +
-            s34 * v22)) <= pose_slack && fabs(T24 - k1 * (c3 * (2.0 * (a3 * v19)) + s3 * (a3 * v21)
-            + sqrt2 * (v17 + s2 * v18))) <= pose_slack1 && fabs(T23 - k1 * (sqrt2 * (c1 + v20))) <=
-            pose_slack && fabs(T21 - k1 * (c34 * (2.0 * v19) + s34 * v21)) <= pose_slack && fabs(T14
-            - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v16) + sqrt2 * (s2 * v17 - v18))) <=
-            pose_slack1 && fabs(T11 - k1 * (c34 * (2.0 * v14) - s34 * v16)) <= pose_slack &&
-            fabs(T13 - k1 * (sqrt2 * (v15 - s1))) <= pose_slack))
+        const double v13 = c1 * c2, v14 = c1 * s2, v15 = sqrt2 * (s1 + v14), v16 = c1 * k6,
+            v17 = s1 * k6, v18 = s1 * c2, v19 = s1 * s2, v20 = sqrt2 * (c1 - v19), v21 = sqrt2 * c2;
+        if (!(fabs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v21)))) <=
+            pose_slack1 && fabs(T33 - k1 * v21) <= pose_slack && fabs(T31 + k1 * (c34 * (2.0 * s2) +
+            s34 * v21)) <= pose_slack && fabs(T24 - k1 * (c3 * (2.0 * (a3 * v18)) + s3 * (a3 * v20)
+            + sqrt2 * (v16 + s2 * v17))) <= pose_slack1 && fabs(T23 - k1 * (sqrt2 * (c1 + v19))) <=
+            pose_slack && fabs(T21 - k1 * (c34 * (2.0 * v18) + s34 * v20)) <= pose_slack && fabs(T14
+            - k1 * (c3 * (2.0 * (a3 * v13)) - s3 * (a3 * v15) + sqrt2 * (s2 * v16 - v17))) <=
+            pose_slack1 && fabs(T11 - k1 * (c34 * (2.0 * v13) - s34 * v15)) <= pose_slack &&
+            fabs(T13 - k1 * (sqrt2 * (v14 - s1))) <= pose_slack))
             continue; /* the arm can't take this pose */
 
         /* joint values */

@@ -307,7 +307,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "craig_417 70ac7cf1bece1951"
+_KEY = "craig_417 c70c14d68d807ea3"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -391,7 +391,6 @@ def _solve(pose, seed, q, status):
     # theta3, type 3: U2[3, 4] and U2[1, 4]
     v10 = 2.0 * T24
     v11 = 2.0 * T14
-    v13 = -1.0 if k2 < 0.0 else 1.0
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -426,30 +425,30 @@ def _solve(pose, seed, q, status):
         C3 = k2 * (c2 * (c1 * T14 + s1 * T24) - s2 * T34)
         w3 = math.sqrt(v12 * v12 + C3 * C3)
         free3 = w3 <= free_limit_squared2
-        factor3 = v13 / (1.0 if free3 else w3)
+        factor3 = 1.0 / (1.0 if free3 else w3)
         c3 = math.cos(seed[2]) if free3 else C3 * factor3
         s3 = math.sin(seed[2]) if free3 else -(v12 * factor3)
         q3 = _atan2(s3, c3)
 
         # is the pose one that the arm can take?
-        v14 = c1 * c2
-        v15 = c1 * s2
-        v16 = sqrt2 * (s1 + v15)
-        v17 = c1 * k6
-        v18 = s1 * k6
-        v19 = s1 * c2
-        v20 = s1 * s2
-        v21 = sqrt2 * (c1 - v20)
-        v22 = sqrt2 * c2
+        v13 = c1 * c2
+        v14 = c1 * s2
+        v15 = sqrt2 * (s1 + v14)
+        v16 = c1 * k6
+        v17 = s1 * k6
+        v18 = s1 * c2
+        v19 = s1 * s2
+        v20 = sqrt2 * (c1 - v19)
+        v21 = sqrt2 * c2
         if (
-            not (abs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v22)))) <=
-            pose_slack1 and abs(T33 - k1 * v22) <= pose_slack and abs(T31 + k1 * (c34 * (2.0 * s2) +
-            s34 * v22)) <= pose_slack and abs(T24 - k1 * (c3 * (2.0 * (a3 * v19)) + s3 * (a3 * v21)
-            + sqrt2 * (v17 + s2 * v18))) <= pose_slack1 and abs(T23 - k1 * (sqrt2 * (c1 + v20))) <=
-            pose_slack and abs(T21 - k1 * (c34 * (2.0 * v19) + s34 * v21)) <= pose_slack and abs(T14
-            - k1 * (c3 * (2.0 * (a3 * v14)) - s3 * (a3 * v16) + sqrt2 * (s2 * v17 - v18))) <=
-            pose_slack1 and abs(T11 - k1 * (c34 * (2.0 * v14) - s34 * v16)) <= pose_slack and
-            abs(T13 - k1 * (sqrt2 * (v15 - s1))) <= pose_slack)
+            not (abs(T34 - k1 * (sqrt2 * (c2 * k6) - (c3 * (2.0 * (s2 * a3)) + s3 * (a3 * v21)))) <=
+            pose_slack1 and abs(T33 - k1 * v21) <= pose_slack and abs(T31 + k1 * (c34 * (2.0 * s2) +
+            s34 * v21)) <= pose_slack and abs(T24 - k1 * (c3 * (2.0 * (a3 * v18)) + s3 * (a3 * v20)
+            + sqrt2 * (v16 + s2 * v17))) <= pose_slack1 and abs(T23 - k1 * (sqrt2 * (c1 + v19))) <=
+            pose_slack and abs(T21 - k1 * (c34 * (2.0 * v18) + s34 * v20)) <= pose_slack and abs(T14
+            - k1 * (c3 * (2.0 * (a3 * v13)) - s3 * (a3 * v15) + sqrt2 * (s2 * v16 - v17))) <=
+            pose_slack1 and abs(T11 - k1 * (c34 * (2.0 * v13) - s34 * v15)) <= pose_slack and
+            abs(T13 - k1 * (sqrt2 * (v14 - s1))) <= pose_slack)
         ):
             continue  # the arm can't take this pose
 
@@ -750,78 +749,77 @@ def _regular(pose, q, status):
     v38 = S2 * T34
     C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))))
     C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)))
-    v39 = -1.0 if k2 < 0.0 else 1.0
-    v40 = v36 * v36 + C3_p * C3_p
-    v41 = v37 * v37 + C3_m * C3_m
-    factor3_p = v39 / math.sqrt(v40)
-    factor3_m = v39 / math.sqrt(v41)
+    v39 = v36 * v36 + C3_p * C3_p
+    v40 = v37 * v37 + C3_m * C3_m
+    factor3_p = math.sqrt(v39) * (1.0 / v39)
+    factor3_m = math.sqrt(v40) * (1.0 / v40)
     c3_p = C3_p * factor3_p
     c3_m = C3_m * factor3_m
-    v42 = v36 * factor3_p
-    v43 = v37 * factor3_m
+    v41 = v36 * factor3_p
+    v42 = v37 * factor3_m
 
     # is the pose one that the arm can take?
-    v44 = c1_p * c2
-    v45 = c1_m * c2
-    v46 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
-    v47 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
-    v48 = k6 * c1_p
-    v49 = k6 * c1_m
-    v50 = k6 * v13
-    v51 = k6 * v14
-    v52 = v13 * c2
-    v53 = v14 * c2
-    v54 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
-    v55 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
-    v56 = sqrt2 * c2
-    v57 = sqrt2 * (k6 * c2)
-    v58 = 2.0 * (a3 * v19)
-    v59 = a3 * v56
-    v60 = T34 - k1 * (v57 + (v42 * v59 + c3_p * v58))
-    v61 = T34 - k1 * (v57 + (v43 * v59 - c3_m * v58))
-    v62 = T33 - k1 * v56
-    v63 = v62 * v62
-    v64 = v19 * 2.0
-    v65 = T31 + k1 * (s34_p * v56 - c34_p * v64)
-    v66 = T31 + k1 * (s34_m * v56 + c34_m * v64)
-    v67 = T24 - k1 * (sqrt2 * (v48 + v19 * v50) - (c3_p * (2.0 * (a3 * v52)) + v42 * (a3 * v54)))
-    v68 = T24 - k1 * (sqrt2 * (v49 - v19 * v51) - (c3_m * (2.0 * (a3 * v53)) + v43 * (a3 * v55)))
-    v69 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-    v70 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-    v71 = T21 - k1 * (s34_p * v54 - c34_p * (2.0 * v52))
-    v72 = T21 - k1 * (s34_m * v55 - c34_m * (2.0 * v53))
-    v73 = T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 - v19 * v48))
-    v74 = T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v47) + sqrt2 * (v51 + v19 * v49))
-    v75 = T11 - k1 * (c34_p * (2.0 * v44) + s34_p * v46)
-    v76 = T11 - k1 * (c34_m * (2.0 * v45) + s34_m * v47)
-    v77 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-    v78 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+    v43 = c1_p * c2
+    v44 = c1_m * c2
+    v45 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
+    v46 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
+    v47 = k6 * c1_p
+    v48 = k6 * c1_m
+    v49 = k6 * v13
+    v50 = k6 * v14
+    v51 = v13 * c2
+    v52 = v14 * c2
+    v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
+    v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
+    v55 = sqrt2 * c2
+    v56 = sqrt2 * (k6 * c2)
+    v57 = 2.0 * (a3 * v19)
+    v58 = a3 * v55
+    v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57))
+    v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57))
+    v61 = T33 - k1 * v55
+    v62 = v61 * v61
+    v63 = v19 * 2.0
+    v64 = T31 + k1 * (s34_p * v55 - c34_p * v63)
+    v65 = T31 + k1 * (s34_m * v55 + c34_m * v63)
+    v66 = T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 * v53)))
+    v67 = T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 * v54)))
+    v68 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+    v69 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+    v70 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
+    v71 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
+    v72 = T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 * v47))
+    v73 = T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 * v48))
+    v74 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
+    v75 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
+    v76 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+    v77 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+    v78 = v72 * v72 + (v59 * v59 + v66 * v66)
     v79 = v73 * v73 + (v60 * v60 + v67 * v67)
-    v80 = v74 * v74 + (v61 * v61 + v68 * v68)
-    v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v63 + v65 * v65))))
-    v82 = v78 * v78 + (v76 * v76 + (v72 * v72 + (v70 * v70 + (v63 + v66 * v66))))
+    v80 = v76 * v76 + (v74 * v74 + (v70 * v70 + (v68 * v68 + (v62 + v64 * v64))))
+    v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v62 + v65 * v65))))
 
     # joint values
-    v85 = math.sqrt(-1.0)
-    v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v85
-    v87 = 0.0 if (v80 <= m6 and v82 <= m8) else v85
+    v84 = math.sqrt(-1.0)
+    v85 = 0.0 if (v78 <= m6 and v80 <= m8) else v84
+    v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v84
     doubt1 = (
-        v41 <= m5 or v29 <= m1 or v40 <= m5 or v28 <= m1 or (m6 < v80 and v80 <= m7) or (m6 < v79
-        and v79 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v82 and v82 <= m9) or
-        v16 <= m1 or (m8 < v81 and v81 <= m9)
+        v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v79 and v79 <= m7) or (m6 < v78
+        and v78 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v81 and v81 <= m9) or
+        v16 <= m1 or (m8 < v80 and v80 <= m9)
     )
 
     # angles, side by side
     room[0] = -S2
-    room[1] = -v42
-    room[2] = -v43
+    room[1] = -v36
+    room[2] = -v37
     room[3] = v22
     room[4] = v23
     room[5] = -v13
     room[6] = -v14
     room[8] = v15
-    room[9] = c3_p
-    room[10] = c3_m
+    room[9] = C3_p
+    room[10] = C3_m
     room[11] = v26
     room[12] = v27
     room[13] = c1_p
@@ -839,16 +837,16 @@ def _regular(pose, q, status):
     angle7 = room[6]
 
     # joint values
-    v83 = angle4 - angle2
-    v84 = angle5 - angle3
-    q1_p = v86 + angle6
-    q1_m = v87 + angle7
-    q2_p = angle1 + v86
-    q2_m = v87 - angle1
-    q3_p = angle2 + v86
-    q3_m = angle3 + v87
-    q4_p = v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
-    q4_m = v87 + (v84 + (turn if v84 <= -half_turn else (-turn if half_turn < v84 else 0.0)))
+    v82 = angle4 - angle2
+    v83 = angle5 - angle3
+    q1_p = v85 + angle6
+    q1_m = v86 + angle7
+    q2_p = angle1 + v85
+    q2_m = v86 - angle1
+    q3_p = angle2 + v85
+    q3_m = angle3 + v86
+    q4_p = v85 + (v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0)))
+    q4_m = v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1146,87 +1144,86 @@ def _in_tiles(T, q, status):
             v38 = S2 * T34
             C3_p = w2 * (m2 * (v17 * (v38 + v15 * (c1_p * T14 - v13 * T24))))
             C3_m = w2 * (m2 * (v17 * (v15 * (c1_m * T14 - v14 * T24) - v38)))
-            v39 = -1.0 if k2 < 0.0 else 1.0
-            v40 = v36 * v36 + C3_p * C3_p
-            v41 = v37 * v37 + C3_m * C3_m
-            factor3_p = v39 / math.sqrt(v40)
-            factor3_m = v39 / math.sqrt(v41)
+            v39 = v36 * v36 + C3_p * C3_p
+            v40 = v37 * v37 + C3_m * C3_m
+            factor3_p = math.sqrt(v39) * (1.0 / v39)
+            factor3_m = math.sqrt(v40) * (1.0 / v40)
             c3_p = C3_p * factor3_p
             c3_m = C3_m * factor3_m
-            v42 = v36 * factor3_p
-            v43 = v37 * factor3_m
-            v44 = c1_p * c2
-            v45 = c1_m * c2
-            v46 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
-            v47 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
-            v48 = k6 * c1_p
-            v49 = k6 * c1_m
-            v50 = k6 * v13
-            v51 = k6 * v14
-            v52 = v13 * c2
-            v53 = v14 * c2
-            v54 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
-            v55 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
-            v56 = sqrt2 * c2
-            v57 = sqrt2 * (k6 * c2)
-            v58 = 2.0 * (a3 * v19)
-            v59 = a3 * v56
-            v60 = T34 - k1 * (v57 + (v42 * v59 + c3_p * v58))
-            v61 = T34 - k1 * (v57 + (v43 * v59 - c3_m * v58))
-            v62 = T33 - k1 * v56
-            v63 = v62 * v62
-            v64 = v19 * 2.0
-            v65 = T31 + k1 * (s34_p * v56 - c34_p * v64)
-            v66 = T31 + k1 * (s34_m * v56 + c34_m * v64)
+            v41 = v36 * factor3_p
+            v42 = v37 * factor3_m
+            v43 = c1_p * c2
+            v44 = c1_m * c2
+            v45 = w2 * (m4 * (v17 * (v4 * S2))) + m4 * v9
+            v46 = m4 * v10 - w2 * (m4 * (v17 * (v5 * S2)))
+            v47 = k6 * c1_p
+            v48 = k6 * c1_m
+            v49 = k6 * v13
+            v50 = k6 * v14
+            v51 = v13 * c2
+            v52 = v14 * c2
+            v53 = m4 * v4 - w2 * (m4 * (v17 * (v9 * S2)))
+            v54 = m4 * v5 + w2 * (m4 * (v17 * (v10 * S2)))
+            v55 = sqrt2 * c2
+            v56 = sqrt2 * (k6 * c2)
+            v57 = 2.0 * (a3 * v19)
+            v58 = a3 * v55
+            v59 = T34 - k1 * (v56 + (v41 * v58 + c3_p * v57))
+            v60 = T34 - k1 * (v56 + (v42 * v58 - c3_m * v57))
+            v61 = T33 - k1 * v55
+            v62 = v61 * v61
+            v63 = v19 * 2.0
+            v64 = T31 + k1 * (s34_p * v55 - c34_p * v63)
+            v65 = T31 + k1 * (s34_m * v55 + c34_m * v63)
+            v66 = (
+                T24 - k1 * (sqrt2 * (v47 + v19 * v49) - (c3_p * (2.0 * (a3 * v51)) + v41 * (a3 *
+                v53)))
+            )
             v67 = (
-                T24 - k1 * (sqrt2 * (v48 + v19 * v50) - (c3_p * (2.0 * (a3 * v52)) + v42 * (a3 *
+                T24 - k1 * (sqrt2 * (v48 - v19 * v50) - (c3_m * (2.0 * (a3 * v52)) + v42 * (a3 *
                 v54)))
             )
-            v68 = (
-                T24 - k1 * (sqrt2 * (v49 - v19 * v51) - (c3_m * (2.0 * (a3 * v53)) + v43 * (a3 *
-                v55)))
+            v68 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
+            v69 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
+            v70 = T21 - k1 * (s34_p * v53 - c34_p * (2.0 * v51))
+            v71 = T21 - k1 * (s34_m * v54 - c34_m * (2.0 * v52))
+            v72 = (
+                T14 - k1 * (c3_p * (2.0 * (a3 * v43)) - v41 * (a3 * v45) + sqrt2 * (v49 - v19 *
+                v47))
             )
-            v69 = T23 - k1 * (sqrt2 * (c1_p + v13 * v19))
-            v70 = T23 - k1 * (sqrt2 * (c1_m - v14 * v19))
-            v71 = T21 - k1 * (s34_p * v54 - c34_p * (2.0 * v52))
-            v72 = T21 - k1 * (s34_m * v55 - c34_m * (2.0 * v53))
             v73 = (
-                T14 - k1 * (c3_p * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 - v19 *
+                T14 - k1 * (c3_m * (2.0 * (a3 * v44)) - v42 * (a3 * v46) + sqrt2 * (v50 + v19 *
                 v48))
             )
-            v74 = (
-                T14 - k1 * (c3_m * (2.0 * (a3 * v45)) - v43 * (a3 * v47) + sqrt2 * (v51 + v19 *
-                v49))
-            )
-            v75 = T11 - k1 * (c34_p * (2.0 * v44) + s34_p * v46)
-            v76 = T11 - k1 * (c34_m * (2.0 * v45) + s34_m * v47)
-            v77 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
-            v78 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+            v74 = T11 - k1 * (c34_p * (2.0 * v43) + s34_p * v45)
+            v75 = T11 - k1 * (c34_m * (2.0 * v44) + s34_m * v46)
+            v76 = T13 - k1 * (sqrt2 * (v13 - c1_p * v19))
+            v77 = T13 - k1 * (sqrt2 * (v14 + c1_m * v19))
+            v78 = v72 * v72 + (v59 * v59 + v66 * v66)
             v79 = v73 * v73 + (v60 * v60 + v67 * v67)
-            v80 = v74 * v74 + (v61 * v61 + v68 * v68)
-            v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v63 + v65 * v65))))
-            v82 = v78 * v78 + (v76 * v76 + (v72 * v72 + (v70 * v70 + (v63 + v66 * v66))))
-            v85 = math.sqrt(-1.0)
-            v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v85
-            v87 = 0.0 if (v80 <= m6 and v82 <= m8) else v85
+            v80 = v76 * v76 + (v74 * v74 + (v70 * v70 + (v68 * v68 + (v62 + v64 * v64))))
+            v81 = v77 * v77 + (v75 * v75 + (v71 * v71 + (v69 * v69 + (v62 + v65 * v65))))
+            v84 = math.sqrt(-1.0)
+            v85 = 0.0 if (v78 <= m6 and v80 <= m8) else v84
+            v86 = 0.0 if (v79 <= m6 and v81 <= m8) else v84
             doubt1 = (
-                v41 <= m5 or v29 <= m1 or v40 <= m5 or v28 <= m1 or (m6 < v80 and v80 <= m7) or (m6
-                < v79 and v79 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v82 and
-                v82 <= m9) or v16 <= m1 or (m8 < v81 and v81 <= m9)
+                v40 <= m5 or v29 <= m1 or v39 <= m5 or v28 <= m1 or (m6 < v79 and v79 <= m7) or (m6
+                < v78 and v78 <= m7) or abs(D1) <= k4 or N1 <= doubt_limit_squared or (m8 < v81 and
+                v81 <= m9) or v16 <= m1 or (m8 < v80 and v80 <= m9)
             )
-            work[272 + k] = v86
-            work[288 + k] = v87
+            work[272 + k] = v85
+            work[288 + k] = v86
             work[304 + k] = doubt1
             work[320 + k] = -S2
-            work[336 + k] = -v42
-            work[352 + k] = -v43
+            work[336 + k] = -v36
+            work[352 + k] = -v37
             work[368 + k] = v22
             work[384 + k] = v23
             work[400 + k] = -v13
             work[416 + k] = -v14
             work[432 + k] = v15
-            work[448 + k] = c3_p
-            work[464 + k] = c3_m
+            work[448 + k] = C3_p
+            work[464 + k] = C3_m
             work[480 + k] = v26
             work[496 + k] = v27
             work[512 + k] = c1_p
@@ -1234,8 +1231,8 @@ def _in_tiles(T, q, status):
         for k in range(320, 432):
             work[k] = _atan2(work[k], work[k + 112])
         for k in range(0, 16):
-            v86 = work[272 + k]
-            v87 = work[288 + k]
+            v85 = work[272 + k]
+            v86 = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
@@ -1244,19 +1241,19 @@ def _in_tiles(T, q, status):
             angle5 = work[384 + k]
             angle6 = work[400 + k]
             angle7 = work[416 + k]
-            v83 = angle4 - angle2
-            v84 = angle5 - angle3
-            q1_p = v86 + angle6
-            q1_m = v87 + angle7
-            q2_p = angle1 + v86
-            q2_m = v87 - angle1
-            q3_p = angle2 + v86
-            q3_m = angle3 + v87
+            v82 = angle4 - angle2
+            v83 = angle5 - angle3
+            q1_p = v85 + angle6
+            q1_m = v86 + angle7
+            q2_p = angle1 + v85
+            q2_m = v86 - angle1
+            q3_p = angle2 + v85
+            q3_m = angle3 + v86
             q4_p = (
-                v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
+                v85 + (v82 + (turn if v82 <= -half_turn else (-turn if half_turn < v82 else 0.0)))
             )
             q4_m = (
-                v87 + (v84 + (turn if v84 <= -half_turn else (-turn if half_turn < v84 else 0.0)))
+                v86 + (v83 + (turn if v83 <= -half_turn else (-turn if half_turn < v83 else 0.0)))
             )
             _544 = q1_p
             work[544 + k] = _544

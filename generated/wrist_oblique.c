@@ -257,7 +257,6 @@ static const double
     k3 = 1.3268278963378768, /* sa2 * sqrt3 */
     k4 = 0.6634139481689384, /* sa2 * sqrt3 / 2 */
     k5 = 0.8660254037844386, /* sqrt3 / 2 */
-    k6 = 0.5745333323392334, /* sqrt3 / 2 * sa2 * sqrt3 / 2 */
     f1 = 0.5, /* 1 / 2 */
     f2 = 0.8660254037844386, /* 1 / 2 * sqrt3 */
     f3 = 0.383022221559489, /* sa2 * 1 / 2 */
@@ -273,7 +272,7 @@ static const double
     m6 = 1.0000000000000002e-10, /* pose_slack^2 */
     m7 = 6.000000000000001e-10; /* 6 * pose_slack^2 */
 /* coefficients */
-static const double m1 = 0.383022221559489, m3 = 0.6634139481689384;
+static const double m1 = 0.383022221559489, m3 = 0.2541022842412185;
 
 /* The entries of a pose by their names. */
 #define ENTRIES(number) \
@@ -372,61 +371,59 @@ HELPER wide_mask solve_wide(const wide T[16], wide q[6], wide_mask kind[2])
         S3_p = v14 + w1 * (m1 * (inverse1 * v13)), S3_m = v14 + w1 * (m1 * (inverse1 * -v13)),
         v15 = Y1 * v10 - v1 * v9, v16 = m1 * (T32 - inverse1 * (v2 * v10 + v3 * v9)),
         C3_p = v16 + w1 * (m1 * (inverse1 * v15)), C3_m = v16 + w1 * (m1 * (inverse1 * -v15)),
-        v17 = S3_p * S3_p + C3_p * C3_p, v18 = S3_m * S3_m + C3_m * C3_m, w3_p = sqrt_wide(v17),
-        w3_m = sqrt_wide(v18), v19 = 1.0 / v17, v20 = 1.0 / v18, v21 = w3_p * v19, v22 = w3_m * v20,
-        v23 = C3_p * v21, v24 = C3_m * v22, v25 = S3_p * v21, v26 = S3_m * v22;
+        v17 = S3_p * S3_p + C3_p * C3_p, v18 = S3_m * S3_m + C3_m * C3_m,
+        v19 = sqrt_wide(v17) * (1.0 / v17), v20 = sqrt_wide(v18) * (1.0 / v18);
 
     /* theta2 */
-    const wide v27 = w3_p * (m3 * (v19 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v12 - c1_p * v11)))) -
-        T31 * (sa2 * (k1 * (T32 + (s1_p * v10 - c1_p * v9))))))),
-        v28 = w3_m * (m3 * (v20 * (T32 * (sa2 * (k1 * (T31 - (v8 * v12 + c1_m * v11)))) - T31 * (sa2
-            * (k1 * (T32 - (v8 * v10 + c1_m * v9))))))), v29 = k5 * (k1 * (2.0 * T33 - ca2));
-    const double v30 = (-k6 < 0.0) ? (-1.0) : 1.0;
-    const wide v31 = v29 * v29, v32 = v31 + v27 * v27, v33 = v31 + v28 * v28,
-        factor2_p = v30 / sqrt_wide(v32), factor2_m = v30 / sqrt_wide(v33), v34 = v29 * factor2_p,
-        v35 = v29 * factor2_m, v36 = v27 * factor2_p, v37 = v28 * factor2_m;
+    const wide v21 = v9 * T31 - v11 * T32, v22 = v12 * T32 - v10 * T31,
+        v23 = m3 * (inverse1 * (v2 * -v22 + v3 * v21)),
+        v24 = w1 * (m3 * (inverse1 * (v1 * v21 + Y1 * v22))), s2_p = v23 + v24, s2_m = v23 - v24,
+        c2 = k5 * (k1 * (2.0 * T33 - ca2)), v25 = c2 * c2, v26 = v19 * s2_p, v27 = v20 * s2_m,
+        v28 = v25 + v19 * (s2_p * v26), v29 = v25 + v20 * (s2_m * v27),
+        v30 = sqrt_wide(v28) * (1.0 / v28), v31 = sqrt_wide(v29) * (1.0 / v29);
 
     /* is the pose one that the arm can take? */
-    const wide v38 = ca2 * s1_p, v39 = ca2 * v8, v40 = ca2 * c1_p, v41 = ca2 * c1_m,
-        v42 = sa2 * s1_p, v43 = sa2 * v8, v44 = sa2 * c1_p, v45 = sa2 * c1_m,
-        v46 = v34 * v42 + v36 * (2.0 * v44) + ca2 * (sqrt3 * s1_p),
-        v47 = v37 * (2.0 * v45) - v35 * v43 - ca2 * (sqrt3 * v8),
-        v48 = v36 * (2.0 * v42) - v34 * v44 - ca2 * (sqrt3 * c1_p),
-        v49 = v37 * (2.0 * v43) + v35 * v45 + ca2 * (sqrt3 * c1_m), v50 = ca2 - k3 * v34,
-        v51 = ca2 - k3 * v35, v52 = T34 - k1 * (d3 * v50), v53 = T34 - k1 * (d3 * v51),
-        v54 = T33 - k1 * v50, v55 = T33 - k1 * v51,
-        v56 = T31 - k1 * (v34 * (ca2 * (sqrt3 * v25)) + v36 * (sqrt3 * v23) + sa2 * v25),
-        v57 = T31 - k1 * (v35 * (ca2 * (sqrt3 * v26)) + v37 * (sqrt3 * v24) + sa2 * v26),
-        v58 = T24 - k1 * (d3 * v48), v59 = T24 + k1 * (d3 * v49), v60 = T23 - k1 * v48,
-        v61 = T23 + k1 * v49,
-        v62 = T21 - k1 * (v34 * (v23 * (s1_p * 2.0) + v25 * v40) - v36 * (v25 * (2.0 * v38) - c1_p *
-            v23) - sa2 * (sqrt3 * (c1_p * v25))),
-        v63 = T21 - k1 * (v35 * (v26 * v41 - v24 * (v8 * 2.0)) + v37 * (v26 * (2.0 * v39) + c1_m *
-            v24) - sa2 * (sqrt3 * (c1_m * v26))), v64 = T14 - k1 * (d3 * v46),
-        v65 = T14 - k1 * (d3 * v47),
-        v66 = T11 - k1 * (sa2 * (sqrt3 * (s1_p * v25)) - (v34 * (v25 * v38 - v23 * (c1_p * 2.0)) +
-            v36 * (s1_p * v23 + v25 * (2.0 * v40)))),
-        v67 = T11 + k1 * (sa2 * (sqrt3 * (v8 * v26)) + (v37 * (v26 * (2.0 * v41) - v8 * v24) - v35 *
-            (v26 * v39 + v24 * (c1_m * 2.0)))), v68 = T13 - k1 * v46, v69 = T13 - k1 * v47,
-        v70 = v64 * v64 + (v52 * v52 + v58 * v58), v71 = v65 * v65 + (v53 * v53 + v59 * v59),
-        v72 = v68 * v68 + (v66 * v66 + (v62 * v62 + (v60 * v60 + (v54 * v54 + v56 * v56)))),
-        v73 = v69 * v69 + (v67 * v67 + (v63 * v63 + (v61 * v61 + (v55 * v55 + v57 * v57))));
+    const wide v32 = ca2 * s1_p, v33 = ca2 * v8, v34 = ca2 * c1_p, v35 = ca2 * c1_m,
+        v36 = sa2 * s1_p, v37 = sa2 * v8, v38 = sa2 * c1_p, v39 = sa2 * c1_m,
+        v40 = v30 * (c2 * v36 + v19 * (s2_p * (2.0 * v38))) - ca2 * (sqrt3 * s1_p),
+        v41 = v31 * (v20 * (s2_m * (2.0 * v39)) - c2 * v37) + ca2 * (sqrt3 * v8),
+        v42 = v30 * (c2 * v38 - v19 * (s2_p * (2.0 * v36))) - ca2 * (sqrt3 * c1_p),
+        v43 = v31 * (c2 * v39 + v20 * (s2_m * (2.0 * v37))) - ca2 * (sqrt3 * c1_m), v44 = k3 * c2,
+        v45 = ca2 + v30 * v44, v46 = ca2 + v31 * v44, v47 = T34 - k1 * (d3 * v45),
+        v48 = T34 - k1 * (d3 * v46), v49 = T33 - k1 * v45, v50 = T33 - k1 * v46,
+        v51 = T31 - v19 * (k1 * (sa2 * S3_p - v30 * (c2 * (ca2 * (sqrt3 * S3_p)) + v26 * (sqrt3 *
+            C3_p)))),
+        v52 = T31 - v20 * (k1 * (sa2 * S3_m - v31 * (c2 * (ca2 * (sqrt3 * S3_m)) + v27 * (sqrt3 *
+            C3_m)))), v53 = T24 - k1 * (d3 * v42), v54 = T24 - k1 * (d3 * v43),
+        v55 = T23 - k1 * v42, v56 = T23 - k1 * v43,
+        v57 = T21 - v19 * (k1 * (v30 * (v26 * (S3_p * (2.0 * v32) - c1_p * C3_p) - c2 * (C3_p *
+            (s1_p * 2.0) + S3_p * v34)) - sa2 * (sqrt3 * (c1_p * S3_p)))),
+        v58 = T21 + v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v33) + c1_m * C3_m) + c2 * (S3_m * v35
+            - C3_m * (v8 * 2.0))) + sa2 * (sqrt3 * (c1_m * S3_m)))), v59 = T14 + k1 * (d3 * v40),
+        v60 = T14 + k1 * (d3 * v41),
+        v61 = T11 - v19 * (k1 * (sa2 * (sqrt3 * (s1_p * S3_p)) + v30 * (c2 * (S3_p * v32 - C3_p *
+            (c1_p * 2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34))))),
+        v62 = T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33 +
+            C3_m * (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m)))), v63 = T13 - k1 * -v40,
+        v64 = T13 + k1 * v41, v65 = v59 * v59 + (v47 * v47 + v53 * v53),
+        v66 = v60 * v60 + (v48 * v48 + v54 * v54),
+        v67 = v63 * v63 + (v61 * v61 + (v57 * v57 + (v55 * v55 + (v49 * v49 + v51 * v51)))),
+        v68 = v64 * v64 + (v62 * v62 + (v58 * v58 + (v56 * v56 + (v50 * v50 + v52 * v52))));
 
     /* joint values */
-    const double v74 = NAN;
-    const wide v75 = only_wide(((v70 <= m4) & (v72 <= m6)) == 0, v74),
-        v76 = only_wide(((v71 <= m4) & (v73 <= m6)) == 0, v74), angle1 = atan2_wide(s1_p, c1_p),
-        angle2 = atan2_wide(-v8, c1_m), angle3 = atan2_wide(-v36, -v34),
-        angle4 = atan2_wide(-v37, -v35), angle5 = atan2_wide(-S3_p, -C3_p),
-        angle6 = atan2_wide(-S3_m, -C3_m);
-    const wide_mask doubt1 = (v33 <= m2) | (v18 <= m2) | (v32 <= m2) | (v17 <= m2) | ((m4 < v71) &
-        (v71 <= m5)) | ((m4 < v70) & (v70 <= m5)) | ((m6 < v73) & (v73 <= m7)) | (N1 <=
+    const double v69 = NAN;
+    const wide v70 = only_wide(((v65 <= m4) & (v67 <= m6)) == 0, v69),
+        v71 = only_wide(((v66 <= m4) & (v68 <= m6)) == 0, v69), angle1 = atan2_wide(s1_p, c1_p),
+        angle2 = atan2_wide(-v8, c1_m), angle3 = atan2_wide(v26, c2), angle4 = atan2_wide(v27, c2),
+        angle5 = atan2_wide(-S3_p, -C3_p), angle6 = atan2_wide(-S3_m, -C3_m);
+    const wide_mask doubt1 = (v29 <= m2) | (v18 <= m2) | (v28 <= m2) | (v17 <= m2) | ((m4 < v66) &
+        (v66 <= m5)) | ((m4 < v65) & (v65 <= m5)) | ((m6 < v68) & (v68 <= m7)) | (N1 <=
         doubt_limit_squared2) | (abs_wide(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs_wide(Z1)))
-        | ((m6 < v72) & (v72 <= m7));
+        | ((m6 < v67) & (v67 <= m7));
 
-    q[0] = v75 + angle1; q[1] = v75 + angle3; q[2] = v75 + angle5;
+    q[0] = v70 + angle1; q[1] = v70 + angle3; q[2] = v70 + angle5;
     kind[0] = kind_of(q[0], 0);
-    q[3] = v76 + angle2; q[4] = v76 + angle4; q[5] = v76 + angle6;
+    q[3] = v71 + angle2; q[4] = v71 + angle4; q[5] = v71 + angle6;
     kind[1] = kind_of(q[3], 0);
     const wide_mask exact = irregularity_wide(T) <= 1e-24;
     return (exact == 0) | (doubt1);
@@ -455,44 +452,44 @@ HELPER int solve_regular(const double T[16], double q[2][3], unsigned char statu
     const four S3 = v11 + w1 * (m1 * (inverse1 * (e1 * v10)));
     const double v12 = Y1 * v7 - v1 * v6, v13 = m1 * (T32 - inverse1 * (v2 * v7 + v3 * v6));
     const four C3 = v13 + w1 * (m1 * (inverse1 * (e1 * v12))), v14 = S3 * S3 + C3 * C3,
-        w3 = sqrt_four(v14), v15 = 1.0 / v14, v16 = w3 * v15, v17 = C3 * v16, v18 = S3 * v16;
+        v15 = sqrt_four(v14) * (1.0 / v14);
 
     /* theta2 */
-    const four v19 = w3 * (m3 * (v15 * (T32 * (sa2 * (k1 * (T31 + (s1 * v9 - c1 * v8)))) - T31 *
-        (sa2 * (k1 * (T32 + (s1 * v7 - c1 * v6)))))));
-    const double v20 = k5 * (k1 * (2.0 * T33 - ca2)), v21 = (-k6 < 0.0) ? (-1.0) : 1.0,
-        v22 = v20 * v20;
-    const four v23 = v22 + v19 * v19, factor2 = v21 / sqrt_four(v23), v24 = v20 * factor2,
-        v25 = v19 * factor2;
+    const double v16 = v6 * T31 - v8 * T32, v17 = v9 * T32 - v7 * T31, v18 = v1 * v16 + Y1 * v17,
+        v19 = m3 * (inverse1 * (v2 * -v17 + v3 * v16));
+    const four s2 = v19 + w1 * (m3 * (inverse1 * (e1 * v18)));
+    const double c2 = k5 * (k1 * (2.0 * T33 - ca2)), v20 = c2 * c2;
+    const four v21 = v15 * s2, v22 = v20 + v15 * (s2 * v21), v23 = sqrt_four(v22) * (1.0 / v22);
 
     /* is the pose one that the arm can take? */
-    const four v26 = ca2 * s1, v27 = ca2 * c1, v28 = sa2 * s1, v29 = sa2 * c1,
-        v30 = v24 * v28 + v25 * (2.0 * v29) + ca2 * (sqrt3 * s1),
-        v31 = v25 * (2.0 * v28) - v24 * v29 - ca2 * (sqrt3 * c1), v32 = ca2 - k3 * v24,
-        v33 = T34 - k1 * (d3 * v32), v34 = T33 - k1 * v32,
-        v35 = T31 - k1 * (v24 * (ca2 * (sqrt3 * v18)) + v25 * (sqrt3 * v17) + sa2 * v18),
-        v36 = T24 - k1 * (d3 * v31), v37 = T23 - k1 * v31,
-        v38 = T21 - k1 * (v24 * (v17 * (s1 * 2.0) + v18 * v27) - v25 * (v18 * (2.0 * v26) - c1 *
-            v17) - sa2 * (sqrt3 * (c1 * v18))), v39 = T14 - k1 * (d3 * v30),
-        v40 = T11 - k1 * (sa2 * (sqrt3 * (s1 * v18)) - (v24 * (v18 * v26 - v17 * (c1 * 2.0)) + v25 *
-            (s1 * v17 + v18 * (2.0 * v27)))), v41 = T13 - k1 * v30,
-        v42 = v39 * v39 + (v33 * v33 + v36 * v36),
-        v43 = v41 * v41 + (v40 * v40 + (v38 * v38 + (v37 * v37 + (v34 * v34 + v35 * v35))));
+    const four v24 = ca2 * s1, v25 = ca2 * c1, v26 = sa2 * s1, v27 = sa2 * c1,
+        v28 = v23 * (c2 * v26 + v15 * (s2 * (2.0 * v27))) - ca2 * (sqrt3 * s1),
+        v29 = v23 * (c2 * v27 - v15 * (s2 * (2.0 * v26))) - ca2 * (sqrt3 * c1);
+    const double v30 = k3 * c2;
+    const four v31 = ca2 + v23 * v30, v32 = T34 - k1 * (d3 * v31), v33 = T33 - k1 * v31,
+        v34 = T31 - v15 * (k1 * (sa2 * S3 - v23 * (c2 * (ca2 * (sqrt3 * S3)) + v21 * (sqrt3 *
+            C3)))), v35 = T24 - k1 * (d3 * v29), v36 = T23 - k1 * v29,
+        v37 = T21 - v15 * (k1 * (v23 * (v21 * (S3 * (2.0 * v24) - c1 * C3) - c2 * (C3 * (s1 * 2.0) +
+            S3 * v25)) - sa2 * (sqrt3 * (c1 * S3)))), v38 = T14 + k1 * (d3 * v28),
+        v39 = T11 - v15 * (k1 * (sa2 * (sqrt3 * (s1 * S3)) + v23 * (c2 * (S3 * v24 - C3 * (c1 *
+            2.0)) + v21 * (s1 * C3 + S3 * (2.0 * v25))))), v40 = T13 - k1 * -v28,
+        v41 = v38 * v38 + (v32 * v32 + v35 * v35),
+        v42 = v40 * v40 + (v39 * v39 + (v37 * v37 + (v36 * v36 + (v33 * v33 + v34 * v34))));
 
     /* joint values */
-    const double v44 = NAN;
-    const four v45 = only_four(((v42 <= m4) & (v43 <= m6)) == 0, v44);
+    const double v43 = NAN;
+    const four v44 = only_four(((v41 <= m4) & (v42 <= m6)) == 0, v43);
     const int doubt1 = (N1 <= doubt_limit_squared2) | (fabs(D1) <= reach_slack1 * (reach_slack1 +
         2.0 * fabs(Z1)));
-    const four_mask doubt2 = (v23 <= m2) | (v14 <= m2) | ((m6 < v43) & (v43 <= m7)) | ((m4 < v42) &
-        (v42 <= m5));
+    const four_mask doubt2 = (v22 <= m2) | (v14 <= m2) | ((m6 < v42) & (v42 <= m7)) | ((m4 < v41) &
+        (v41 <= m5));
 
     const four_ratio ratio1 = ratio_four(-S3, -C3),
-        ratio2 = ratio_four(shuffle(s1, -v25, 0, 1, 6, 7), shuffle(c1, -v24, 0, 1, 6, 7));
+        ratio2 = ratio_four(shuffle(s1, v21, 0, 1, 6, 7), shuffle(c1, all_four(c2), 0, 1, 6, 7));
     const four packed1 = angle_four(ratio1), angle3 = shuffle(packed1, packed1, 0, 1, 0, 1),
         packed2 = angle_four(ratio2), angle1 = shuffle(packed2, packed2, 0, 1, 0, 1),
         angle2 = shuffle(packed2, packed2, 2, 3, 2, 3);
-    const four q1 = v45 + angle1, q2 = v45 + angle2, q3 = v45 + angle3;
+    const four q1 = v44 + angle1, q2 = v44 + angle2, q3 = v44 + angle3;
 
     if (bits_four(((irregularity_four(T) <= 1e-24) == 0) | doubt2) | (unsigned)(doubt1))
         return -1;
@@ -567,7 +564,7 @@ static void solve(
     const double v6 = sqrt3 * T22, v7 = T12 * sqrt3, v8 = sqrt3 * T21, v9 = T11 * sqrt3;
 
     /* theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1] */
-    const double v12 = k1 * (2.0 * T33 - ca2) * k5, v13 = -k6 < 0.0 ? -1.0 : 1.0, v14 = v12 * v12;
+    const double v12 = k1 * (2.0 * T33 - ca2) * k5, v13 = v12 * v12;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -590,11 +587,10 @@ static void solve(
 
         /* theta2 */
         const double v11 = k4 * (T31 * c3 - T32 * s3);
-        const double w2 = sqrt(v11 * v11 + v14);
+        const double w2 = sqrt(v11 * v11 + v13);
         const int free2 = w2 <= free_limit_squared;
-        const double factor2 = v13 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : -(v12 * factor2),
-            s2 = free2 ? sin(seed[1]) : -(v11 * factor2);
+        const double v14 = 1.0 / (free2 ? 1.0 : w2);
+        const double c2 = free2 ? cos(seed[1]) : v12 * v14, s2 = free2 ? sin(seed[1]) : v11 * v14;
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */

@@ -108,7 +108,6 @@ k2 = 0.12855752193730788  # 2 * d3 * ca2 [m]
 k3 = 1.3268278963378768  # sa2 * sqrt3
 k4 = 0.6634139481689384  # sa2 * sqrt3 / 2
 k5 = 0.8660254037844386  # sqrt3 / 2
-k6 = 0.5745333323392334  # sqrt3 / 2 * sa2 * sqrt3 / 2
 f1 = 0.5  # 1 / 2
 f2 = 0.8660254037844386  # 1 / 2 * sqrt3
 f3 = 0.383022221559489  # sa2 * 1 / 2
@@ -119,7 +118,7 @@ g3 = 0.3213938048432697  # ca2 * 1 / 2
 doubt_limit_squared2 = 1.0000000000000002e-08  # square of a length that fixes no angle [m^2]
 m1 = 0.383022221559489  # a coefficient of S3
 m2 = 1e-12  # doubt_limit_squared^2
-m3 = 0.6634139481689384  # a coefficient of v11
+m3 = 0.2541022842412185  # a coefficient of v11
 m4 = 1.0000000000000004e-12  # pose_slack1^2 [m^2]
 m5 = 3.000000000000001e-12  # 3 * pose_slack1^2 [m^2]
 m6 = 1.0000000000000002e-10  # pose_slack^2
@@ -293,7 +292,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "wrist_oblique e653d71dfec25ee2"
+_KEY = "wrist_oblique 2edd49167094b8ad"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -380,8 +379,7 @@ def _solve(pose, seed, q, status):
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
     v12 = k1 * (2.0 * T33 - ca2) * k5
-    v13 = -1.0 if -k6 < 0.0 else 1.0
-    v14 = v12 * v12
+    v13 = v12 * v12
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
@@ -405,11 +403,11 @@ def _solve(pose, seed, q, status):
 
         # theta2
         v11 = k4 * (T31 * c3 - T32 * s3)
-        w2 = math.sqrt(v11 * v11 + v14)
+        w2 = math.sqrt(v11 * v11 + v13)
         free2 = w2 <= free_limit_squared
-        factor2 = v13 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else -(v12 * factor2)
-        s2 = math.sin(seed[1]) if free2 else -(v11 * factor2)
+        v14 = 1.0 / (1.0 if free2 else w2)
+        c2 = math.cos(seed[1]) if free2 else v12 * v14
+        s2 = math.sin(seed[1]) if free2 else v11 * v14
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
@@ -698,109 +696,101 @@ def _regular(pose, q, status):
     C3_m = v16 + w1 * (m1 * (inverse1 * -v15))
     v17 = S3_p * S3_p + C3_p * C3_p
     v18 = S3_m * S3_m + C3_m * C3_m
-    w3_p = math.sqrt(v17)
-    w3_m = math.sqrt(v18)
-    v19 = 1.0 / v17
-    v20 = 1.0 / v18
-    v21 = w3_p * v19
-    v22 = w3_m * v20
-    v23 = C3_p * v21
-    v24 = C3_m * v22
-    v25 = S3_p * v21
-    v26 = S3_m * v22
+    v19 = math.sqrt(v17) * (1.0 / v17)
+    v20 = math.sqrt(v18) * (1.0 / v18)
 
     # theta2, type 3: U0 A3^-1 [3, 3] and U0 A3^-1 [3, 1]
-    v27 = (
-        w3_p * (m3 * (v19 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v12 - c1_p * v11)))) - T31 * (sa2 *
-        (k1 * (T32 + (s1_p * v10 - c1_p * v9)))))))
-    )
-    v28 = (
-        w3_m * (m3 * (v20 * (T32 * (sa2 * (k1 * (T31 - (v8 * v12 + c1_m * v11)))) - T31 * (sa2 * (k1
-        * (T32 - (v8 * v10 + c1_m * v9)))))))
-    )
-    v29 = k5 * (k1 * (2.0 * T33 - ca2))
-    v30 = -1.0 if -k6 < 0.0 else 1.0
-    v31 = v29 * v29
-    v32 = v31 + v27 * v27
-    v33 = v31 + v28 * v28
-    factor2_p = v30 / math.sqrt(v32)
-    factor2_m = v30 / math.sqrt(v33)
-    v34 = v29 * factor2_p
-    v35 = v29 * factor2_m
-    v36 = v27 * factor2_p
-    v37 = v28 * factor2_m
+    v21 = v9 * T31 - v11 * T32
+    v22 = v12 * T32 - v10 * T31
+    v23 = m3 * (inverse1 * (v2 * -v22 + v3 * v21))
+    v24 = w1 * (m3 * (inverse1 * (v1 * v21 + Y1 * v22)))
+    s2_p = v23 + v24
+    s2_m = v23 - v24
+    c2 = k5 * (k1 * (2.0 * T33 - ca2))
+    v25 = c2 * c2
+    v26 = v19 * s2_p
+    v27 = v20 * s2_m
+    v28 = v25 + v19 * (s2_p * v26)
+    v29 = v25 + v20 * (s2_m * v27)
+    v30 = math.sqrt(v28) * (1.0 / v28)
+    v31 = math.sqrt(v29) * (1.0 / v29)
 
     # is the pose one that the arm can take?
-    v38 = ca2 * s1_p
-    v39 = ca2 * v8
-    v40 = ca2 * c1_p
-    v41 = ca2 * c1_m
-    v42 = sa2 * s1_p
-    v43 = sa2 * v8
-    v44 = sa2 * c1_p
-    v45 = sa2 * c1_m
-    v46 = v34 * v42 + v36 * (2.0 * v44) + ca2 * (sqrt3 * s1_p)
-    v47 = v37 * (2.0 * v45) - v35 * v43 - ca2 * (sqrt3 * v8)
-    v48 = v36 * (2.0 * v42) - v34 * v44 - ca2 * (sqrt3 * c1_p)
-    v49 = v37 * (2.0 * v43) + v35 * v45 + ca2 * (sqrt3 * c1_m)
-    v50 = ca2 - k3 * v34
-    v51 = ca2 - k3 * v35
-    v52 = T34 - k1 * (d3 * v50)
-    v53 = T34 - k1 * (d3 * v51)
-    v54 = T33 - k1 * v50
-    v55 = T33 - k1 * v51
-    v56 = T31 - k1 * (v34 * (ca2 * (sqrt3 * v25)) + v36 * (sqrt3 * v23) + sa2 * v25)
-    v57 = T31 - k1 * (v35 * (ca2 * (sqrt3 * v26)) + v37 * (sqrt3 * v24) + sa2 * v26)
-    v58 = T24 - k1 * (d3 * v48)
-    v59 = T24 + k1 * (d3 * v49)
-    v60 = T23 - k1 * v48
-    v61 = T23 + k1 * v49
+    v32 = ca2 * s1_p
+    v33 = ca2 * v8
+    v34 = ca2 * c1_p
+    v35 = ca2 * c1_m
+    v36 = sa2 * s1_p
+    v37 = sa2 * v8
+    v38 = sa2 * c1_p
+    v39 = sa2 * c1_m
+    v40 = v30 * (c2 * v36 + v19 * (s2_p * (2.0 * v38))) - ca2 * (sqrt3 * s1_p)
+    v41 = v31 * (v20 * (s2_m * (2.0 * v39)) - c2 * v37) + ca2 * (sqrt3 * v8)
+    v42 = v30 * (c2 * v38 - v19 * (s2_p * (2.0 * v36))) - ca2 * (sqrt3 * c1_p)
+    v43 = v31 * (c2 * v39 + v20 * (s2_m * (2.0 * v37))) - ca2 * (sqrt3 * c1_m)
+    v44 = k3 * c2
+    v45 = ca2 + v30 * v44
+    v46 = ca2 + v31 * v44
+    v47 = T34 - k1 * (d3 * v45)
+    v48 = T34 - k1 * (d3 * v46)
+    v49 = T33 - k1 * v45
+    v50 = T33 - k1 * v46
+    v51 = (
+        T31 - v19 * (k1 * (sa2 * S3_p - v30 * (c2 * (ca2 * (sqrt3 * S3_p)) + v26 * (sqrt3 * C3_p))))
+    )
+    v52 = (
+        T31 - v20 * (k1 * (sa2 * S3_m - v31 * (c2 * (ca2 * (sqrt3 * S3_m)) + v27 * (sqrt3 * C3_m))))
+    )
+    v53 = T24 - k1 * (d3 * v42)
+    v54 = T24 - k1 * (d3 * v43)
+    v55 = T23 - k1 * v42
+    v56 = T23 - k1 * v43
+    v57 = (
+        T21 - v19 * (k1 * (v30 * (v26 * (S3_p * (2.0 * v32) - c1_p * C3_p) - c2 * (C3_p * (s1_p *
+        2.0) + S3_p * v34)) - sa2 * (sqrt3 * (c1_p * S3_p))))
+    )
+    v58 = (
+        T21 + v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v33) + c1_m * C3_m) + c2 * (S3_m * v35 - C3_m
+        * (v8 * 2.0))) + sa2 * (sqrt3 * (c1_m * S3_m))))
+    )
+    v59 = T14 + k1 * (d3 * v40)
+    v60 = T14 + k1 * (d3 * v41)
+    v61 = (
+        T11 - v19 * (k1 * (sa2 * (sqrt3 * (s1_p * S3_p)) + v30 * (c2 * (S3_p * v32 - C3_p * (c1_p *
+        2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34)))))
+    )
     v62 = (
-        T21 - k1 * (v34 * (v23 * (s1_p * 2.0) + v25 * v40) - v36 * (v25 * (2.0 * v38) - c1_p * v23)
-        - sa2 * (sqrt3 * (c1_p * v25)))
+        T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33 + C3_m *
+        (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m))))
     )
-    v63 = (
-        T21 - k1 * (v35 * (v26 * v41 - v24 * (v8 * 2.0)) + v37 * (v26 * (2.0 * v39) + c1_m * v24) -
-        sa2 * (sqrt3 * (c1_m * v26)))
-    )
-    v64 = T14 - k1 * (d3 * v46)
-    v65 = T14 - k1 * (d3 * v47)
-    v66 = (
-        T11 - k1 * (sa2 * (sqrt3 * (s1_p * v25)) - (v34 * (v25 * v38 - v23 * (c1_p * 2.0)) + v36 *
-        (s1_p * v23 + v25 * (2.0 * v40))))
-    )
-    v67 = (
-        T11 + k1 * (sa2 * (sqrt3 * (v8 * v26)) + (v37 * (v26 * (2.0 * v41) - v8 * v24) - v35 * (v26
-        * v39 + v24 * (c1_m * 2.0))))
-    )
-    v68 = T13 - k1 * v46
-    v69 = T13 - k1 * v47
-    v70 = v64 * v64 + (v52 * v52 + v58 * v58)
-    v71 = v65 * v65 + (v53 * v53 + v59 * v59)
-    v72 = v68 * v68 + (v66 * v66 + (v62 * v62 + (v60 * v60 + (v54 * v54 + v56 * v56))))
-    v73 = v69 * v69 + (v67 * v67 + (v63 * v63 + (v61 * v61 + (v55 * v55 + v57 * v57))))
+    v63 = T13 - k1 * -v40
+    v64 = T13 + k1 * v41
+    v65 = v59 * v59 + (v47 * v47 + v53 * v53)
+    v66 = v60 * v60 + (v48 * v48 + v54 * v54)
+    v67 = v63 * v63 + (v61 * v61 + (v57 * v57 + (v55 * v55 + (v49 * v49 + v51 * v51))))
+    v68 = v64 * v64 + (v62 * v62 + (v58 * v58 + (v56 * v56 + (v50 * v50 + v52 * v52))))
 
     # joint values
-    v74 = math.sqrt(-1.0)
-    v75 = 0.0 if (v70 <= m4 and v72 <= m6) else v74
-    v76 = 0.0 if (v71 <= m4 and v73 <= m6) else v74
+    v69 = math.sqrt(-1.0)
+    v70 = 0.0 if (v65 <= m4 and v67 <= m6) else v69
+    v71 = 0.0 if (v66 <= m4 and v68 <= m6) else v69
     doubt1 = (
-        v33 <= m2 or v18 <= m2 or v32 <= m2 or v17 <= m2 or (m4 < v71 and v71 <= m5) or (m4 < v70
-        and v70 <= m5) or (m6 < v73 and v73 <= m7) or N1 <= doubt_limit_squared2 or abs(D1) <=
-        reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v72 and v72 <= m7)
+        v29 <= m2 or v18 <= m2 or v28 <= m2 or v17 <= m2 or (m4 < v66 and v66 <= m5) or (m4 < v65
+        and v65 <= m5) or (m6 < v68 and v68 <= m7) or N1 <= doubt_limit_squared2 or abs(D1) <=
+        reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v67 and v67 <= m7)
     )
 
     # angles, side by side
     room[0] = s1_p
     room[1] = -v8
-    room[2] = -v36
-    room[3] = -v37
+    room[2] = v26
+    room[3] = v27
     room[4] = -S3_p
     room[5] = -S3_m
     room[8] = c1_p
     room[9] = c1_m
-    room[10] = -v34
-    room[11] = -v35
+    room[10] = c2
+    room[11] = c2
     room[12] = -C3_p
     room[13] = -C3_m
     for k in range(6, 8):
@@ -815,12 +805,12 @@ def _regular(pose, q, status):
     angle6 = room[5]
 
     # joint values
-    q1_p = v75 + angle1
-    q1_m = v76 + angle2
-    q2_p = v75 + angle3
-    q2_m = v76 + angle4
-    q3_p = v75 + angle5
-    q3_m = v76 + angle6
+    q1_p = v70 + angle1
+    q1_m = v71 + angle2
+    q2_p = v70 + angle3
+    q2_m = v71 + angle4
+    q3_p = v70 + angle5
+    q3_m = v71 + angle6
 
     # a joint is free, or branches meet
     if doubt1:
@@ -1095,111 +1085,105 @@ def _in_tiles(T, q, status):
             C3_m = v16 + w1 * (m1 * (inverse1 * -v15))
             v17 = S3_p * S3_p + C3_p * C3_p
             v18 = S3_m * S3_m + C3_m * C3_m
-            w3_p = math.sqrt(v17)
-            w3_m = math.sqrt(v18)
-            v19 = 1.0 / v17
-            v20 = 1.0 / v18
-            v21 = w3_p * v19
-            v22 = w3_m * v20
-            v23 = C3_p * v21
-            v24 = C3_m * v22
-            v25 = S3_p * v21
-            v26 = S3_m * v22
-            v27 = (
-                w3_p * (m3 * (v19 * (T32 * (sa2 * (k1 * (T31 + (s1_p * v12 - c1_p * v11)))) - T31 *
-                (sa2 * (k1 * (T32 + (s1_p * v10 - c1_p * v9)))))))
+            v19 = math.sqrt(v17) * (1.0 / v17)
+            v20 = math.sqrt(v18) * (1.0 / v18)
+            v21 = v9 * T31 - v11 * T32
+            v22 = v12 * T32 - v10 * T31
+            v23 = m3 * (inverse1 * (v2 * -v22 + v3 * v21))
+            v24 = w1 * (m3 * (inverse1 * (v1 * v21 + Y1 * v22)))
+            s2_p = v23 + v24
+            s2_m = v23 - v24
+            c2 = k5 * (k1 * (2.0 * T33 - ca2))
+            v25 = c2 * c2
+            v26 = v19 * s2_p
+            v27 = v20 * s2_m
+            v28 = v25 + v19 * (s2_p * v26)
+            v29 = v25 + v20 * (s2_m * v27)
+            v30 = math.sqrt(v28) * (1.0 / v28)
+            v31 = math.sqrt(v29) * (1.0 / v29)
+            v32 = ca2 * s1_p
+            v33 = ca2 * v8
+            v34 = ca2 * c1_p
+            v35 = ca2 * c1_m
+            v36 = sa2 * s1_p
+            v37 = sa2 * v8
+            v38 = sa2 * c1_p
+            v39 = sa2 * c1_m
+            v40 = v30 * (c2 * v36 + v19 * (s2_p * (2.0 * v38))) - ca2 * (sqrt3 * s1_p)
+            v41 = v31 * (v20 * (s2_m * (2.0 * v39)) - c2 * v37) + ca2 * (sqrt3 * v8)
+            v42 = v30 * (c2 * v38 - v19 * (s2_p * (2.0 * v36))) - ca2 * (sqrt3 * c1_p)
+            v43 = v31 * (c2 * v39 + v20 * (s2_m * (2.0 * v37))) - ca2 * (sqrt3 * c1_m)
+            v44 = k3 * c2
+            v45 = ca2 + v30 * v44
+            v46 = ca2 + v31 * v44
+            v47 = T34 - k1 * (d3 * v45)
+            v48 = T34 - k1 * (d3 * v46)
+            v49 = T33 - k1 * v45
+            v50 = T33 - k1 * v46
+            v51 = (
+                T31 - v19 * (k1 * (sa2 * S3_p - v30 * (c2 * (ca2 * (sqrt3 * S3_p)) + v26 * (sqrt3 *
+                C3_p))))
             )
-            v28 = (
-                w3_m * (m3 * (v20 * (T32 * (sa2 * (k1 * (T31 - (v8 * v12 + c1_m * v11)))) - T31 *
-                (sa2 * (k1 * (T32 - (v8 * v10 + c1_m * v9)))))))
+            v52 = (
+                T31 - v20 * (k1 * (sa2 * S3_m - v31 * (c2 * (ca2 * (sqrt3 * S3_m)) + v27 * (sqrt3 *
+                C3_m))))
             )
-            v29 = k5 * (k1 * (2.0 * T33 - ca2))
-            v30 = -1.0 if -k6 < 0.0 else 1.0
-            v31 = v29 * v29
-            v32 = v31 + v27 * v27
-            v33 = v31 + v28 * v28
-            factor2_p = v30 / math.sqrt(v32)
-            factor2_m = v30 / math.sqrt(v33)
-            v34 = v29 * factor2_p
-            v35 = v29 * factor2_m
-            v36 = v27 * factor2_p
-            v37 = v28 * factor2_m
-            v38 = ca2 * s1_p
-            v39 = ca2 * v8
-            v40 = ca2 * c1_p
-            v41 = ca2 * c1_m
-            v42 = sa2 * s1_p
-            v43 = sa2 * v8
-            v44 = sa2 * c1_p
-            v45 = sa2 * c1_m
-            v46 = v34 * v42 + v36 * (2.0 * v44) + ca2 * (sqrt3 * s1_p)
-            v47 = v37 * (2.0 * v45) - v35 * v43 - ca2 * (sqrt3 * v8)
-            v48 = v36 * (2.0 * v42) - v34 * v44 - ca2 * (sqrt3 * c1_p)
-            v49 = v37 * (2.0 * v43) + v35 * v45 + ca2 * (sqrt3 * c1_m)
-            v50 = ca2 - k3 * v34
-            v51 = ca2 - k3 * v35
-            v52 = T34 - k1 * (d3 * v50)
-            v53 = T34 - k1 * (d3 * v51)
-            v54 = T33 - k1 * v50
-            v55 = T33 - k1 * v51
-            v56 = T31 - k1 * (v34 * (ca2 * (sqrt3 * v25)) + v36 * (sqrt3 * v23) + sa2 * v25)
-            v57 = T31 - k1 * (v35 * (ca2 * (sqrt3 * v26)) + v37 * (sqrt3 * v24) + sa2 * v26)
-            v58 = T24 - k1 * (d3 * v48)
-            v59 = T24 + k1 * (d3 * v49)
-            v60 = T23 - k1 * v48
-            v61 = T23 + k1 * v49
+            v53 = T24 - k1 * (d3 * v42)
+            v54 = T24 - k1 * (d3 * v43)
+            v55 = T23 - k1 * v42
+            v56 = T23 - k1 * v43
+            v57 = (
+                T21 - v19 * (k1 * (v30 * (v26 * (S3_p * (2.0 * v32) - c1_p * C3_p) - c2 * (C3_p *
+                (s1_p * 2.0) + S3_p * v34)) - sa2 * (sqrt3 * (c1_p * S3_p))))
+            )
+            v58 = (
+                T21 + v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v33) + c1_m * C3_m) + c2 * (S3_m *
+                v35 - C3_m * (v8 * 2.0))) + sa2 * (sqrt3 * (c1_m * S3_m))))
+            )
+            v59 = T14 + k1 * (d3 * v40)
+            v60 = T14 + k1 * (d3 * v41)
+            v61 = (
+                T11 - v19 * (k1 * (sa2 * (sqrt3 * (s1_p * S3_p)) + v30 * (c2 * (S3_p * v32 - C3_p *
+                (c1_p * 2.0)) + v26 * (s1_p * C3_p + S3_p * (2.0 * v34)))))
+            )
             v62 = (
-                T21 - k1 * (v34 * (v23 * (s1_p * 2.0) + v25 * v40) - v36 * (v25 * (2.0 * v38) - c1_p
-                * v23) - sa2 * (sqrt3 * (c1_p * v25)))
+                T11 - v20 * (k1 * (v31 * (v27 * (S3_m * (2.0 * v35) - v8 * C3_m) - c2 * (S3_m * v33
+                + C3_m * (c1_m * 2.0))) - sa2 * (sqrt3 * (v8 * S3_m))))
             )
-            v63 = (
-                T21 - k1 * (v35 * (v26 * v41 - v24 * (v8 * 2.0)) + v37 * (v26 * (2.0 * v39) + c1_m *
-                v24) - sa2 * (sqrt3 * (c1_m * v26)))
-            )
-            v64 = T14 - k1 * (d3 * v46)
-            v65 = T14 - k1 * (d3 * v47)
-            v66 = (
-                T11 - k1 * (sa2 * (sqrt3 * (s1_p * v25)) - (v34 * (v25 * v38 - v23 * (c1_p * 2.0)) +
-                v36 * (s1_p * v23 + v25 * (2.0 * v40))))
-            )
-            v67 = (
-                T11 + k1 * (sa2 * (sqrt3 * (v8 * v26)) + (v37 * (v26 * (2.0 * v41) - v8 * v24) - v35
-                * (v26 * v39 + v24 * (c1_m * 2.0))))
-            )
-            v68 = T13 - k1 * v46
-            v69 = T13 - k1 * v47
-            v70 = v64 * v64 + (v52 * v52 + v58 * v58)
-            v71 = v65 * v65 + (v53 * v53 + v59 * v59)
-            v72 = v68 * v68 + (v66 * v66 + (v62 * v62 + (v60 * v60 + (v54 * v54 + v56 * v56))))
-            v73 = v69 * v69 + (v67 * v67 + (v63 * v63 + (v61 * v61 + (v55 * v55 + v57 * v57))))
-            v74 = math.sqrt(-1.0)
-            v75 = 0.0 if (v70 <= m4 and v72 <= m6) else v74
-            v76 = 0.0 if (v71 <= m4 and v73 <= m6) else v74
+            v63 = T13 - k1 * -v40
+            v64 = T13 + k1 * v41
+            v65 = v59 * v59 + (v47 * v47 + v53 * v53)
+            v66 = v60 * v60 + (v48 * v48 + v54 * v54)
+            v67 = v63 * v63 + (v61 * v61 + (v57 * v57 + (v55 * v55 + (v49 * v49 + v51 * v51))))
+            v68 = v64 * v64 + (v62 * v62 + (v58 * v58 + (v56 * v56 + (v50 * v50 + v52 * v52))))
+            v69 = math.sqrt(-1.0)
+            v70 = 0.0 if (v65 <= m4 and v67 <= m6) else v69
+            v71 = 0.0 if (v66 <= m4 and v68 <= m6) else v69
             doubt1 = (
-                v33 <= m2 or v18 <= m2 or v32 <= m2 or v17 <= m2 or (m4 < v71 and v71 <= m5) or (m4
-                < v70 and v70 <= m5) or (m6 < v73 and v73 <= m7) or N1 <= doubt_limit_squared2 or
-                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v72 and v72 <= m7)
+                v29 <= m2 or v18 <= m2 or v28 <= m2 or v17 <= m2 or (m4 < v66 and v66 <= m5) or (m4
+                < v65 and v65 <= m5) or (m6 < v68 and v68 <= m7) or N1 <= doubt_limit_squared2 or
+                abs(D1) <= reach_slack1 * (reach_slack1 + 2.0 * abs(Z1)) or (m6 < v67 and v67 <= m7)
             )
-            work[272 + k] = v75
-            work[288 + k] = v76
+            work[272 + k] = v70
+            work[288 + k] = v71
             work[304 + k] = doubt1
             work[320 + k] = s1_p
             work[336 + k] = -v8
-            work[352 + k] = -v36
-            work[368 + k] = -v37
+            work[352 + k] = v26
+            work[368 + k] = v27
             work[384 + k] = -S3_p
             work[400 + k] = -S3_m
             work[416 + k] = c1_p
             work[432 + k] = c1_m
-            work[448 + k] = -v34
-            work[464 + k] = -v35
+            work[448 + k] = c2
+            work[464 + k] = c2
             work[480 + k] = -C3_p
             work[496 + k] = -C3_m
         for k in range(320, 416):
             work[k] = _atan2(work[k], work[k + 96])
         for k in range(0, 16):
-            v75 = work[272 + k]
-            v76 = work[288 + k]
+            v70 = work[272 + k]
+            v71 = work[288 + k]
             doubt1 = work[304 + k] != 0.0
             angle1 = work[320 + k]
             angle2 = work[336 + k]
@@ -1207,12 +1191,12 @@ def _in_tiles(T, q, status):
             angle4 = work[368 + k]
             angle5 = work[384 + k]
             angle6 = work[400 + k]
-            q1_p = v75 + angle1
-            q1_m = v76 + angle2
-            q2_p = v75 + angle3
-            q2_m = v76 + angle4
-            q3_p = v75 + angle5
-            q3_m = v76 + angle6
+            q1_p = v70 + angle1
+            q1_m = v71 + angle2
+            q2_p = v70 + angle3
+            q2_m = v71 + angle4
+            q3_p = v70 + angle5
+            q3_m = v71 + angle6
             _512 = q1_p
             work[512 + k] = _512
             _528 = q2_p

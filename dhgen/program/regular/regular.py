@@ -67,7 +67,10 @@ def inverses_kept(program: Program, tolerances: Tolerances) -> frozenset[str]:
         tolerances: The table that the program was made with.
     """
     limits = (None,) * len(program.outputs)
-    inverses = [s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression)]
+    signs = frozenset(axis.name for axis in program.axes)
+    inverses = [
+        s.name for s in program.body if isinstance(s, Let) and _is_inverse(s.expression, signs)
+    ]
     kept: frozenset[str] = frozenset()
     cost = _cost(_made(program, limits, kept, tolerances).program)
     while True:
@@ -79,11 +82,13 @@ def inverses_kept(program: Program, tolerances: Tolerances) -> frozenset[str]:
         kept = tried[costs.index(cost)]
 
 
-def _is_inverse(expression: Expression) -> bool:
-    """Whether a value is the inverse of a length, up to a sign."""
+def _is_inverse(expression: Expression, signs: frozenset[str]) -> bool:
+    """Whether a value is the inverse of a length, up to a sign of a branch."""
     match expression:
-        case Apply("div", (Integer(1) | Variable(_), _)):
+        case Apply("div", (Integer(1), _)):
             return True
+        case Apply("div", (Variable(name), _)):
+            return name in signs
         case _:
             return False
 

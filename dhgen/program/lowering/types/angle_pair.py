@@ -48,9 +48,15 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
 
 
 def _sign_of(context: Lowering, determinant: Node, step: Step) -> Node:
-    """+1 or -1 as the determinant, which is known where X2, Y2 is X1, Y1 turned and stretched."""
+    """+1 or -1 as the determinant, which is known where X2, Y2 is X1, Y1 turned and stretched.
+
+    And where it is made of the arm's lengths and twists alone.
+    """
     builder = context.builder
-    factor = stretch(*(step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")))
+    x1, y1, x2, y2 = (step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2"))
+    factor = stretch(x1, y1, x2, y2)
+    if factor is None and context.are_constant(x1, y1, x2, y2):
+        factor = x1 * y2 - x2 * y1
     if factor is not None and context.are_constant(factor):
         return builder.integer(1 if constant_value(context.algebra, factor) > 0.0 else -1)
     negative = builder.apply("less", determinant, builder.integer(0))
