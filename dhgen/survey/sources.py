@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 FRAMES = ("base", "tool")
 MATRIX = "matrix"  # who writes a list may leave it out
+NONE_HERE = "no robot files (*.yaml) here; lists in JSON have to be named themselves"
 NOTES = ("class", "confidence")  # of a table in a list, for its readers
 
 
@@ -85,7 +86,7 @@ def _files(path: Path, folder: Path, before: int) -> list[Source]:
     else:
         raise _refusal(path, "no such file or folder")
     if not files:
-        raise _refusal(path, "no robot files here")
+        raise _refusal(path, NONE_HERE if path.is_dir() else "the list is empty")
     return files
 
 

@@ -50,7 +50,7 @@ def test_a_list_of_tables_becomes_robot_files(tmp_path: Path) -> None:
         ("[", "can't be read: Expecting value"),
         ("[" * 100_000, "nested too deeply"),
         ('[{"free": [1], "free": [2]}]', "the key 'free' appears twice"),
-        ("[]", "no robot files here"),
+        ("[]", "the list is empty"),
     ],
 )
 def test_what_is_no_list(tmp_path: Path, text: str, said: str) -> None:
@@ -75,7 +75,7 @@ def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(RobotFileError) as refused:
         robot_files(given, tmp_path)
     assert str(refused.value).splitlines() == [
-        f"{tmp_path}: no robot files here",
+        f"{tmp_path}: no robot files (*.yaml) here; lists in JSON have to be named themselves",
         f"{tmp_path}/x.yaml: no such file or folder",
         f"{tmp_path}/x.json: the list can't be read: No such file or directory",
     ]
