@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.compiler import compile_loaded, source_name
 from dhgen.errors import DhgenError, about
-from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot_files import led_to
 from dhgen.targets.comments import plain_path
+from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence

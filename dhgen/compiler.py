@@ -27,11 +27,11 @@ from dhgen.paul.derive import derive
 from dhgen.program.lowering.arm_plane import arm_angle_program, plane_miss_program
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import lower
-from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot_files import RobotFile, led_to
 from dhgen.targets.emit import emit
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
+from dhgen.tolerances import DOUBLE, SINGLE
 from dhgen.verify.single import verify_single
 from dhgen.verify.verify import verify
 
@@ -39,8 +39,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from dhgen.paul.derivation import Derivation
-    from dhgen.program.tolerances import Precision
     from dhgen.robot.robot import Robot
+    from dhgen.tolerances import Precision
     from dhgen.verify.verify import Report
 
 

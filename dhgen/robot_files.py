@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dhgen.errors import Diagnostic, RobotFileError
-from dhgen.program.tolerances import DOUBLE, SINGLE
 from dhgen.robot.load import load
+from dhgen.tolerances import DOUBLE, SINGLE
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -27,7 +27,7 @@ import numpy as np
 
 from dhgen.general.determinant import TINY
 from dhgen.general.formulation import Formulation
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

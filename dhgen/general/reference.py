@@ -22,7 +22,7 @@ from dhgen.general.polish import Target, is_singular, polish
 from dhgen.general.recover import null_vectors, partner_values, regularity, remaining_angles
 from dhgen.general.roots import real_roots
 from dhgen.kinematics.order import in_order
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.paul.problem import is_redundant
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain

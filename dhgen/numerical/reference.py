@@ -16,7 +16,7 @@ from dhgen.kinematics.order import in_order
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
 from dhgen.numerical.starts import directions
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

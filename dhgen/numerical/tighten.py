@@ -14,7 +14,7 @@ import numpy as np
 from dhgen.numerical import kernel as constants
 from dhgen.numerical.miss import miss
 from dhgen.numerical.reference import damped_step, shortened
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 MOST_ROOTS = 4
 DIRECTIONS = 16  # where the polynomial is looked at for a large value

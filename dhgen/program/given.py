@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.kinematics.arm_angle import arm_angles
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dhgen.kinematics.numeric import NumericArm
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
     Array = NDArray[np.float64]
 

@@ -11,10 +11,10 @@ from dhgen.paul.branches import branch_labels
 from dhgen.paul.problem import telling_entries
 from dhgen.program.regular.limits import Limits
 from dhgen.program.regular.regular import regular
-from dhgen.program.tolerances import DOUBLE, Precision
 from dhgen.robot.robot import JointKind
 from dhgen.targets.comments import plain_path
 from dhgen.targets.layout import paragraph
+from dhgen.tolerances import DOUBLE, Precision
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -8,8 +8,8 @@ import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.program.given import given_values
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.walk import whole_arm
+from dhgen.tolerances import TOLERANCES
 from dhgen.verify.measures import Measures
 
 if TYPE_CHECKING:

@@ -14,9 +14,9 @@ import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.program.given import given_values
-from dhgen.program.tolerances import SINGLE
 from dhgen.robot.task import TaskKind
 from dhgen.status import HELD, Status
+from dhgen.tolerances import SINGLE
 from dhgen.verify.measures import Measures
 from dhgen.verify.native import compile_solver
 from dhgen.verify.samples import samples, spoiled_poses

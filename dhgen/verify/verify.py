@@ -15,8 +15,8 @@ import numpy as np
 from dhgen.errors import VerificationError
 from dhgen.method import Method
 from dhgen.program.interpret import interpret
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.task import TaskKind
+from dhgen.tolerances import TOLERANCES
 from dhgen.verify.demands import FIXED, FOUND, FOUND_SINGULAR, Demands
 from dhgen.verify.languages import Languages
 from dhgen.verify.native import NATIVE, PORTABLE, compile_solver, import_module

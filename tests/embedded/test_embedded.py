@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from dhgen.program.tolerances import SINGLE
 from dhgen.status import HELD, Status
+from dhgen.tolerances import SINGLE
 from tests.embedded.board import CORTEX_M4, CORTEX_M7, MISSING, answers, compiled
 from tests.targets.made import NAMES, apart, made, poses_of, residual, robot
 

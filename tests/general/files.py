@@ -13,12 +13,12 @@ from dhgen.kinematics.build import build_chain
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.whole import whole_program
-from dhgen.program.tolerances import DOUBLE
 from dhgen.robot.load import load
 from dhgen.robot.robot import JointKind
 from dhgen.targets.c.files import c_files
 from dhgen.targets.module import SolverModule
 from dhgen.targets.reserved import RESERVED
+from dhgen.tolerances import DOUBLE
 from tests.compiling import library
 from tests.oracle.sets import all_solutions
 

@@ -12,10 +12,10 @@ from dhgen.kinematics.build import build_chain
 from dhgen.numerical.kernel import FEW_STARTS, numerical_kernel
 from dhgen.numerical.reference import Arm
 from dhgen.program.interpret import interpret
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
 from dhgen.survey.oracle.forward import forward
 from dhgen.survey.singular import in_a_family, singular_sets
+from dhgen.tolerances import TOLERANCES
 from dhgen.verify.native import CompiledSolver, compile_solver
 from tests.compiling import library, written
 from tests.general.files import compiled, without_derivation

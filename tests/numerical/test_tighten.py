@@ -14,8 +14,8 @@ from dhgen.numerical.tighten import tighten
 from dhgen.paul.derive import derive
 from dhgen.program.interpret import interpret
 from dhgen.program.lowering.lower import lower
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
+from dhgen.tolerances import TOLERANCES
 from tests.kinematics.values import table
 from tests.targets.made import ROBOTS
 

@@ -21,8 +21,8 @@ from dhgen.program.interpret import Rows, interpret
 from dhgen.program.lowering.checks import Checks
 from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.types import KERNELS
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.robot.load import load
+from dhgen.tolerances import TOLERANCES
 from tests.derivation.stories import ROBOTS
 
 if TYPE_CHECKING:

@@ -18,14 +18,14 @@ from dhgen.program.ir import Let
 from dhgen.program.regular.flatten import flatten
 from dhgen.program.regular.limits import Limits
 from dhgen.program.regular.regular import inverses_kept, regular
-from dhgen.program.tolerances import SINGLE, TOLERANCES
+from dhgen.tolerances import SINGLE, TOLERANCES
 from tests.derivation.stories import story
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from dhgen.program.tolerances import Tolerances
     from dhgen.survey.oracle.arm import FloatArray
+    from dhgen.tolerances import Tolerances
 
 NAMES = [
     *("puma560", "ur5", "kuka_kr6_r900", "rrprrr", "scara", "stanford"),

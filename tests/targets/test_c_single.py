@@ -15,10 +15,10 @@ from dhgen.check import compare
 from dhgen.compiler import verified
 from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.program.tolerances import SINGLE
 from dhgen.robot_files import load_all
 from dhgen.status import Status
 from dhgen.targets.c.single_precision import in_single_precision
+from dhgen.tolerances import SINGLE
 from dhgen.verify.native import c_compiler
 from dhgen.verify.single import RESIDUAL, verify_single
 from tests.compiling import compile_file, library, written

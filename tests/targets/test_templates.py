@@ -14,12 +14,12 @@ import jinja2.meta
 import pytest
 from jinja2 import nodes
 
-from dhgen.program.tolerances import Tolerances
 from dhgen.targets.c import files as c
 from dhgen.targets.general import emit as general
 from dhgen.targets.numerical import emit as numerical
 from dhgen.targets.python import files as python
 from dhgen.targets.templates import render
+from dhgen.tolerances import Tolerances
 from tests.targets.made import made
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from dhgen.program.lowering.short import is_short
 from dhgen.program.lowering.vectors import chosen, cross, inner, length, minus, plus, scaled
 from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.program.role import Tolerance
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.program.ir import Program
     from dhgen.program.lowering.context import Lowering
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
     Vector = list[Node]
 

@@ -20,7 +20,7 @@ from dhgen.paul.types.two_lengths import determinant
 from dhgen.program.given import given_values
 from dhgen.program.interpret import interpret
 from dhgen.program.ir import Roots
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
     from dhgen.program.interpret import Rows
     from dhgen.program.ir import Program
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
     FloatArray = NDArray[np.float64]
 

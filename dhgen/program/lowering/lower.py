@@ -15,13 +15,13 @@ from dhgen.program.lowering.final_check import check_rows
 from dhgen.program.lowering.types import KERNELS
 from dhgen.program.lowering.whole import whole_program
 from dhgen.program.reserved import NOTHING, Reserved
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.step import Step
     from dhgen.program.ir import Program
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
 
 def lower(

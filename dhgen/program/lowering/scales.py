@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dhgen.paul.pool import Pool
     from dhgen.program.building.builder import Builder
     from dhgen.program.building.graph import Node
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING
 from dhgen.program.count import count_operations
 from dhgen.program.ir import AllJoints, Apply, Integer, Let, Roots, Variable
 from dhgen.program.regular.unguarded import Unguarded
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.program.ir import Expression, Program
     from dhgen.program.regular.limits import Limits
     from dhgen.program.regular.unguarded import Regular
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
 
 def regular(

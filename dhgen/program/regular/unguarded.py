@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from dhgen.program.building.graph import Node
     from dhgen.program.ir import Expression, Program
     from dhgen.program.regular.limits import Limits
-    from dhgen.program.tolerances import Tolerances
+    from dhgen.tolerances import Tolerances
 
 FOLDED = "m"  # what the names of constants made here begin with
 

@@ -7,7 +7,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from dhgen.program.regular.flatten import flatten
-from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c.arctangent import CArctangent
 from dhgen.targets.c.entries import entry_lines, entry_texts
 from dhgen.targets.c.language import C
@@ -23,6 +22,7 @@ from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
 from dhgen.targets.solver.parts import Parts, Writers, parts_of
 from dhgen.targets.templates import named, render
+from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from dhgen.program.arrival import arrivals
 from dhgen.program.ir import Apply, Heading, Let, Variable
 from dhgen.program.regular.flatten import MINUS, flatten
-from dhgen.program.tolerances import SINGLE
 from dhgen.program.walk import names_in
 from dhgen.targets.c.declared import dense
 from dhgen.targets.c.entries import entry_lines, read_alike
@@ -20,6 +19,7 @@ from dhgen.targets.c.language import C
 from dhgen.targets.c.packing import angle_declarations, in_order, packed_angles
 from dhgen.targets.c.rows import status_lines, store_places, stores, words
 from dhgen.targets.layout import INDENT, call, packed, wrapped
+from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.program.role import LimitEnd, Source
-from dhgen.program.tolerances import SINGLE
 from dhgen.targets.c.irregular import finite_entries, finite_given
 from dhgen.targets.comments import plain
 from dhgen.targets.constants import constant_texts
@@ -14,6 +13,7 @@ from dhgen.targets.layout import INDENT, WIDTH, c_array, listed, packed, paragra
 from dhgen.targets.module import made_text, named_entries
 from dhgen.targets.solver.searches import fan_steps
 from dhgen.targets.solver.task import meaning
+from dhgen.tolerances import SINGLE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

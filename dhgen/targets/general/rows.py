@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.numerical.kernel import FEW_STARTS
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.solver.given import given_places
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel

@@ -8,7 +8,7 @@ from dhgen.general import circle, lens, polish, recover, reference, roots
 from dhgen.general.determinant import TINY
 from dhgen.general.four_turns import ALONG, FARTHEST, MOVED, NEARLY_FLAT, NO_ANGLE, PARALLEL
 from dhgen.kinematics.order import TIE
-from dhgen.program.tolerances import TOLERANCES
+from dhgen.tolerances import TOLERANCES
 
 
 @dataclass(frozen=True, slots=True)

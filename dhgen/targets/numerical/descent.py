@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.order import TIE
 from dhgen.numerical import kernel, miss
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.numerical.texts import any_turn
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -15,8 +15,8 @@ from dhgen.targets.solver.standing import Standing, standing_of
 from dhgen.targets.solver.task import PoseChecks, pose_checks
 
 if TYPE_CHECKING:
-    from dhgen.program.tolerances import Tolerances
     from dhgen.targets.module import SolverModule
+    from dhgen.tolerances import Tolerances
 
 
 @dataclass(frozen=True, slots=True)

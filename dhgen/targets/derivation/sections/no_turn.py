@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
-from dhgen.program.tolerances import TOLERANCES
 from dhgen.targets.derivation.sections.general_loop import joint_symbol
 from dhgen.targets.derivation.text.blocks import Paragraph, paragraph, say
 from dhgen.targets.derivation.text.words import numeral
+from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
