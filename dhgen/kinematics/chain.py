@@ -114,6 +114,11 @@ class Chain:
         return len(self.free) + self.arm_angle
 
     @property
+    def overdetermined(self) -> bool:
+        """Whether the task gives more independent numbers than the arm can choose."""
+        return self.dof - self.given < self.task.dimension
+
+    @property
     def solved(self) -> tuple[ChainJoint, ...]:
         """The joints that are asked for: all but those whose values the caller gives."""
         return tuple(joint for joint in self.joints if joint.number not in self.free)

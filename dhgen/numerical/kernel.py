@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
-from dhgen.paul.problem import is_redundant
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.tolerances import TOLERANCES
@@ -159,5 +158,5 @@ def numerical_kernel(chain: Chain, *, redundant: bool) -> NumericalKernel:
         turning=task.names_rotation,
         pointing=task.kind is TaskKind.POINTING,
         redundant=redundant,
-        checked=is_redundant(chain),
+        checked=chain.overdetermined,
     )

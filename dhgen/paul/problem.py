@@ -18,7 +18,7 @@ from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from dhgen.kinematics.algebra import Algebra
-    from dhgen.kinematics.chain import Chain, Element
+    from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.robot.task import Task
 
@@ -34,8 +34,6 @@ class Problem:
         known: Names of the pose entries that the task gives and that are independent.
         base_left: Whether Z has been moved to the left.
         tool_left: Whether E has been moved to the left.
-        redundant: Whether the task has more entries than the arm can choose, so that a pose
-            has to be checked.
     """
 
     algebra: Algebra
@@ -44,7 +42,11 @@ class Problem:
     known: frozenset[str]
     base_left: bool
     tool_left: bool
-    redundant: bool
+
+    @property
+    def overdetermined(self) -> bool:
+        """Whether the task has more entries than the arm can choose: a pose has to be checked."""
+        return self.algebra.chain.overdetermined
 
     @property
     def links(self) -> tuple[tuple[Element, ...], ...]:
@@ -87,11 +89,6 @@ def telling_entries(task: Task) -> frozenset[str]:
     return task_entries(task) - _SECOND
 
 
-def is_redundant(chain: Chain) -> bool:
-    """Whether the task gives more independent numbers than the arm can choose."""
-    return chain.dof - chain.given < chain.task.dimension
-
-
 def build_problem(algebra: Algebra) -> Problem:
     """The inverse problem of an arm and its task."""
     chain = algebra.chain
@@ -114,7 +111,6 @@ def build_problem(algebra: Algebra) -> Problem:
         known=known,
         base_left=base_left,
         tool_left=tool_left,
-        redundant=is_redundant(chain),
     )
 
 

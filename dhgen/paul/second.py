@@ -39,9 +39,9 @@ if TYPE_CHECKING:
 def with_second_equations(pool: Pool, steps: tuple[Step, ...]) -> tuple[Step, ...]:
     """The steps, with a second equation where the task has one and the first may say nothing.
 
-    Only a redundant task has any: without a surplus all equations for an angle vanish together.
+    Only an over-determined task has any: else all equations for an angle vanish together.
     """
-    if not pool.problem.redundant or not any(map(_is_homogeneous, steps)):
+    if not pool.problem.overdetermined or not any(map(_is_homogeneous, steps)):
         return steps
     witnesses = build_witnesses(pool)
     equations = merged([*pool.equations, *_moments(pool.problem)])

@@ -29,7 +29,7 @@ def test_scara_keeps_its_approach_vector() -> None:
 
 def test_six_joints_choose_every_entry() -> None:
     assert target("puma560") == [[f"t{i}{j}" for j in (1, 2, 3, 4)] for i in (1, 2, 3)]
-    assert not derivation("puma560").problem.redundant
+    assert not derivation("puma560").problem.overdetermined
 
 
 def test_tasks_say_what_is_known() -> None:
@@ -54,7 +54,7 @@ def test_two_columns_tell_a_rotation() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_pose_for_fewer_than_six_joints_has_to_be_checked(name: str) -> None:
-    assert derivation(name).problem.redundant == (name in {"planar_rrr", "scara", "adept"})
+    assert derivation(name).problem.overdetermined == (name in {"planar_rrr", "scara", "adept"})
 
 
 @pytest.mark.parametrize("name", NAMES)

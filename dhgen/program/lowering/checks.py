@@ -70,7 +70,7 @@ def checks_needed(
     chain = derivation.problem.algebra.chain
     silent = silent_places(derivation.pool, derivation.steps)
     q = np.concatenate([_everywhere(chain), silent])
-    checks = Checks(rows=derivation.problem.redundant)
+    checks = Checks(rows=derivation.problem.overdetermined)
     program = lowered(checks)
     if not checks.rows and _has_strangers(chain, program, q):
         checks = Checks(rows=True)

@@ -124,9 +124,9 @@ class Lowering:
         )
 
     @property
-    def redundant(self) -> bool:
+    def overdetermined(self) -> bool:
         """Whether poses may be given that the arm can't take."""
-        return self._problem.redundant
+        return self._problem.overdetermined
 
     @property
     def problem(self) -> Problem:

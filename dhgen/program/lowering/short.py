@@ -41,7 +41,7 @@ def vanishes(context: Lowering, value: Node, of: Polynomial) -> Node:
     """
     scales, tolerances = context.scales, context.scales.tolerances
     kind, relative = "free", tolerances.free
-    if context.redundant:
+    if context.overdetermined:
         kind, relative = "consistent", tolerances.consistent
     limit = scales.tolerance(relative, scales.degree(of), kind)
     return context.builder.apply("at_most", context.builder.absolute(value), limit)

@@ -37,7 +37,7 @@ def summary_text(story: Story, singular: list[Singularity]) -> str:
     names = ", ".join(story.branch_names) if story.has_branch_words else ""
     lines.append(f"{counted(story.program.rows, 'row')}" + (f": {names}" if names else ""))
     lines += [_singular(each) for each in singular]
-    if story.derivation.problem.redundant:
+    if story.derivation.problem.overdetermined:
         lines.append(CHECKED)
     return "\n".join(lines) + "\n"
 

@@ -30,7 +30,7 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
     builder.hint(sine, f"S{angle.suffix}")
     builder.hint(cosine, f"C{angle.suffix}")
     factors = [step.coefficient(letter) for letter in ("X1", "Y1", "X2", "Y2")]
-    if context.are_constant(*factors) and not context.redundant:
+    if context.are_constant(*factors) and not context.overdetermined:
         sine, cosine = builder.div(sine, determinant), builder.div(cosine, determinant)
         finish(context, angle, cosine, sine)
         return

@@ -29,7 +29,7 @@ def joint_values(story: Story) -> list[Block]:
     if lines:
         blocks.append(Paragraph(_text(story), lead=say("The joint values.")))
         blocks.append(display(*lines))
-    if story.derivation.problem.redundant:
+    if story.derivation.problem.overdetermined:
         blocks.append(_check(story))
     if story.program.tightened is not None:
         blocks.append(_tightening(story.program))
