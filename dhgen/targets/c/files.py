@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 from dhgen.program.regular.flatten import flatten
 from dhgen.targets.c.arctangent import CArctangent
+from dhgen.targets.c.calls import CCalls, Prototypes, c_calls, c_prototypes
 from dhgen.targets.c.entries import entry_lines, entry_texts
 from dhgen.targets.c.language import C
 from dhgen.targets.c.regular import CRegular, best_lanes, regular_values
 from dhgen.targets.c.single_precision import in_single_precision
 from dhgen.targets.c.texts import CComments, CPose, CTables, c_comments, c_pose, c_tables
-from dhgen.targets.c_calls import CCalls, Prototypes, c_calls, c_prototypes
 from dhgen.targets.general.emit import c_rows, c_source
 from dhgen.targets.layout import INDENT, fitted, packed
 from dhgen.targets.module import regular_solver

@@ -13,8 +13,8 @@ from dhgen.targets.templates import render
 if TYPE_CHECKING:
     from dhgen.numerical.both_sides import Turning
     from dhgen.numerical.kernel import NumericalKernel
-    from dhgen.targets.c_calls import CCalls
-    from dhgen.targets.python_calls import PythonCalls
+    from dhgen.targets.c.calls import CCalls
+    from dhgen.targets.python.calls import PythonCalls
     from dhgen.targets.solver.common import Common
     from dhgen.targets.solver.module import Module
 

@@ -18,6 +18,7 @@ from dhgen.targets.numerical.emit import (
     python_tightening,
     python_tools,
 )
+from dhgen.targets.python.calls import PythonCalls, python_calls
 from dhgen.targets.python.language import Python
 from dhgen.targets.python.texts import (
     PythonArctangent,
@@ -30,7 +31,6 @@ from dhgen.targets.python.texts import (
     python_tables,
 )
 from dhgen.targets.python.tiles import PythonRegular, regular_values
-from dhgen.targets.python_calls import PythonCalls, python_calls
 from dhgen.targets.scalar import pose_entries
 from dhgen.targets.solver.bodies import Bodies, bodies_of
 from dhgen.targets.solver.common import common_of
