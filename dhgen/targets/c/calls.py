@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.targets.layout import INDENT, call
+from dhgen.targets.solver.calls import Calls
 from dhgen.targets.walk import finds_roots
 
 if TYPE_CHECKING:
@@ -36,20 +37,16 @@ class Prototypes:
 
 
 @dataclass(frozen=True, slots=True)
-class CCalls:
+class CCalls(Calls):
     """How functions are called.
 
     Attributes:
-        free_parameter: The values that the caller gives, among parameters.
-        free_argument: The same among arguments.
-        search_given: The same in a search.
+        search_given: The values that the caller gives, in a search.
         batch: All solutions of pose k.
         tile: Those of poses side by side, from k on.
         tile_again: Those of pose i, which was none of theirs.
     """
 
-    free_parameter: str
-    free_argument: str
     search_given: str
     batch: str
     tile: str

@@ -13,8 +13,7 @@ from dhgen.targets.templates import render
 if TYPE_CHECKING:
     from dhgen.numerical.both_sides import Turning
     from dhgen.numerical.kernel import NumericalKernel
-    from dhgen.targets.c.calls import CCalls
-    from dhgen.targets.python.calls import PythonCalls
+    from dhgen.targets.solver.calls import Calls
     from dhgen.targets.solver.common import Common
     from dhgen.targets.solver.module import Module
 
@@ -55,21 +54,21 @@ def python_tightening(kernel: NumericalKernel, module: Module) -> str:
     return _filled("python/tighten.py.jinja", kernel, module, arrays=arrays, looked=INSIDE)
 
 
-def c_both_sides(kernel: NumericalKernel, turning: Turning, module: Module, calls: CCalls) -> str:
+def c_both_sides(kernel: NumericalKernel, turning: Turning, module: Module, calls: Calls) -> str:
     """The static function `both_sides` in C99; it needs `solve` and what tightens."""
     places = turning_places(turning)
     return _filled("c/both_sides.c.jinja", kernel, module, calls=calls, turning=places)
 
 
 def python_both_sides(
-    kernel: NumericalKernel, turning: Turning, module: Module, calls: PythonCalls
+    kernel: NumericalKernel, turning: Turning, module: Module, calls: Calls
 ) -> str:
     """The function `_both_sides` in Python; it needs `_solve` and what tightens."""
     places = turning_places(turning)
     return _filled("python/both_sides.py.jinja", kernel, module, calls=calls, turning=places)
 
 
-def c_seeking(kernel: NumericalKernel, common: Common, calls: CCalls) -> str:
+def c_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:
     """The static function `seek` in C99; it needs what tightens and, with limits, searches."""
     return _filled(
         "c/seek.c.jinja",
@@ -81,7 +80,7 @@ def c_seeking(kernel: NumericalKernel, common: Common, calls: CCalls) -> str:
     )
 
 
-def python_seeking(kernel: NumericalKernel, common: Common, calls: PythonCalls) -> str:
+def python_seeking(kernel: NumericalKernel, common: Common, calls: Calls) -> str:
     """The function `_seek` in Python; it needs what tightens and, with limits, searches."""
     return _filled(
         "python/seek.py.jinja",

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.targets.python.tiles import TILE
+from dhgen.targets.solver.calls import Calls
 
 if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
@@ -15,18 +16,16 @@ SHARE = 2048  # poses that are worth a thread
 
 
 @dataclass(frozen=True, slots=True)
-class PythonCalls:
+class PythonCalls(Calls):
     """How functions are called and compiled.
 
     Attributes:
-        free_parameter: The values that the caller gives, among parameters and arguments.
-        free_batch: The same of pose k.
+        free_batch: The values that the caller gives for pose k.
         compiles_apart: Whether there are functions that few poses need.
         share: Poses that are worth a thread.
         tile: Poses that are solved side by side.
     """
 
-    free_parameter: str
     free_batch: str
     compiles_apart: bool
     share: int = SHARE
@@ -39,6 +38,7 @@ def python_calls(module: SolverModule, common: Common) -> PythonCalls:
     rare = common.searches.some or common.standing.settles or module.solver.tightened is not None
     return PythonCalls(
         free_parameter=", q_free" if given else "",
+        free_argument=", q_free" if given else "",
         free_batch=", q_free[k]" if given else "",
         compiles_apart=rare or common.programs.solves_whole,
     )
