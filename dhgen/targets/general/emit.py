@@ -5,20 +5,11 @@ from __future__ import annotations
 from textwrap import indent
 from typing import TYPE_CHECKING
 
-from dhgen.general.loop import LINKS
-from dhgen.targets.general.angles import Angles, Arctangent
-from dhgen.targets.general.arm import arm
-from dhgen.targets.general.elimination import Elimination, Kinds
-from dhgen.targets.general.equations import equations
-from dhgen.targets.general.links import links
+from dhgen.targets.general.algorithm import algorithm, c_algorithm, python_algorithm
 from dhgen.targets.general.rows import rows
-from dhgen.targets.general.sizes import Sizes
 from dhgen.targets.general.spelling import c_spelling, python_spelling
-from dhgen.targets.general.tables import tables
-from dhgen.targets.general.tolerances import Tolerances
-from dhgen.targets.general.wrist import wrist
 from dhgen.targets.layout import c_array, python_array
-from dhgen.targets.templates import render
+from dhgen.targets.templates import named, render
 
 if TYPE_CHECKING:
     from dhgen.general.kernel import GeneralKernel
@@ -27,41 +18,14 @@ if TYPE_CHECKING:
 
 def c_source(kernel: GeneralKernel, name: str) -> str:
     """The static functions of `<name>_general` in C99; they need <math.h>."""
-    places = [f"loop->link[{i}]" for i in range(LINKS)]
-    return render(
-        "c/general6r.c.jinja",
-        **_texts(kernel, name),
-        links=links(kernel, [*places, "P", "right"], "free_joints"),
-        spelling=c_spelling(kernel, name),
-        arctangent=Arctangent(),
-    )
+    common, own = algorithm(kernel, name), c_algorithm(kernel, name)
+    return render("c/general6r.c.jinja", **named(common), **named(own))
 
 
 def python_source(kernel: GeneralKernel, name: str) -> str:
     """The function `<name>_general` in Python; it needs numba and numpy."""
-    return render(
-        "python/general6r.py.jinja",
-        **_texts(kernel, name),
-        links=links(kernel, [f"links[{i}]" for i in range(LINKS + 2)], "q_free"),
-        spelling=python_spelling(kernel),
-        elimination=Elimination(),
-        kinds=Kinds(),
-    )
-
-
-def _texts(kernel: GeneralKernel, name: str) -> dict[str, object]:
-    """What both languages write alike."""
-    return {
-        "p": name,
-        "P": name.upper(),
-        "arm": arm(kernel),
-        "tables": tables(kernel),
-        "equations": equations(kernel),
-        "wrist": wrist(kernel),
-        "sizes": Sizes(),
-        "tolerances": Tolerances(),
-        "angles": Angles(),
-    }
+    common, own = algorithm(kernel, name), python_algorithm(kernel)
+    return render("python/general6r.py.jinja", **named(common), **named(own))
 
 
 def c_rows(kernel: GeneralKernel, chain: Chain, name: str) -> str:
