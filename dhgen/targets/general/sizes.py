@@ -17,6 +17,7 @@ class Sizes:
     """Lengths of arrays and ends of loops.
 
     Attributes:
+        samples: Angles at which the determinant is sampled.
         cells: Parts of the circle.
         half_cells: Of half the circle.
         edges: Of the cells, the first one again at the end.
@@ -39,6 +40,7 @@ class Sizes:
         starts: One by one.
     """
 
+    samples: int = circle.SAMPLES
     cells: int = circle.CELLS
     half_cells: int = HALF_CELLS
     edges: int = circle.CELLS + 1
