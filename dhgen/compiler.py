@@ -24,7 +24,7 @@ from dhgen.errors import PrecisionError, VerificationError
 from dhgen.kinematics.build import build_chain
 from dhgen.method import Method
 from dhgen.paul.derive import derive
-from dhgen.program.lowering.arm_plane import arm_angle_program, plane_miss_program
+from dhgen.program.lowering.arm_angle import arm_angle_program, plane_miss_program
 from dhgen.program.lowering.forward import forward_program, jacobian_program
 from dhgen.program.lowering.lower import lower
 from dhgen.robot_files import RobotFile, led_to

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dhgen.errors import UnsolvedError
 from dhgen.general.arm import general_kernel, is_better_polished
 from dhgen.kinematics.algebra import build_algebra
-from dhgen.kinematics.arm_angle import demand_arm_angle
+from dhgen.kinematics.no_arm_angle import demand_arm_angle
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.audit import best_route
 from dhgen.paul.choices import good_choices

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from dhgen.numerical.kernel import numerical_kernel
 from dhgen.paul.form import unknown_name
-from dhgen.program.lowering.arm_plane import lower_shoulder
 from dhgen.program.lowering.checks import Checks, checks_needed
 from dhgen.program.lowering.context import Lowering
 from dhgen.program.lowering.final_check import check_rows
+from dhgen.program.lowering.shoulder import lower_shoulder
 from dhgen.program.lowering.types import KERNELS
 from dhgen.program.lowering.whole import whole_program
 from dhgen.program.reserved import NOTHING, Reserved
