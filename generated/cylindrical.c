@@ -524,14 +524,14 @@ static double off_pose(const double T[16], const double x[3], double e[6])
 /* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
  * its share of the damping's root, are made orthogonal one after another, twice: once would not do
  * beside singular places. */
-static void add_step(const int held[3], double miss, double e[6], double x[3])
+static void add_step(const int held[3], double damping, double e[6], double x[3])
 {
     double A[6][9] = { { 0.0 } }, square[6] = { 0.0 }, J[18];
     cylindrical_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 3; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[3 * i + j];
-        A[i][3 + i] = sqrt(0.1 * miss * miss + 1e-26);
+        A[i][3 + i] = sqrt(damping + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -550,7 +550,7 @@ static void add_step(const int held[3], double miss, double e[6], double x[3])
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
  * returns if it can.
- * Goes on while that gains. */
+ * Goes on while that gains. Until a step gains little, none leads far. */
 static int settle(const double T[16], double enough, double most, double q[3])
 {
     double x[3], half[3], e[6], last = HUGE_VAL;
@@ -570,7 +570,8 @@ static int settle(const double T[16], double enough, double most, double q[3])
                 break;
             }
             last = miss;
-            add_step(held, miss, e, x);
+            const int wary = lost == 0 && miss > 100.0 * enough;
+            add_step(held, wary ? 0.003 * miss : 0.1 * miss * miss, e, x);
         }
         if (!(half_way(x, q, half) <= most))
             break; /* another solution */

@@ -414,7 +414,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "general_prrprr ad14e7bcba7f9492"
+_KEY = "general_prrprr 1f4d0f89a8da53be"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -2139,7 +2139,7 @@ def _miss(T, q):
 
 
 @_inner
-def _add_step(held, miss, e, q):
+def _add_step(held, damping, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
@@ -2149,7 +2149,7 @@ def _add_step(held, miss, e, q):
     for i in range(6):
         for j in range(6):
             rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 6 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
+        rows[i, 6 + i] = math.sqrt(damping + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
             for j in range(12):
@@ -2185,6 +2185,7 @@ def _settled(T, enough, most, q):
 
     If enough is NaN, to some inside their limits that miss it hardly more. Returns if it can.
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    Until one gains little they are damped so that none leads far.
     """
     half = np.empty(6)
     stands = math.isnan(enough)
@@ -2206,7 +2207,10 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(held, miss, e, x)
+            damping = 0.1 * miss * miss
+            if lost == 0 and miss > 100.0 * enough:
+                damping = 0.003 * miss
+            _add_step(held, damping, e, x)
         for j in range(6):
             off = _overshoot(j, x[j]) if stands and _PACE[j] > 0.0 else 0.0
             if off != 0.0:

@@ -223,7 +223,7 @@ def _address(number):
 
 
 # Compiled code finds this file, and no other text of it, among the modules that Python knows.
-_KEY = "rpp c9c9a608f99cc659"
+_KEY = "rpp c97beb2a1cca3ddf"
 if _COMPILED:
     sys.modules[_KEY] = ModuleType(_KEY)
     sys.modules[_KEY].address = _address
@@ -360,7 +360,7 @@ def _miss(T, q):
 
 
 @_inner
-def _add_step(held, miss, e, q):
+def _add_step(held, damping, e, q):
     """Adds the damped least squares step that the miss e asks for to joint values.
 
     The rows of the Jacobian, each with its share of the damping's root, are made orthogonal one
@@ -370,7 +370,7 @@ def _add_step(held, miss, e, q):
     for i in range(6):
         for j in range(3):
             rows[i, j] = 0.0 if held[j] else _PACE[j] * _MISS_WEIGHT[i] * J[i, j]
-        rows[i, 3 + i] = math.sqrt(0.1 * miss * miss + 1e-26)
+        rows[i, 3 + i] = math.sqrt(damping + 1e-26)
         for n in range(2 * i):
             k, along = n % i, 0.0
             for j in range(9):
@@ -406,6 +406,7 @@ def _settled(T, enough, most, q):
 
     Returns if it can.
     Damped least squares, while they gain: where roots meet a step still leaves less than half.
+    Until one gains little they are damped so that none leads far.
     """
     half = np.empty(3)
     held, x, settled = np.zeros(3, np.bool_), q.copy(), False
@@ -426,7 +427,10 @@ def _settled(T, enough, most, q):
                 if lost == 4:
                     return False
             last = miss
-            _add_step(held, miss, e, x)
+            damping = 0.1 * miss * miss
+            if lost == 0 and miss > 100.0 * enough:
+                damping = 0.003 * miss
+            _add_step(held, damping, e, x)
         if not _half_way(x, q, half) <= most:
             return settled  # another solution
     return settled

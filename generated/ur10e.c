@@ -992,14 +992,14 @@ static double off_pose(const double T[16], const double x[6], double e[6])
 /* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
  * its share of the damping's root, are made orthogonal one after another, twice: once would not do
  * beside singular places. */
-static void add_step(const int held[6], double miss, double e[6], double x[6])
+static void add_step(const int held[6], double damping, double e[6], double x[6])
 {
     double A[6][12] = { { 0.0 } }, square[6] = { 0.0 }, J[36];
     ur10e_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0 : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = sqrt(0.1 * miss * miss + 1e-26);
+        A[i][6 + i] = sqrt(damping + 1e-26);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             double along = 0.0;
@@ -1049,7 +1049,7 @@ static double at_an_end(int joint, double value, double seed)
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
  * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains. */
+ * Goes on while that gains. Until a step gains little, none leads far. */
 static int settle(const double T[16], double enough, double most, double q[6])
 {
     double x[6], half[6], e[6], last = HUGE_VAL;
@@ -1070,7 +1070,8 @@ static int settle(const double T[16], double enough, double most, double q[6])
                 break;
             }
             last = miss;
-            add_step(held, miss, e, x);
+            const int wary = lost == 0 && miss > 100.0 * enough;
+            add_step(held, wary ? 0.003 * miss : 0.1 * miss * miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const double off = stands && pace[i] > 0.0 ? past_an_end(i, x[i]) : 0.0;

@@ -767,14 +767,14 @@ static float off_pose(const float T[16], const float x[6], float e[6])
 /* Adds the damped least squares step that the miss e asks for: the rows of the Jacobian, each with
  * its share of the damping's root, are made orthogonal one after another, twice: once would not do
  * beside singular places. */
-static void add_step(const int held[6], float miss, float e[6], float x[6])
+static void add_step(const int held[6], float damping, float e[6], float x[6])
 {
     float A[6][12] = { { 0.0f } }, square[6] = { 0.0f }, J[36];
     ur5_f32_jacobian(x, J);
     for (int i = 0; i < 6; i++) {
         for (int j = 0; j < 6; j++)
             A[i][j] = held[j] ? 0.0f : pace[j] * weights[i] * J[6 * i + j];
-        A[i][6 + i] = sqrtf(0.1f * miss * miss + 1e-10f);
+        A[i][6 + i] = sqrtf(damping + 1e-10f);
         for (int n = 0; n < 2 * i; n++) {
             const int k = n % i;
             float along = 0.0f;
@@ -824,7 +824,7 @@ static float at_an_end(int joint, float value, float seed)
 
 /* Takes joint values to some not farther than most that miss the pose by less than enough;
  * if that is NaN, to some inside their limits that miss it hardly more. Returns if it can.
- * Goes on while that gains. */
+ * Goes on while that gains. Until a step gains little, none leads far. */
 static int settle(const float T[16], float enough, float most, float q[6])
 {
     float x[6], half[6], e[6], last = HUGE_VALF;
@@ -845,7 +845,8 @@ static int settle(const float T[16], float enough, float most, float q[6])
                 break;
             }
             last = miss;
-            add_step(held, miss, e, x);
+            const int wary = lost == 0 && miss > 100.0f * enough;
+            add_step(held, wary ? 0.003f * miss : 0.1f * miss * miss, e, x);
         }
         for (int i = 0; i < 6; i++) {
             const float off = stands && pace[i] > 0.0f ? past_an_end(i, x[i]) : 0.0f;

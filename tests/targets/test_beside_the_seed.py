@@ -62,6 +62,23 @@ def test_a_seed_beyond_a_limit_ends_no_row_inside(name: str, language: str, off:
         assert np.abs(found - seed).max() < 0.1
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", ["ur5", "ur10e"])
+@pytest.mark.parametrize("turns", [(-6, -5, -4, -3, 4, -7), (-6, 0, -4, -4, 4, 4)])
+def test_no_answer_is_farther_from_the_seed_than_need_be(
+    name: str, turns: tuple[int, ...], language: str
+) -> None:
+    """Where the elbow is folded and the wrist is straight, a step is easily longer than the way."""
+    q, solver = np.array(turns) * (np.pi / 4), Solver(name, language)
+    T, source = poses_of(name, q[None])[0], np.random.default_rng(21)
+    for radius in (0.003, 0.009, 0.03):
+        for _ in range(40):
+            seed = source.normal(size=6)
+            seed = q + seed * (radius / np.linalg.norm(seed))
+            _, found = solver.nearest(T, seed)
+            assert np.linalg.norm(found - seed) < 1.2 * radius
+
+
 @cache
 def in_millimetres() -> CompiledSolver:
     text = (ROBOTS / f"{SLIDING}.yaml").read_text(encoding="utf-8")

@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, ChainJoint
     from dhgen.targets.module import SolverModule
 
+# Where two things are singular the Jacobian has rows as small as the joints are near. Damped by the
+# square of the miss a step is then longer than the way; damped by the miss it is not, and gains
+# where roots meet, because the miss is as small as the square of such rows.
+CAUTIOUS = 3e-3
 ROUNDS = 20  # of steps: what is right ends after two or three, where roots meet after twelve
 # A step is in vain if it leaves more of the miss; where n roots meet (1 - 1/n)^n is left. Beside
 # places where two things are singular some make it worse before it gets better.
@@ -42,7 +46,8 @@ class Settle:
         miss_weights: What the components of a miss count, between commas.
         paces: What a step of one means for each joint, between commas.
         together: Joint values that differ by less are one solution [rad, arm sizes].
-        damping: Of the steps.
+        cautious: Times the miss, the damping of steps while they gain and much is missed.
+        damping: Times the square of the miss, that of the steps after.
         fine: Always added to it.
         rounds: Of steps.
         slow: A step that leaves more of the miss is in vain.
@@ -64,6 +69,7 @@ class Settle:
     together: str
     fine: str
     told_by_nothing: float
+    cautious: str = repr(CAUTIOUS)
     damping: str = repr(DAMPING)
     rounds: int = ROUNDS
     slow: float = SLOW
