@@ -28,10 +28,14 @@ DEEPEST = 14  # how often a cell is halved before its roots count as one of high
 HALVINGS = 100  # in all cells together: f may be next to nothing for long stretches
 NEWTON_STEPS = 12
 SETTLED = 1e-9  # the step after one of this size [rad] is rounding
+SETTLED_EXTREMUM = 1e-7  # the same where f turns, and with it the value there by a parabola
 
 # The quintic through f, f', f'' at both ends of a cell misses f by at most
 # WIDTH^6 8^6 / 46080 = 1.3e-9 of its largest value.
 QUINTIC = 2e-9
+# The Bernstein coefficients of the cubic through f and f' at both ends miss those of the quintic by
+# at most WIDTH^4 8^4 / 240 = 6e-6: what they leave out has no root, nor one that is lifted off.
+CUBIC = 2e-5
 # Rounding of f in its largest value, at least this; more when the harmonics beyond 8 say so. They
 # tell little of errors that samples have alike, where four roots meet up to thirty times less.
 ROUNDING = 3e-15

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from dhgen.general.circle import roots, sample_cosines, trigonometric
+from dhgen.general.circle import CELLS, CUBIC, WIDTH, roots, sample_cosines, trigonometric
 
 
 def polynomial(angles: list[float], offset: float = 0.0) -> np.ndarray:
@@ -53,3 +53,30 @@ def test_noise_is_measured() -> None:
     assert trigonometric(samples).noise < 1e-14
     samples[5] += 1e-3
     assert trigonometric(samples).noise > 1e-5
+
+
+def test_the_cubic_leaves_out_no_cell_that_the_quintic_does_not() -> None:
+    generator = np.random.default_rng(5)
+    edges = np.arange(CELLS + 1) * WIDTH
+    for pair in (0.0, 1e-6, 1e-5, 1e-4, 1e-3):
+        for _ in range(20):
+            angles = [*generator.uniform(0.0, 2 * np.pi, 14), 1.0, 1.0 + pair]
+            f = trigonometric(polynomial(angles, offset=generator.choice([0.0, 1e-9])))
+            at = np.array([f.at(np.cos(x), np.sin(x)) for x in edges]).T
+            low, high = at[:, :-1], at[:, 1:]
+            (f0, d0, s0), (f1, d1, s1) = low, high
+            third, fifth, twentieth = WIDTH / 3, WIDTH / 5, WIDTH**2 / 20
+            cubic = [f0, f0 + third * d0, f1 - third * d1, f1]
+            quintic = [f0, f0 + fifth * d0, f0 + 2 * fifth * d0 + twentieth * s0]
+            quintic += [f1 - 2 * fifth * d1 + twentieth * s1, f1 - fifth * d1, f1]
+            may = is_open(quintic, f.touching)
+            assert may.any()
+            assert not (may & ~is_open(cubic, f.rounding + f.scale * CUBIC)).any()
+
+
+def is_open(coefficients: list[np.ndarray], doubt: float) -> np.ndarray:
+    """Whether cells have Bernstein coefficients that are not all of one sign beyond doubt."""
+    result: np.ndarray = (np.min(coefficients, axis=0) <= doubt) & (
+        np.max(coefficients, axis=0) >= -doubt
+    )
+    return result

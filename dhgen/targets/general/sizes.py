@@ -9,6 +9,8 @@ from dhgen.general.digits import HALF_CELLS
 from dhgen.general.roots import LOOKS, REACH
 
 ROOTS = 24  # more than 16 come from rounding
+WAITING = 16  # twice as many as there are lanes at most
+QUINTIC_STEPS = 4  # from a start that is nearly right; the function itself corrects the rest
 BATCHES = 16  # of starts where everything else fails
 
 
@@ -24,9 +26,11 @@ class Sizes:
         edges_in_lanes: The same with room for a vector that begins at the last one.
         width: Of a cell [rad].
         deepest: How often a cell is halved.
-        open_cells: Parts of a cell that wait at most.
+        open_cells: Parts of a cell that wait at most to be halved.
+        waiting: Parts of the circle that wait at most to be solved together.
+        parts: Those with the two halves of as many others.
         halvings: Of all cells together.
-        newton_steps: On a polynomial that stands for the function.
+        quintic_steps: On a polynomial that stands for the function.
         careful_steps: On the function itself.
         roots: Of each kind that are kept.
         looks: How often places are looked at again.
@@ -48,8 +52,10 @@ class Sizes:
     width: str = repr(circle.WIDTH)
     deepest: int = circle.DEEPEST
     open_cells: int = circle.DEEPEST + 2
+    waiting: int = WAITING
+    parts: int = 3 * WAITING
     halvings: int = circle.HALVINGS
-    newton_steps: int = circle.NEWTON_STEPS
+    quintic_steps: int = QUINTIC_STEPS
     careful_steps: int = 4 * circle.NEWTON_STEPS
     roots: int = ROOTS
     looks: int = LOOKS
